@@ -1,0 +1,13 @@
+# tumble_program_options: what every program and test of the project is compiled with.
+option(TUMBLE_WARNINGS_AS_ERRORS "Stop at the first warning" OFF)
+
+add_library(tumble_program_options INTERFACE)
+target_compile_options(tumble_program_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Wold-style-cast -Woverloaded-virtual
+  $<$<BOOL:${TUMBLE_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# The same numbers to the last digit from every compiler: no fused multiply-add behind our back, no
+# reordering of a sum by vector lanes.
+target_compile_options(tumble_program_options INTERFACE -ffp-contract=off)
+target_compile_definitions(tumble_program_options INTERFACE EIGEN_DONT_VECTORIZE)
