@@ -44,8 +44,10 @@ inline std::vector<Vec3> rotation_vectors(std::uint64_t seed = 1, int random = 2
   constexpr double pi = std::numbers::pi;
   std::vector<Vec3> list{Vec3::Zero()};
   Random rng(seed);
-  for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ()), rng.direction()}) {
-    for (const double angle : {1e-300, 1e-16, 1e-8, 1e-4, pi / 2, pi - 1e-4, pi - 1e-8, pi - 1e-15, pi})
+  for (const Vec3& axis :
+       {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ()), rng.direction()}) {
+    for (const double angle :
+         {1e-300, 1e-16, 1e-8, 1e-4, pi / 2, pi - 1e-4, pi - 1e-8, pi - 1e-15, pi})
       list.push_back(angle * axis);
   }
   for (int i = 0; i < random; ++i) list.push_back(rng.uniform(0, pi) * rng.direction());

@@ -2,8 +2,8 @@
 /// @file
 /// The cross product as a matrix: [v]× w = v × w.
 ///
-/// Source: any text on rigid bodies; here after Murray, Li & Sastry, "A Mathematical Introduction to
-/// Robotic Manipulation" (1994), eq. 2.4, where it is written v̂.
+/// Source: any text on rigid bodies; here after Murray, Li & Sastry, "A Mathematical Introduction
+/// to Robotic Manipulation" (1994), eq. 2.4, where it is written v̂.
 
 #include "tumble/types.hpp"
 

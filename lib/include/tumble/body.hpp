@@ -1,0 +1,12 @@
+#pragma once
+/// @file
+/// Everything about the motion of rigid bodies.
+
+#include "tumble/body/derived.hpp"
+#include "tumble/body/dydt.hpp"
+#include "tumble/body/forces.hpp"
+#include "tumble/body/many_bodies.hpp"
+#include "tumble/body/matrix_state.hpp"
+#include "tumble/body/rigid_body.hpp"
+#include "tumble/body/state.hpp"
+#include "tumble/body/wrench.hpp"

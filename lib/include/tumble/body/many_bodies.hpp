@@ -1,0 +1,101 @@
+#pragma once
+/// @file
+/// Many rigid bodies in one state vector: thirteen numbers each, body after body.
+///
+/// A scene's forces may act on each body by itself (BodyForce) or between bodies (SceneForce).
+/// Source: Baraff, "Rigid Body Simulation I" (1997), §4, ddt_State_to_Array over all bodies.
+
+#include <concepts>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "tumble/body/derived.hpp"
+#include "tumble/body/forces.hpp"
+#include "tumble/body/state.hpp"
+#include "tumble/quaternion/quaternion_rate.hpp"
+#include "tumble/require.hpp"
+
+namespace tumble {
+
+template <class T>
+using PackedScene = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+
+/// A callable (t, bodies, motions, wrenches) that adds to the wrench of each body it acts on.
+template <class F, class T>
+concept SceneForce = std::invocable<const F&, T, std::span<const RigidBody<T>>,
+                                    std::span<const Derived<T>>, std::span<Wrench<T>>>;
+
+/// All states one after the other, 13 numbers each.
+template <class T>
+PackedScene<T> pack(const std::vector<RigidBodyState<T>>& states) {
+  PackedScene<T> y(rigid_body_state_size * static_cast<Eigen::Index>(states.size()));
+  for (std::size_t i = 0; i < states.size(); ++i)
+    y.template segment<rigid_body_state_size>(rigid_body_state_size *
+                                              static_cast<Eigen::Index>(i)) = pack(states[i]);
+  return y;
+}
+
+/// The inverse of pack().
+/// @throws std::invalid_argument if the length is not a multiple of 13
+template <class T>
+std::vector<RigidBodyState<T>> unpack(const PackedScene<T>& y) {
+  require(y.size() % rigid_body_state_size == 0, "a scene of rigid bodies has ",
+          rigid_body_state_size, " numbers each; ", y.size(), " is not a multiple");
+  std::vector<RigidBodyState<T>> states;
+  for (Eigen::Index i = 0; i < y.size(); i += rigid_body_state_size)
+    states.push_back(unpack<T>(PackedState<T>(y.template segment<rigid_body_state_size>(i))));
+  return states;
+}
+
+/// Bodies and the forces on and between them, as a right-hand side for the solvers in ode/.
+template <class T, class... Forces>
+requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneMotion {
+ public:
+  explicit SceneMotion(std::vector<RigidBody<T>> bodies, const Forces&... forces)
+      : bodies_(std::move(bodies)), forces_(forces...) {}
+
+  const std::vector<RigidBody<T>>& bodies() const { return bodies_; }
+
+  /// dy/dt of all packed states at time t [s].
+  /// @throws std::invalid_argument if y does not hold 13 numbers for each body
+  PackedScene<T> operator()(T t, const PackedScene<T>& y) const {
+    std::vector<RigidBodyState<T>> states = unpack<T>(y);
+    require(states.size() == bodies_.size(), "the scene has ", bodies_.size(),
+            " bodies, the state ", states.size());
+    std::vector<Derived<T>> now;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) now.push_back(derived(bodies_[i], states[i]));
+    const std::vector<Wrench<T>> net = net_wrenches(t, now);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      states[i] = {now[i].v, quaternion_dot(states[i].q, now[i].omega), net[i].force,
+                   net[i].torque};
+    return pack(states);
+  }
+
+ private:
+  std::vector<Wrench<T>> net_wrenches(T t, const std::vector<Derived<T>>& now) const {
+    std::vector<Wrench<T>> net(bodies_.size());
+    std::apply([&](const Forces&... force) { (add(force, t, now, net), ...); }, forces_);
+    return net;
+  }
+
+  template <class Force>
+  void add(const Force& force, T t, const std::vector<Derived<T>>& now,
+           std::vector<Wrench<T>>& net) const {
+    if constexpr (BodyForce<Force, T>) {
+      for (std::size_t i = 0; i < bodies_.size(); ++i) net[i] += force(t, bodies_[i], now[i]);
+    } else {
+      force(t, std::span<const RigidBody<T>>(bodies_), std::span<const Derived<T>>(now),
+            std::span<Wrench<T>>(net));
+    }
+  }
+
+  std::vector<RigidBody<T>> bodies_;
+  std::tuple<Forces...> forces_;
+};
+
+template <class T, class... Forces>
+SceneMotion(std::vector<RigidBody<T>>, const Forces&...) -> SceneMotion<T, Forces...>;
+
+}  // namespace tumble

@@ -1,0 +1,9 @@
+#pragma once
+/// @file
+/// Everything about quaternions that Eigen does not have.
+
+#include "tumble/quaternion/convert.hpp"
+#include "tumble/quaternion/exp_log.hpp"
+#include "tumble/quaternion/normalize.hpp"
+#include "tumble/quaternion/quaternion_rate.hpp"
+#include "tumble/quaternion/slerp.hpp"

@@ -1,0 +1,27 @@
+#pragma once
+/// @file
+/// Keeping a quaternion a rotation: the whole repair that integration needs is one division.
+
+#include <cmath>
+
+#include "tumble/require.hpp"
+#include "tumble/types.hpp"
+
+namespace tumble {
+
+/// |q| − 1: how far integration has let a unit quaternion drift.
+template <class T>
+T norm_drift(const Quaternion<T>& q) {
+  return q.norm() - T(1);
+}
+
+/// q / |q|.
+/// @throws std::invalid_argument if q is zero or not finite: it stands for no rotation
+inline Quat normalize(const Quat& q) {
+  const double norm = q.coeffs().stableNorm();
+  require(norm > 0 && std::isfinite(norm), "no rotation has the quaternion (w x y z) = (", q.w(),
+          ' ', q.x(), ' ', q.y(), ' ', q.z(), ")");
+  return Quat(Eigen::Vector4d(q.coeffs() / norm));
+}
+
+}  // namespace tumble
