@@ -31,8 +31,7 @@ class RigidBodyMotion {
   /// The same on the unpacked state: each member holds its own time derivative.
   RigidBodyState<T> rate(T t, const RigidBodyState<T>& state) const {
     const Derived<T> now = derived(body_, state);
-    const Wrench<T> net = std::apply(
-        [&](const Forces&... force) { return net_wrench(t, body_, now, force...); }, forces_);
+    const Wrench<T> net = net_wrench(t, body_, now, forces_);
     return {now.v, quaternion_dot(state.q, now.omega), net.force, net.torque};
   }
 

@@ -6,6 +6,7 @@
 /// }.
 
 #include <concepts>
+#include <tuple>
 
 #include "tumble/body/derived.hpp"
 #include "tumble/body/wrench.hpp"
@@ -66,10 +67,13 @@ struct SpringToWorld {
 /// The sum of what all forces do; with no force at all, nothing is computed.
 template <class T, BodyForce<T>... Forces>
 Wrench<T> net_wrench(T t, const RigidBody<T>& body, const Derived<T>& now,
-                     const Forces&... forces) {
-  Wrench<T> sum;
-  ((sum += forces(t, body, now)), ...);
-  return sum;
+                     const std::tuple<Forces...>& forces) {
+  const auto add = [&](const Forces&... force) {
+    Wrench<T> sum;
+    ((sum += force(t, body, now)), ...);
+    return sum;
+  };
+  return std::apply(add, forces);
 }
 
 }  // namespace tumble

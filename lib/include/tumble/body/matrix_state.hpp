@@ -52,8 +52,7 @@ class MatrixStateMotion {
   PackedMatrixState<T> operator()(T t, const PackedMatrixState<T>& y) const {
     const MatrixState<T> s = unpack<T>(y);
     const Derived<T> now{s.x, s.R, s.P / body_.mass(), angular_velocity(body_, s.R, s.L)};
-    const Wrench<T> net = std::apply(
-        [&](const Forces&... force) { return net_wrench(t, body_, now, force...); }, forces_);
+    const Wrench<T> net = net_wrench(t, body_, now, forces_);
     return pack(MatrixState<T>{now.v, rotation_dot(s.R, now.omega), net.force, net.torque});
   }
 

@@ -1,0 +1,158 @@
+#pragma once
+/// @file
+/// Curves in a frame, as SVG: linear or log axes, names at the curves' ends instead of a legend.
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "support/axis.hpp"
+#include "support/svg.hpp"
+#include "tumble/require.hpp"
+
+namespace tumble::support {
+
+/// One curve. Points that an axis cannot show (not finite; not positive on a log axis) are left
+/// out.
+struct Series {
+  std::string name;
+  std::vector<double> x, y;
+};
+
+struct Plot {
+  std::string title;
+  Axis x, y;
+  std::vector<Series> series;
+};
+
+namespace plot_detail {
+
+constexpr double width = 760, height = 440, left = 74, right = 178, top = 44, bottom = 56;
+constexpr double text_height = 15;
+constexpr std::size_t most_markers = 40;  // a curve with more points is a line
+
+struct Frame {
+  FittedAxis x, y;
+  double px(double value) const { return left + x.position(value) * (width - left - right); }
+  double py(double value) const {
+    return height - bottom - y.position(value) * (height - top - bottom);
+  }
+};
+
+inline std::string line(double x1, double y1, double x2, double y2, const char* colour) {
+  return "<line x1=\"" + svg_number(x1) + "\" y1=\"" + svg_number(y1) + "\" x2=\"" +
+         svg_number(x2) + "\" y2=\"" + svg_number(y2) + "\" stroke=\"var(--" + colour + ")\"/>\n";
+}
+
+inline std::string text(double x, double y, const std::string& words,
+                        const std::string& attributes) {
+  return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" " + attributes + ">" +
+         svg_text(words) + "</text>\n";
+}
+
+inline std::string axes(const Plot& plot, const Frame& frame) {
+  std::string svg;
+  for (const Tick& tick : frame.x.ticks()) {
+    const double x = frame.px(tick.value);
+    svg += line(x, top, x, height - bottom, "grid");
+    svg += text(x, height - bottom + 18, tick.label, "fill=\"var(--ink)\" text-anchor=\"middle\"");
+  }
+  for (const Tick& tick : frame.y.ticks()) {
+    const double y = frame.py(tick.value);
+    svg += line(left, y, width - right, y, "grid");
+    svg += text(left - 8, y + 4, tick.label, "fill=\"var(--ink)\" text-anchor=\"end\"");
+  }
+  svg += line(left, height - bottom, width - right, height - bottom, "faint");
+  svg += line(left, top, left, height - bottom, "faint");
+  svg += text(left + (width - left - right) / 2, height - 14, plot.x.label,
+              "fill=\"var(--ink)\" text-anchor=\"middle\"");
+  svg += text(left - 62, top - 12, plot.y.label, "fill=\"var(--ink)\"");
+  svg += text(width - 12, top - 12, plot.title,
+              "fill=\"var(--ink)\" text-anchor=\"end\" font-weight=\"600\"");
+  return svg;
+}
+
+inline std::string colour_of(std::size_t index) {
+  return "var(--c" + std::to_string(index % 8) + ")";
+}
+
+inline std::string curve(const Series& series, const Frame& frame, const std::string& colour) {
+  std::string path, markers;
+  bool pen_down = false;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (!frame.x.shows(series.x[i]) || !frame.y.shows(series.y[i])) {
+      pen_down = false;
+      continue;
+    }
+    const std::string x = svg_number(frame.px(series.x[i])), y = svg_number(frame.py(series.y[i]));
+    path += (pen_down ? "L" : "M") + x + " " + y;
+    pen_down = true;
+    if (series.x.size() <= most_markers)
+      markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"3\" fill=\"" + colour + "\"/>\n";
+  }
+  return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour +
+         "\" stroke-width=\"1.8\"/>\n" + markers;
+}
+
+struct EndLabel {
+  std::size_t series;
+  double y;
+};
+
+/// Where each curve's name stands: at the height of its last point, pushed apart where they would
+/// overlap.
+inline std::vector<EndLabel> end_labels(const Plot& plot, const Frame& frame) {
+  std::vector<EndLabel> labels;
+  for (std::size_t s = 0; s < plot.series.size(); ++s) {
+    const Series& series = plot.series[s];
+    for (std::size_t i = series.x.size(); i-- > 0;) {
+      if (!frame.x.shows(series.x[i]) || !frame.y.shows(series.y[i])) continue;
+      labels.push_back({s, frame.py(series.y[i])});
+      break;
+    }
+  }
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const EndLabel& a, const EndLabel& b) { return a.y < b.y; });
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    labels[i].y = std::max(labels[i].y, labels[i - 1].y + text_height);
+  // What was pushed out below comes back up, and pushes its neighbours in turn.
+  double limit = height - bottom + 6;
+  for (std::size_t i = labels.size(); i-- > 0; limit = labels[i].y - text_height)
+    labels[i].y = std::min(labels[i].y, limit);
+  return labels;
+}
+
+inline Frame fitted_frame(const Plot& plot) {
+  Frame frame{FittedAxis(plot.x), FittedAxis(plot.y)};
+  for (const Series& series : plot.series) {
+    require(series.x.size() == series.y.size(), "plot '", plot.title, "': curve '", series.name,
+            "' has ", series.x.size(), " x but ", series.y.size(), " y");
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      if (!frame.x.shows(series.x[i]) || !frame.y.shows(series.y[i])) continue;
+      frame.x.include(series.x[i]);
+      frame.y.include(series.y[i]);
+    }
+  }
+  frame.x.finish();
+  frame.y.finish();
+  return frame;
+}
+
+}  // namespace plot_detail
+
+/// The plot as a complete SVG document.
+/// @throws std::invalid_argument if a curve has not as many x as y
+inline std::string to_svg(const Plot& plot) {
+  using namespace plot_detail;
+  const Frame frame = fitted_frame(plot);
+  std::string svg = svg_open(width, height, plot.title) + axes(plot, frame);
+  for (std::size_t s = 0; s < plot.series.size(); ++s)
+    svg += curve(plot.series[s], frame, colour_of(s));
+  for (const EndLabel& label : end_labels(plot, frame))
+    svg += text(width - right + 10, label.y + 4, plot.series[label.series].name,
+                "fill=\"" + colour_of(label.series) + "\"");
+  return svg + "</svg>\n";
+}
+
+}  // namespace tumble::support
