@@ -1,0 +1,33 @@
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "tour/tour.hpp"
+
+namespace tumble::tour {
+
+Output::Output(std::filesystem::path folder) : folder_(std::move(folder)) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error)
+    throw std::runtime_error(folder_.string() + ": cannot be made a folder: " + error.message());
+}
+
+void Output::write(const std::string& file, const std::string& content) {
+  std::ofstream stream(folder_ / file, std::ios::binary);
+  stream << content;
+  stream.close();
+  if (!stream) throw std::runtime_error((folder_ / file).string() + ": cannot be written");
+  files_.push_back(file);
+}
+
+void Output::show(const std::string& heading, const support::Table& table,
+                  const std::string& file) {
+  std::cout << '\n' << heading << "\n\n" << table.text() << std::flush;
+  write(file + ".csv", table.csv());
+}
+
+void progress(const std::string& what) { std::cerr << "… " << what << '\n'; }
+
+}  // namespace tumble::tour

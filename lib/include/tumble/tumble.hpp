@@ -1,0 +1,11 @@
+#pragma once
+/// @file
+/// The whole library, but for tumble/mesh/read_obj.hpp, which needs the target tumble::obj.
+
+#include "tumble/body.hpp"
+#include "tumble/mass.hpp"
+#include "tumble/mesh.hpp"
+#include "tumble/ode.hpp"
+#include "tumble/particles.hpp"
+#include "tumble/quaternion.hpp"
+#include "tumble/rotation.hpp"
