@@ -30,6 +30,7 @@ namespace plot_detail {
 
 constexpr double width = 760, height = 440, left = 74, right = 178, top = 44, bottom = 56;
 constexpr double text_height = 15;
+constexpr std::size_t colours = 10;       // --c0 … --c9 of the style
 constexpr std::size_t most_markers = 40;  // a curve with more points is a line
 
 struct Frame {
@@ -74,7 +75,7 @@ inline std::string axes(const Plot& plot, const Frame& frame) {
 }
 
 inline std::string colour_of(std::size_t index) {
-  return "var(--c" + std::to_string(index % 8) + ")";
+  return "var(--c" + std::to_string(index % colours) + ")";
 }
 
 inline std::string curve(const Series& series, const Frame& frame, const std::string& colour) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double h = 1.0 / 60;  // [s]
 constexpr int steps = 60 * 60 * 10;
-constexpr Spin spin{6.283185307179586, 0.5};  // one turn a second, well off the axis
+constexpr Spin spin{3.141592653589793, 0.5};  // half a turn a second, well off the axis
 
 /// A run of one representation with one repair.
 struct Run {
@@ -126,7 +126,8 @@ void show_drift(const Subject& subject, Output& output) {
   add("matrix", "polar by SVD", run_matrix(body, start, nearest_rotation));
   add("quaternion", "none", run_quaternion(body, start, [](const Quat& q) { return q; }));
   add("quaternion", "normalise", run_quaternion(body, start, normalize));
-  output.show("Drift: ten minutes of RK4 at 60 steps a second, one turn a second", table, "drift");
+  output.show("Drift: ten minutes of RK4 at 60 steps a second, half a turn a second", table,
+              "drift");
   output.write("drift.svg", support::to_svg(plot));
 }
 

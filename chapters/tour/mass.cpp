@@ -65,10 +65,11 @@ void measure_boxes(const Subject& subject, Measurements& all, support::Plot& plo
     extend(series, all.measure(name, method));
     plot.series.push_back(series);
   };
-  point("box along the axes", [&] { return box_mass_properties(aligned_box(mesh), mass); });
-  point("oriented box", [&] { return box_mass_properties(fit_oriented_box(mesh), mass); });
+  point("box along the axes",
+        [&] { return box_mass_properties(aligned_box(mesh.vertices), mass); });
+  point("oriented box", [&] { return box_mass_properties(fit_oriented_box(mesh.vertices), mass); });
   point("box of the true volume",
-        [&] { return box_mass_properties(shrunk_to_volume(aligned_box(mesh), volume), mass); });
+        [&] { return box_mass_properties(shrunk_to(aligned_box(mesh.vertices), volume), mass); });
 }
 
 void measure_points(const Subject& subject, Measurements& all, support::Plot& plot) {

@@ -61,34 +61,46 @@ support::Plot spin_plot(const std::vector<Moment>& motion) {
   return plot;
 }
 
+/// The drawing of a moment: the body, and behind it the direction of L, which never changes.
+std::string frame(const PolygonMesh& drawn, const Mat3& view, const Moment& moment, double size,
+                  const support::Placement& at) {
+  const Vec3 L = view * moment.state.L.normalized() * 0.5 * size;
+  const auto number = [](double value) { return support::svg_number(value); };
+  return "<path d=\"M" + number(at.x - L.x()) + " " + number(at.y + L.y()) + "L" +
+         number(at.x + L.x()) + " " + number(at.y - L.y()) +
+         "\" stroke=\"var(--c1)\" stroke-dasharray=\"5 4\"/>\n" +
+         support::draw_mesh(drawn, view * to_matrix(moment.state.q), at) + "<text x=\"" +
+         number(at.x) + "\" y=\"" + number(at.y + size / 2 + 12) +
+         "\" fill=\"var(--ink)\" text-anchor=\"middle\">" + support::svg_number(moment.t, 2) +
+         " s</text>\n";
+}
+
 /// Pictures of the body through its first turnover (or the first seconds, if it has none).
 std::string film_strip(const Subject& subject, const std::vector<Moment>& motion) {
-  constexpr int columns = 5, rows = 2;
-  constexpr double size = 190, caption = 24;
+  constexpr int columns = 6, rows = 2;
+  constexpr double size = 160, caption = 24, apart = 0.25;  // [px], [px], [s]
   const std::vector<double> times = turnovers(motion);
-  const double middle = times.empty() ? 1.5 : times.front(), begin = std::max(0.0, middle - 1.35);
-  PolygonMesh drawn = support::coarsened(subject.mesh, 28);
-  for (Vec3& v : drawn.vertices) v -= subject.exact.centre;
+  const double half = apart * (columns * rows - 1) / 2,
+               middle = times.empty() ? half : times.front();
+  PolygonMesh drawn = support::coarsened(subject.mesh, 22);
   double radius = 0;
-  for (const Vec3& v : drawn.vertices) radius = std::max(radius, v.norm());
-
-  // The spin axis (y of the world) stands upright in the picture, seen from a little above.
+  for (Vec3& v : drawn.vertices) {
+    v -= subject.exact.centre;
+    radius = std::max(radius, v.norm());
+  }
+  // The spin axis, y of the world, stands upright in the picture, seen from a little above.
   const Mat3 view =
       (Eigen::AngleAxisd(0.35, Vec3::UnitX()) * Eigen::AngleAxisd(-0.5, Vec3::UnitY()))
           .toRotationMatrix();
   std::string svg =
       support::svg_open(columns * size, rows * (size + caption), subject.name + " turning over");
   for (int i = 0; i < columns * rows; ++i) {
-    const double t = begin + 0.3 * i;
+    const double t = std::max(0.0, middle - half) + apart * i;
     const auto index =
         std::min(motion.size() - 1, static_cast<std::size_t>(std::lround(t / duration * moments)));
-    const double x = size * (i % columns + 0.5), y = (size + caption) * (i / columns) + size / 2;
-    svg += support::draw_mesh(drawn, view * to_matrix(motion[index].state.q),
-                              {x, y, 0.46 * size / radius});
-    svg += "<text x=\"" + support::svg_number(x) + "\" y=\"" +
-           support::svg_number(y + size / 2 + 12) +
-           "\" fill=\"var(--ink)\" text-anchor=\"middle\">" +
-           support::svg_number(motion[index].t, 2) + " s</text>\n";
+    svg += frame(drawn, view, motion[index], size,
+                 {size * (i % columns + 0.5), (size + caption) * (i / columns) + size / 2,
+                  0.46 * size / radius});
   }
   return svg + "</svg>\n";
 }

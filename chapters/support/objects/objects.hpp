@@ -1,0 +1,33 @@
+#pragma once
+/// @file
+/// Objects of daily life that are thrown in the chapters: closed meshes in metres.
+
+#include <array>
+
+#include "support/objects/gear.hpp"
+#include "support/objects/mug.hpp"
+#include "support/objects/t_handle.hpp"
+#include "support/objects/tennis_racket.hpp"
+#include "support/objects/wing_nut.hpp"
+
+namespace tumble::objects {
+
+/// One of the objects.
+struct Object {
+  const char* name;
+  const char* description;
+  PolygonMesh (*mesh)(
+      int resolution);  ///< resolution 1 is the coarsest; triangles grow as its square
+  int for_drawings;     ///< the resolution with about 1,000 triangles
+  int fine;             ///< the resolution with about 20,000 triangles
+};
+
+inline constexpr std::array<Object, 5> all = {
+    Object{"t_handle", "the T-handle that turns over in orbit", t_handle, 2, 7},
+    Object{"wing_nut", "a wing nut of size M8", wing_nut, 1, 6},
+    Object{"tennis_racket", "a wooden tennis racket", tennis_racket, 1, 4},
+    Object{"mug", "a mug with a handle", mug, 1, 4},
+    Object{"gear", "a spur gear with 18 involute teeth", gear, 1, 9},
+};
+
+}  // namespace tumble::objects
