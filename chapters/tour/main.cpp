@@ -2,8 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <optional>
+#include <sstream>
 
 #include "support/objects/objects.hpp"
+#include "support/view.hpp"
 #include "tour/tour.hpp"
 #include "tumble/mesh/read_obj.hpp"
 #include "tumble/mesh/write_obj.hpp"
@@ -14,29 +17,45 @@ using namespace tumble;
 using namespace tumble::tour;
 
 struct Options {
-  std::string mesh, object = "t_handle", out = "build/tour";
-  double density = 2700;  // aluminium
-  int resolution = 64;
+  std::string mesh, object = objects::all.front().name, out = "build/tour";
+  std::optional<double> density;
 };
 
 std::string names_of_objects() {
   std::string names;
-  for (const auto& object : objects::all())
+  for (const objects::Object& object : objects::all)
     names += (names.empty() ? "" : ", ") + std::string(object.name);
   return names;
 }
 
+const objects::Object& find_object(const std::string& name) {
+  for (const objects::Object& object : objects::all)
+    if (object.name == name) return object;
+  throw std::invalid_argument("there is no object '" + name + "', only " + names_of_objects());
+}
+
+/// A body of a closed mesh. @throws std::invalid_argument if the mesh does not bound a body
+Subject make_subject(const std::string& name, const PolygonMesh& mesh, const PolygonMesh& drawing,
+                     double density) {
+  require_body(mesh);
+  return {name, mesh, drawing, density, exact_tetrahedra(mesh, density)};
+}
+
 Subject load(const Options& options) {
-  Subject subject{options.object, {}, options.density, {}};
-  if (!options.mesh.empty()) {
-    subject.name = std::filesystem::path(options.mesh).filename().string();
-    subject.mesh = read_obj(options.mesh);
-  } else {
-    subject.mesh = objects::find(options.object).make(options.resolution);
+  if (options.mesh.empty()) {
+    const objects::Object& object = find_object(options.object);
+    return make_subject(object.name, object.mesh(object.fine), object.mesh(object.for_drawings),
+                        options.density.value_or(object.density));
   }
-  require_body(subject.mesh);
-  subject.exact = exact_tetrahedra(subject.mesh, options.density);
-  return subject;
+  constexpr double water = 1000;
+  const PolygonMesh mesh = read_obj(options.mesh);
+  return make_subject(std::filesystem::path(options.mesh).filename().string(), mesh,
+                      support::coarsened(mesh, 22), options.density.value_or(water));
+}
+
+std::string three_numbers(const Vec3& v, int digits) {
+  return support::number(v.x(), digits) + "  " + support::number(v.y(), digits) + "  " +
+         support::number(v.z(), digits);
 }
 
 void introduce(const Subject& subject) {
@@ -45,49 +64,42 @@ void introduce(const Subject& subject) {
   std::cout << subject.name << ": a closed mesh of " << subject.mesh.face_count() << " faces and "
             << subject.mesh.vertices.size() << " vertices\n\n";
   support::Table table({"quantity", "value", "unit"});
-  const auto vector = [](const Vec3& v) {
-    return support::number(v.x(), 6) + "  " + support::number(v.y(), 6) + "  " +
-           support::number(v.z(), 6);
-  };
-  table.add({"size", vector(size), "m"});
-  table.add({"mass at " + support::number(subject.density) + " kg/m³",
+  table.add({"size", three_numbers(size, 6), "m"});
+  table.add({"mass at " + support::number(subject.density, 6) + " kg/m³",
              support::number(body.mass, 10), "kg"});
-  table.add({"centre of mass", vector(body.centre), "m"});
-  table.add({"principal moments", vector(moments), "kg m²"});
+  table.add({"centre of mass", three_numbers(body.centre, 6), "m"});
+  table.add({"principal moments", three_numbers(moments, 6), "kg m²"});
   std::cout << table.text();
 }
 
-void show_objects(Output& output, int resolution) {
+void show_objects(Output& output) {
   progress("the other objects");
-  support::Table table({"object", "faces", "mass [kg] at 2700 kg/m³", "moments [kg m²]",
+  support::Table table({"object", "faces", "density [kg/m³]", "mass [kg]", "moments [kg m²]",
                         "Mirtich's error of the inertia"});
-  for (const auto& object : objects::all()) {
-    const PolygonMesh mesh = object.make(resolution);
-    require_body(mesh);
-    const MassProperties exact = exact_tetrahedra(mesh, 2700),
-                         mirtich = unchecked_mirtich(mesh, 2700);
-    const Vec3 moments = principal_axes(exact.inertia).moments;
-    table.add(
-        {object.name, std::to_string(mesh.face_count()), support::number(exact.mass, 5),
-         support::number(moments[0]) + "  " + support::number(moments[1]) + "  " +
-             support::number(moments[2]),
-         support::error_number((mirtich.inertia - exact.inertia).norm() / exact.inertia.norm())});
+  for (const objects::Object& object : objects::all) {
+    const Subject subject = make_subject(object.name, object.mesh(object.fine), {}, object.density);
+    const Mat3& I = subject.exact.inertia;
+    const Vec3 moments = principal_axes(I).moments;
+    const Mat3 found = unchecked_mirtich(subject.mesh, subject.density).inertia;
+    table.add({subject.name, std::to_string(subject.mesh.face_count()),
+               support::number(subject.density), support::number(subject.exact.mass, 5),
+               three_numbers(moments, 3), support::error_number((found - I).norm() / I.norm())});
     std::ostringstream obj;
-    write_obj(obj, mesh);
-    output.write(std::string(object.name) + ".obj", obj.str());
+    write_obj(obj, subject.mesh);
+    output.write(subject.name + ".obj", obj.str());
   }
   output.show("Other objects to throw: ./tumble tour --object NAME", table, "objects");
 }
 
 void run(const Options& options) {
-  Output output(options.out);
   const Subject subject = load(options);
+  Output output(options.out);
   introduce(subject);
   show_mass(subject, output);
   show_drift(subject, output);
   show_solvers(subject, output);
   show_motion(subject, output);
-  show_objects(output, options.resolution);
+  show_objects(output);
   std::cout << "\nIn " << std::filesystem::absolute(output.folder()).string() << ":";
   for (const std::string& file : output.files()) std::cout << ' ' << file;
   std::cout << '\n';
@@ -103,12 +115,8 @@ int main(int argc, char** argv) {
                  "a closed mesh in an OBJ file, in metres, instead of an object of ours");
   app.add_option("--object", options.object, "one of: " + names_of_objects())
       ->capture_default_str();
-  app.add_option("--density", options.density, "[kg/m³]")
-      ->capture_default_str()
+  app.add_option("--density", options.density, "[kg/m³]; 1000 for a mesh if not given")
       ->check(CLI::PositiveNumber);
-  app.add_option("--resolution", options.resolution, "grid cells along an object's longest side")
-      ->capture_default_str()
-      ->check(CLI::Range(16, 400));
   app.add_option("--out", options.out, "folder for figures and tables")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {

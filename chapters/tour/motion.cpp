@@ -82,7 +82,7 @@ std::string film_strip(const Subject& subject, const std::vector<Moment>& motion
   const std::vector<double> times = turnovers(motion);
   const double half = apart * (columns * rows - 1) / 2,
                middle = times.empty() ? half : times.front();
-  PolygonMesh drawn = support::coarsened(subject.mesh, 22);
+  PolygonMesh drawn = subject.drawing;
   double radius = 0;
   for (Vec3& v : drawn.vertices) {
     v -= subject.exact.centre;

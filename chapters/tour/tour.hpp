@@ -17,6 +17,7 @@ namespace tumble::tour {
 struct Subject {
   std::string name;
   PolygonMesh mesh;
+  PolygonMesh drawing;   ///< the same with fewer faces, for pictures
   double density;        ///< [kg/m³]
   MassProperties exact;  ///< each number the true one, rounded
 };

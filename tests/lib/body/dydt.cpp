@@ -32,12 +32,12 @@ State end_state(const Motion& motion, const State& start, double duration) {
 }  // namespace
 
 static_assert(OdeRhs<RigidBodyMotion<double>, PackedState<double>>);
-static_assert(OdeRhs<RigidBodyMotion<float, Weight<float>>, PackedState<float>>);
+static_assert(OdeRhs<RigidBodyMotion<float, Weight>, PackedState<float>>);
 
 TEST_CASE("dydt: a worked number, all four parts") {
   const RigidBodyState<> state{Vec3(1, 2, 3), Quat(1, 0, 0, 0), Vec3(2, 0, 0), Vec3(0, 0, 5)};
-  const RigidBodyMotion motion(body, Weight<>{Vec3(0, 0, -10)},
-                               ForceAtBodyPoint<>{Vec3(0, 1, 0), Vec3(1, 0, 0)});
+  const RigidBodyMotion motion(body, Weight{Vec3(0, 0, -10)},
+                               ForceAtBodyPoint{Vec3(0, 1, 0), Vec3(1, 0, 0)});
   const RigidBodyState<> rate = motion.rate(0, state);
   CHECK(rate.x == Vec3(1, 0, 0));                              // P/m
   CHECK(coefficients(rate.q) == Eigen::Vector4d(0, 0, 0, 1));  // ½⟨0, (0,0,2)⟩
@@ -61,13 +61,13 @@ TEST_CASE("dydt: with nothing pushing, P, L and the energy stay and the body mov
 TEST_CASE("dydt: free fall is a parabola, and gravity does not turn the body") {
   const RigidBodyState<> start{Vec3(0, 0, 1), Quat(1, 0, 0, 0), Vec3(2, 0, 8), Vec3::Zero()};
   const RigidBodyState<> end =
-      end_state(RigidBodyMotion(body, Weight<>{Vec3(0, 0, -10)}), start, 1.5);
+      end_state(RigidBodyMotion(body, Weight{Vec3(0, 0, -10)}), start, 1.5);
   CHECK((end.x - Vec3(1.5, 0, 1 + 4 * 1.5 - 5 * 2.25)).norm() <= 100 * eps);
   CHECK(end.q.coeffs() == start.q.coeffs());
 }
 
 TEST_CASE("dydt: a spring conserves kinetic plus elastic energy") {
-  const SpringToWorld<> spring{Vec3(0.5, 0.2, -0.1), Vec3(0, 0, 2), 20, 1};
+  const SpringToWorld spring{Vec3(0.5, 0.2, -0.1), Vec3(0, 0, 2), 20, 1};
   const auto energy = [&](const RigidBodyState<>& s) {
     const double stretch =
         (spring.anchor - point_position(derived(body, s), spring.p_body)).norm() - 1;
@@ -93,7 +93,7 @@ TEST_CASE("dydt: reaches the end of the heavy top's motion, known to 35 digits")
 
 TEST_CASE("dydt: quaternion and matrix state tell the same motion") {
   test::Random rng(143);
-  const ForceAtBodyPoint<> push{Vec3(0.3, -0.2, 0.5), Vec3(0.1, 0.4, 0)};
+  const ForceAtBodyPoint push{Vec3(0.3, -0.2, 0.5), Vec3(0.1, 0.4, 0)};
   for (int i = 0; i < 5; ++i) {
     const RigidBodyState<> start = random_state(rng);
     const RigidBodyState<> end = end_state(RigidBodyMotion(body, push), start, 5);
@@ -127,11 +127,11 @@ TEST_CASE("dydt: with RK4, the length of q and the shape of R drift off at the m
 TEST_CASE("dydt: float works, and is as far from double as float is") {
   test::Random rng(145);
   const RigidBodyState<> start = random_state(rng);
-  const RigidBodyMotion motion(RigidBody<float>(2, body.I_body()), Weight<float>{});
+  const RigidBodyMotion motion(RigidBody<float>(2, body.I_body()), Weight{});
   const PackedState<float> y =
       integrate_fixed<Rk4>(motion, PackedState<float>(pack(start).cast<float>()), 0.0f, 1.0f, 100);
   const PackedState<double> exact =
-      integrate_fixed<Rk4>(RigidBodyMotion(body, Weight<>{}), pack(start), 0.0, 1.0, 100);
+      integrate_fixed<Rk4>(RigidBodyMotion(body, Weight{}), pack(start), 0.0, 1.0, 100);
   const double error = (y.cast<double>() - exact).norm() / exact.norm();
   CHECK(error > 0);
   CHECK(error <= 100 * 4 * 0x1p-24);  // 100 steps of a few roundings each

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "support/inputs.hpp"
+#include "support/refusal.hpp"
+#include "tumble/body/dydt.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 
 using namespace tumble;
@@ -19,9 +21,9 @@ Derived<> random_motion(test::Random& rng) {
 
 }  // namespace
 
-static_assert(BodyForce<Weight<>, double> && BodyForce<ForceAtBodyPoint<>, double> &&
-              BodyForce<BodyDrag<>, double> && BodyForce<SpringToWorld<>, double>);
-static_assert(BodyForce<Weight<float>, float>);
+static_assert(BodyForce<Weight, double> && BodyForce<ForceAtBodyPoint, double> &&
+              BodyForce<BodyDrag, double> && BodyForce<SpringToWorld, double>);
+static_assert(BodyForce<Weight, float> && BodyForce<SpringToWorld, float>);
 static_assert(!BodyForce<int, double>);
 
 TEST_CASE("force_at_point: a worked number, pushing up at arm's length turns about −y") {
@@ -52,7 +54,7 @@ TEST_CASE(
 
 TEST_CASE("Weight: is m g at the centre") {
   test::Random rng(132);
-  const Wrench<> w = Weight<>{}(0, body, random_motion(rng));
+  const Wrench<> w = Weight{}(0.0, body, random_motion(rng));
   CHECK((w.force - Vec3(0, 0, -2 * 9.80665)).norm() == 0);
   CHECK(w.torque == Vec3::Zero());
 }
@@ -62,7 +64,7 @@ TEST_CASE("ForceAtBodyPoint: acts where the point of the body is now") {
   for (int i = 0; i < 20; ++i) {
     const Derived<> now = random_motion(rng);
     const Vec3 F = rng.vector(), p_body = rng.vector();
-    const Wrench<> w = ForceAtBodyPoint<>{F, p_body}(0, body, now);
+    const Wrench<> w = ForceAtBodyPoint{F, p_body}(0.0, body, now);
     CHECK(w.force == F);
     CHECK((w.torque - Vec3(now.R * p_body).cross(F)).norm() <= 16 * eps);
   }
@@ -72,7 +74,7 @@ TEST_CASE("BodyDrag: always takes energy out") {
   test::Random rng(134);
   for (int i = 0; i < 20; ++i) {
     const Derived<> now = random_motion(rng);
-    const Wrench<> w = BodyDrag<>{0.3, 0.2}(0, body, now);
+    const Wrench<> w = BodyDrag{0.3, 0.2}(0.0, body, now);
     const double power = w.force.dot(now.v) + w.torque.dot(now.omega);
     CHECK(power == doctest::Approx(-0.3 * now.v.squaredNorm() - 0.2 * now.omega.squaredNorm())
                        .epsilon(8 * eps));
@@ -84,10 +86,10 @@ TEST_CASE(
     "length") {
   const Derived<> now = derived(body, RigidBodyState<>{});
   const Vec3 corner(1, 0, 0);
-  CHECK(SpringToWorld<>{corner, Vec3(4, 0, 0), 10, 2}(0, body, now).force == Vec3(10, 0, 0));
-  CHECK(SpringToWorld<>{corner, Vec3(2, 0, 0), 10, 2}(0, body, now).force == Vec3(-10, 0, 0));
-  CHECK(SpringToWorld<>{corner, corner, 10, 2}(0, body, now).force == Vec3::Zero());
-  CHECK(SpringToWorld<>{corner, Vec3(1, 3, 0), 10, 2}(0, body, now).torque == Vec3(0, 0, 10));
+  CHECK(SpringToWorld{corner, Vec3(4, 0, 0), 10, 2}(0.0, body, now).force == Vec3(10, 0, 0));
+  CHECK(SpringToWorld{corner, Vec3(2, 0, 0), 10, 2}(0.0, body, now).force == Vec3(-10, 0, 0));
+  CHECK(SpringToWorld{corner, corner, 10, 2}(0.0, body, now).force == Vec3::Zero());
+  CHECK(SpringToWorld{corner, Vec3(1, 3, 0), 10, 2}(0.0, body, now).torque == Vec3(0, 0, 10));
 }
 
 TEST_CASE("net_wrench: adds all forces, a user's own lambda among them") {
@@ -96,6 +98,17 @@ TEST_CASE("net_wrench: adds all forces, a user's own lambda among them") {
     return Wrench<>{Vec3(t, 0, 0), Vec3::Zero()};
   };
   CHECK(net_wrench(7.0, body, now, std::tuple<>{}).force == Vec3::Zero());
-  CHECK(net_wrench(7.0, body, now, std::tuple(Weight<>{Vec3(0, 0, -10)}, wind)).force ==
+  CHECK(net_wrench(7.0, body, now, std::tuple(Weight{Vec3(0, 0, -10)}, wind)).force ==
         Vec3(7, 0, -20));
+}
+
+TEST_CASE("RigidBodyMotion: a force that makes no sense is refused") {
+  CHECK_REFUSED(RigidBodyMotion(body, Weight{Vec3(0, 0, NAN)}), "weight", "nan");
+  CHECK_REFUSED(RigidBodyMotion(body, ForceAtBodyPoint{Vec3(INFINITY, 0, 0), Vec3::Zero()}),
+                "force", "inf");
+  CHECK_REFUSED(RigidBodyMotion(body, Weight{}, BodyDrag{-0.5, 0}), "drag", "-0.5");
+  CHECK_REFUSED(RigidBodyMotion(body, SpringToWorld{Vec3::Zero(), Vec3::Zero(), -2, 0}), "spring",
+                "-2");
+  CHECK_REFUSED(RigidBodyMotion(body, SpringToWorld{Vec3::Zero(), Vec3(NAN, 0, 0), 1, 0}), "spring",
+                "nan");
 }

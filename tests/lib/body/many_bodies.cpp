@@ -44,17 +44,17 @@ struct SpringBetween {
 }  // namespace
 
 static_assert(SceneForce<SpringBetween, double> && !BodyForce<SpringBetween, double>);
-static_assert(OdeRhs<SceneMotion<double, Weight<>, SpringBetween>, PackedScene<double>>);
+static_assert(OdeRhs<SceneMotion<double, Weight, SpringBetween>, PackedScene<double>>);
 
 TEST_CASE("SceneMotion: bodies that do not meet move as if alone, bit for bit") {
   test::Random rng(151);
   const std::vector<RigidBodyState<>> states = two_states(rng);
-  const SceneMotion scene(two_bodies(), Weight<>{});
+  const SceneMotion scene(two_bodies(), Weight{});
   const PackedScene<double> rate = scene(0, pack(states));
   REQUIRE(rate.size() == 26);
   for (std::size_t i = 0; i < 2; ++i) {
     const PackedState<double> alone =
-        RigidBodyMotion(scene.bodies()[i], Weight<>{})(0, pack(states[i]));
+        RigidBodyMotion(scene.bodies()[i], Weight{})(0, pack(states[i]));
     CHECK(PackedState<double>(rate.segment<13>(13 * static_cast<int>(i))) == alone);
   }
 }

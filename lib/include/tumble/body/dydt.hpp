@@ -20,8 +20,9 @@ namespace tumble {
 template <class T, BodyForce<T>... Forces>
 class RigidBodyMotion {
  public:
+  /// @throws std::invalid_argument if a force refuses what it was made of
   explicit RigidBodyMotion(const RigidBody<T>& body, const Forces&... forces)
-      : body_(body), forces_(forces...) {}
+      : body_(body), forces_(checked_forces(forces...)) {}
 
   const RigidBody<T>& body() const { return body_; }
 

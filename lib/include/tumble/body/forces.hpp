@@ -5,11 +5,13 @@
 /// A user's own force is a lambda: [](double t, const RigidBody<>& body, const Derived<>& now) { …
 /// }.
 
+#include <cmath>
 #include <concepts>
 #include <tuple>
 
 #include "tumble/body/derived.hpp"
 #include "tumble/body/wrench.hpp"
+#include "tumble/require.hpp"
 
 namespace tumble {
 
@@ -20,49 +22,93 @@ concept BodyForce = requires(const F& force, T t, const RigidBody<T>& body, cons
 };
 
 /// Uniform gravity: m g at the centre of mass, hence no torque.
-template <class T = double>
 struct Weight {
-  Vector3<T> g = Vector3<T>(T(0), T(0), T(-9.80665));  ///< [m/s²], standard gravity, z up
+  Vec3 g = {0, 0, -9.80665};  ///< [m/s²], standard gravity, z up
+
+  template <class T>
   Wrench<T> operator()(T, const RigidBody<T>& body, const Derived<T>&) const {
-    return {body.mass() * g, Vector3<T>::Zero()};
+    return {body.mass() * g.cast<T>(), Vector3<T>::Zero()};
   }
+
+  /// @throws std::invalid_argument if g is not finite
+  void check() const { require(g.allFinite(), "weight: g = (", g.transpose(), ") is not finite"); }
 };
 
 /// A constant world force at a point that is fixed in the body.
-template <class T = double>
 struct ForceAtBodyPoint {
-  Vector3<T> force;   ///< [N], world coordinates
-  Vector3<T> p_body;  ///< where it acts [m], body coordinates
+  Vec3 force;   ///< [N], world coordinates
+  Vec3 p_body;  ///< where it acts [m], body coordinates
+
+  template <class T>
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
-    return force_at_point<T>(force, point_position(now, p_body), now.x);
+    return force_at_point<T>(force.cast<T>(), point_position<T>(now, p_body.cast<T>()), now.x);
+  }
+
+  /// @throws std::invalid_argument if a number is not finite
+  void check() const {
+    require(force.allFinite() && p_body.allFinite(), "force (", force.transpose(),
+            ") at the point (", p_body.transpose(), "): not finite");
   }
 };
 
 /// Drag in proportion to velocity and to angular velocity: F = −k v, τ = −k_spin ω.
-template <class T = double>
 struct BodyDrag {
-  T k;       ///< [kg/s]
-  T k_spin;  ///< [kg m²/s]
+  double k;       ///< [kg/s]
+  double k_spin;  ///< [kg m²/s]
+
+  template <class T>
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
-    return {-k * now.v, -k_spin * now.omega};
+    return {-static_cast<T>(k) * now.v, -static_cast<T>(k_spin) * now.omega};
+  }
+
+  /// @throws std::invalid_argument if a constant is negative or not finite
+  void check() const {
+    for (const double constant : {k, k_spin})
+      require(constant >= 0 && std::isfinite(constant), "body drag: ", constant,
+              " is not a finite number ≥ 0");
   }
 };
 
-/// A spring between a point of the body and a point of the world; none at zero length.
-template <class T = double>
+/// A spring between a point of the body and a point of the world. Where they meet it has no
+/// direction and pulls with no force.
 struct SpringToWorld {
-  Vector3<T> p_body;  ///< [m], body coordinates
-  Vector3<T> anchor;  ///< [m], world coordinates
-  T stiffness;        ///< [N/m]
-  T rest_length;      ///< [m]
+  Vec3 p_body;         ///< [m], body coordinates
+  Vec3 anchor;         ///< [m], world coordinates
+  double stiffness;    ///< [N/m]
+  double rest_length;  ///< [m]
+
+  template <class T>
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
-    const Vector3<T> p = point_position(now, p_body);
-    const Vector3<T> d = anchor - p;
-    const T length = d.norm();
+    const Vector3<T> p = point_position<T>(now, p_body.cast<T>());
+    const Vector3<T> l = anchor.cast<T>() - p;
+    const T length = l.norm();
     if (length == T(0)) return {};
-    return force_at_point<T>((stiffness * (length - rest_length) / length) * d, p, now.x);
+    const T tension = static_cast<T>(stiffness) * (length - static_cast<T>(rest_length));
+    return force_at_point<T>(tension / length * l, p, now.x);
+  }
+
+  /// @throws std::invalid_argument if a constant is negative, or a number is not finite
+  void check() const {
+    require(p_body.allFinite() && anchor.allFinite(), "spring from (", p_body.transpose(), ") to (",
+            anchor.transpose(), "): not finite");
+    for (const double constant : {stiffness, rest_length})
+      require(constant >= 0 && std::isfinite(constant), "spring to the world: ", constant,
+              " is not a finite number ≥ 0");
   }
 };
+
+template <class Force>
+void check_force(const Force& force) {
+  if constexpr (requires { force.check(); }) force.check();
+}
+
+/// Forces that are fit for use: check() is asked of all that have it.
+/// @throws std::invalid_argument as they do
+template <class... Forces>
+std::tuple<Forces...> checked_forces(const Forces&... forces) {
+  (check_force(forces), ...);
+  return {forces...};
+}
 
 /// The sum of what all forces do; with no force at all, nothing is computed.
 template <class T, BodyForce<T>... Forces>

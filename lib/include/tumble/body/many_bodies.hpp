@@ -53,8 +53,9 @@ std::vector<RigidBodyState<T>> unpack(const PackedScene<T>& y) {
 template <class T, class... Forces>
 requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneMotion {
  public:
+  /// @throws std::invalid_argument if a force refuses what it was made of
   explicit SceneMotion(std::vector<RigidBody<T>> bodies, const Forces&... forces)
-      : bodies_(std::move(bodies)), forces_(forces...) {}
+      : bodies_(std::move(bodies)), forces_(checked_forces(forces...)) {}
 
   const std::vector<RigidBody<T>>& bodies() const { return bodies_; }
 

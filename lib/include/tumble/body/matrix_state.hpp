@@ -45,8 +45,9 @@ MatrixState<T> unpack(const PackedMatrixState<T>& y) {
 template <class T, BodyForce<T>... Forces>
 class MatrixStateMotion {
  public:
+  /// @throws std::invalid_argument if a force refuses what it was made of
   explicit MatrixStateMotion(const RigidBody<T>& body, const Forces&... forces)
-      : body_(body), forces_(forces...) {}
+      : body_(body), forces_(checked_forces(forces...)) {}
 
   /// dy/dt of the packed state y at time t [s]. R enters as it is, drift and all.
   PackedMatrixState<T> operator()(T t, const PackedMatrixState<T>& y) const {
