@@ -41,50 +41,69 @@ inline std::vector<Eigen::Vector2d> tooth_outline(double middle, int r) {
   return points;
 }
 
-/// The mesh of a plane figure's outlines, stretched along z: quadrilaterals and plane polygons.
-/// A gear 6 cm across and 1 cm thick; about 1,000 r triangles. @param r resolution, from 1
-inline PolygonMesh gear(int r) {
-  PolygonMesh mesh;
-  constexpr double bore = 0.008, half_thickness = 0.005;
-  std::vector<Loop> outline(2), inner(2);
-  for (const int level : {0, 1}) {
-    const double z = level == 0 ? -half_thickness : half_thickness;
-    // A face of the front looks up; the same corners backwards, below, look down.
-    const auto add_face = [&](Loop face) {
-      if (level == 0) std::reverse(face.begin(), face.end());
-      mesh.add_face(face);
-    };
-    Loop roots;  // where the teeth stand
-    for (int tooth = 0; tooth < gear_teeth; ++tooth) {
-      std::vector<Vec3> points;
-      for (const Eigen::Vector2d& p : tooth_outline(2 * pi * tooth / gear_teeth, r))
-        points.emplace_back(p.x(), p.y(), z);
-      const Loop side = add_loop(mesh, points);
-      add_face(side);
-      roots.push_back(side.front());
-      roots.push_back(side.back());
-      outline[static_cast<std::size_t>(level)].insert(
-          outline[static_cast<std::size_t>(level)].end(), side.begin(), side.end());
-    }
-    // Rings from the roots to the bore.
-    for (int k = 1; k <= 2 * r; ++k) {
-      std::vector<Vec3> points;
-      for (const int v : roots) points.push_back(mesh.vertex(v));
-      const double from = std::hypot(points[0].x(), points[0].y()),
-                   to = from + (bore - from) / (2 * r + 1 - k);
-      for (Vec3& p : points) p = Vec3(p.x() * to / from, p.y() * to / from, z);
-      const Loop next = add_loop(mesh, points);
-      for (int i = 0; i < size(roots); ++i)
-        add_face({at(next, i), at(roots, i), at(roots, i + 1), at(next, i + 1)});
-      roots = next;
-    }
-    inner[static_cast<std::size_t>(level)] = roots;
+/// The edges of one side of the gear.
+struct GearSide {
+  Loop outline, bore;
+};
+
+/// The side at height z, of plane polygons: the teeth, and rings of quadrilaterals down to the
+/// bore. It looks up when z is positive, else down.
+inline GearSide add_gear_side(PolygonMesh& mesh, double z, int r) {
+  constexpr double bore = 0.008;
+  const auto add_face = [&](Loop face) {
+    if (z < 0) std::reverse(face.begin(), face.end());
+    mesh.add_face(face);
+  };
+  GearSide side;
+  Loop ring;  // where the teeth stand, then smaller and smaller
+  for (int tooth = 0; tooth < gear_teeth; ++tooth) {
+    std::vector<Vec3> points;
+    for (const Eigen::Vector2d& p : tooth_outline(2 * pi * tooth / gear_teeth, r))
+      points.emplace_back(p.x(), p.y(), z);
+    const Loop outline = add_loop(mesh, points);
+    add_face(outline);
+    ring.push_back(outline.front());
+    ring.push_back(outline.back());
+    side.outline.insert(side.outline.end(), outline.begin(), outline.end());
   }
-  for (int i = 0; i < size(outline[0]); ++i)
-    mesh.add_face(
-        {at(outline[0], i), at(outline[0], i + 1), at(outline[1], i + 1), at(outline[1], i)});
-  for (int i = 0; i < size(inner[0]); ++i)
-    mesh.add_face({at(inner[0], i + 1), at(inner[0], i), at(inner[1], i), at(inner[1], i + 1)});
+  for (int left = 2 * r; left > 0; --left) {
+    std::vector<Vec3> points;
+    const double from = std::hypot(mesh.vertex(ring[0]).x(), mesh.vertex(ring[0]).y());
+    const double shrink = (from + (bore - from) / left) / from;
+    for (const int v : ring)
+      points.emplace_back(mesh.vertex(v).x() * shrink, mesh.vertex(v).y() * shrink, z);
+    const Loop next = add_loop(mesh, points);
+    for (int i = 0; i < size(ring); ++i)
+      add_face({at(next, i), at(ring, i), at(ring, i + 1), at(next, i + 1)});
+    ring = next;
+  }
+  side.bore = ring;
+  return side;
+}
+
+/// The wall between two loops that lie above each other, of plane rectangles, in `pieces` bands.
+inline void add_wall(PolygonMesh& mesh, const Loop& low, const Loop& high, int pieces) {
+  Loop from = low;
+  for (int k = 1; k <= pieces; ++k) {
+    std::vector<Vec3> points;
+    const double z0 = mesh.vertex(low[0]).z(), z1 = mesh.vertex(high[0]).z();
+    for (const int v : low)
+      points.emplace_back(mesh.vertex(v).x(), mesh.vertex(v).y(), z0 + (z1 - z0) * k / pieces);
+    const Loop to = k == pieces ? high : add_loop(mesh, points);
+    for (int i = 0; i < size(from); ++i)
+      mesh.add_face({at(from, i), at(from, i + 1), at(to, i + 1), at(to, i)});
+    from = to;
+  }
+}
+
+/// A gear 6 cm across and 1 cm thick, about 180 r² + 700 r triangles. @param r resolution, from 1
+inline PolygonMesh gear(int r) {
+  require(r >= 1, "the resolution of a gear must be at least 1, not ", r);
+  PolygonMesh mesh;
+  const GearSide low = add_gear_side(mesh, -0.005, r), high = add_gear_side(mesh, 0.005, r);
+  add_wall(mesh, low.outline, high.outline, r);
+  add_wall(mesh, Loop(low.bore.rbegin(), low.bore.rend()),
+           Loop(high.bore.rbegin(), high.bore.rend()), r);
   return mesh;
 }
 

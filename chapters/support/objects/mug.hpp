@@ -8,6 +8,7 @@ namespace tumble::objects {
 
 /// A mug 9.6 cm high with walls of 4 mm, about 1,200 r² triangles. @param r resolution, from 1
 inline PolygonMesh mug(int r) {
+  require(r >= 1, "the resolution of a mug must be at least 1, not ", r);
   PolygonMesh mesh;
   constexpr double radius = 0.041, wall = 0.004, bottom = 0.006, height = 0.094, bevel = 0.003;
   const int n = 24 * r;
@@ -31,22 +32,18 @@ inline PolygonMesh mug(int r) {
   join_all(mesh, tube, {upper, lower});
   close_start(mesh, tube.front(), 3 * r);
   close(mesh, tube.back(), 3 * r);
-  // The handle: half an ellipse from one patch to the other.
-  const double top = (mesh.vertex(tube[static_cast<std::size_t>(upper.loop)][0]).z() +
-                      mesh.vertex(tube[static_cast<std::size_t>(upper.loop + r)][0]).z()) /
-                     2;
-  const double foot = (mesh.vertex(tube[static_cast<std::size_t>(lower.loop)][0]).z() +
-                       mesh.vertex(tube[static_cast<std::size_t>(lower.loop + r)][0]).z()) /
-                      2;
+  // The handle: half an ellipse from the middle of one patch to that of the other.
+  const double row = (height - bevel) / (9 * r), middle = bevel + (5 * r + 0.5 * r) * row,
+               rise = 2.5 * r * row;
   std::vector<Station> way;
-  for (double angle = 0.09; angle < 0.95; angle += 0.082)
-    way.push_back({{radius + 0.030 * std::sin(pi * angle), 0,
-                    (top + foot) / 2 + (top - foot) / 2 * std::cos(pi * angle)},
-                   0.0055,
-                   0.0040});
+  for (int k = 0; k <= 10; ++k) {
+    const double angle = pi * (0.09 + 0.082 * k);
+    way.push_back(
+        {{radius + 0.030 * std::sin(angle), 0, middle + rise * std::cos(angle)}, 0.0055, 0.0040});
+  }
   const Loop end = sweep(mesh, rim(tube, upper), r, r, way, Vec3::UnitY(), 0.7, r);
   join(mesh, end, rim_of_end(tube, lower));
-  return mesh;
+  return without_unused_vertices(mesh);
 }
 
 }  // namespace tumble::objects

@@ -16,18 +16,21 @@ namespace tumble::objects {
 struct Object {
   const char* name;
   const char* description;
-  PolygonMesh (*mesh)(
-      int resolution);  ///< resolution 1 is the coarsest; triangles grow as its square
-  int for_drawings;     ///< the resolution with about 1,000 triangles
-  int fine;             ///< the resolution with about 20,000 triangles
+  double density;                       ///< of what it is made of [kg/m³]
+  PolygonMesh (*mesh)(int resolution);  ///< 1 is the coarsest; triangles grow as its square
+  int for_drawings;                     ///< the resolution with about 1,000 triangles
+  int fine;                             ///< the resolution with about 20,000 triangles
 };
 
+inline constexpr double steel = 7850, aluminium = 2700, stoneware = 2400,
+                        ash_wood = 680;  // [kg/m³]
+
 inline constexpr std::array<Object, 5> all = {
-    Object{"t_handle", "the T-handle that turns over in orbit", t_handle, 2, 7},
-    Object{"wing_nut", "a wing nut of size M8", wing_nut, 1, 6},
-    Object{"tennis_racket", "a wooden tennis racket", tennis_racket, 1, 4},
-    Object{"mug", "a mug with a handle", mug, 1, 4},
-    Object{"gear", "a spur gear with 18 involute teeth", gear, 1, 9},
+    Object{"t_handle", "the T-handle that turns over in orbit", aluminium, t_handle, 2, 7},
+    Object{"wing_nut", "a wing nut of size M8", steel, wing_nut, 1, 6},
+    Object{"tennis_racket", "a wooden tennis racket", ash_wood, tennis_racket, 1, 4},
+    Object{"mug", "a mug with a handle", stoneware, mug, 1, 4},
+    Object{"gear", "a spur gear with 18 involute teeth", steel, gear, 1, 9},
 };
 
 }  // namespace tumble::objects

@@ -7,11 +7,13 @@
 /// its rim is a loop, from which another tube starts (or where one ends).
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/require.hpp"
 
 namespace tumble::objects {
 
@@ -114,6 +116,22 @@ inline void close(PolygonMesh& mesh, const Loop& loop, int rings) {
 /// Closes the beginning of a tube.
 inline void close_start(PolygonMesh& mesh, const Loop& loop, int rings) {
   close(mesh, Loop(loop.rbegin(), loop.rend()), rings);
+}
+
+/// The mesh without vertices that no face uses (those inside a patch).
+inline PolygonMesh without_unused_vertices(const PolygonMesh& mesh) {
+  PolygonMesh result = mesh;
+  result.vertices.clear();
+  std::vector<int> new_index(mesh.vertices.size(), -1);
+  for (int& v : result.corners) {
+    int& index = new_index[static_cast<std::size_t>(v)];
+    if (index < 0) {
+      index = static_cast<int>(result.vertices.size());
+      result.vertices.push_back(mesh.vertex(v));
+    }
+    v = index;
+  }
+  return result;
 }
 
 }  // namespace tumble::objects

@@ -22,20 +22,22 @@ inline Eigen::Vector2d section_point(double c, double s, double roundness) {
 }
 
 /// The point of a curve through the stations (Catmull & Rom, 1974), t from 0 to the last one.
-inline Station between(const std::vector<Station>& s, double t) {
-  const int last = static_cast<int>(s.size()) - 1, i = std::min(static_cast<int>(t), last - 1);
+inline Station between(const std::vector<Station>& stations, double t) {
+  const int last = static_cast<int>(stations.size()) - 1,
+            i = std::min(static_cast<int>(t), last - 1);
   const double u = t - i;
-  const auto get = [&](int k) -> const Station& {
-    return s[static_cast<std::size_t>(std::clamp(k, 0, last))];
+  const auto station = [&](int k) -> const Station& {
+    return stations[static_cast<std::size_t>(std::clamp(k, 0, last))];
   };
-  const auto mix = [u](const auto& a, const auto& b, const auto& c, const auto& d) {
-    return (b +
-            0.5 * u * ((c - a) + u * ((2 * a - 5 * b + 4 * c - d) + u * (3 * b - a - 3 * c + d)))) *
-           1.0;
+  const Station &a = station(i - 1), &b = station(i), &c = station(i + 1), &d = station(i + 2);
+  const auto mix = [u](double p, double q, double r, double s) {
+    return q + 0.5 * u * (r - p + u * (2 * p - 5 * q + 4 * r - s + u * (3 * q - p - 3 * r + s)));
   };
-  const Station &a = get(i - 1), &b = get(i), &c = get(i + 1), &d = get(i + 2);
-  const Vec3 centre = mix(a.centre, b.centre, c.centre, d.centre);
-  return {centre, mix(a.half1, b.half1, c.half1, d.half1), mix(a.half2, b.half2, c.half2, d.half2)};
+  Station here{Vec3::Zero(), mix(a.half1, b.half1, c.half1, d.half1),
+               mix(a.half2, b.half2, c.half2, d.half2)};
+  for (int k = 0; k < 3; ++k)
+    here.centre[k] = mix(a.centre[k], b.centre[k], c.centre[k], d.centre[k]);
+  return here;
 }
 
 /// A tube from the rim of a patch of n × m cells along the stations, `pieces` from each to the

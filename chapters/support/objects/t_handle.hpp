@@ -10,6 +10,7 @@ namespace tumble::objects {
 
 /// A T-handle 12 cm wide, about 400 r² triangles. @param r resolution, from 1
 inline PolygonMesh t_handle(int r) {
+  require(r >= 1, "the resolution of a T-handle must be at least 1, not ", r);
   PolygonMesh mesh;
   constexpr double radius = 0.010, half_length = 0.060, bevel = 0.0015, stem_radius = 0.0075;
   const int n = 8 * r;
@@ -41,7 +42,7 @@ inline PolygonMesh t_handle(int r) {
   const Loop tip = add_loop(mesh, points);
   join(mesh, end, tip);
   close(mesh, tip, r);
-  return mesh;
+  return without_unused_vertices(mesh);
 }
 
 }  // namespace tumble::objects

@@ -43,6 +43,7 @@ inline void add_strings(PolygonMesh& mesh, int k, int count, double spacing, dou
 
 /// A racket 69 cm long, about 1,300 r² triangles and 32 strings. @param r resolution, from 1
 inline PolygonMesh tennis_racket(int r) {
+  require(r >= 1, "the resolution of a tennis racket must be at least 1, not ", r);
   PolygonMesh mesh;
   const int loops = 64 * r, corners = 4 * r;
   std::vector<Loop> frame;
@@ -72,7 +73,7 @@ inline PolygonMesh tennis_racket(int r) {
   close(mesh, end, r);
   add_strings(mesh, 0, 14, 0.0165, 0.0008);
   add_strings(mesh, 1, 18, 0.0165, -0.0008);
-  return mesh;
+  return without_unused_vertices(mesh);
 }
 
 }  // namespace tumble::objects

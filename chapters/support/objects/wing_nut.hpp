@@ -6,8 +6,9 @@
 
 namespace tumble::objects {
 
-/// A wing nut 4.5 cm wide, about 600 r² triangles. @param r resolution, from 1
+/// A wing nut 4.8 cm wide, about 600 r² triangles. @param r resolution, from 1
 inline PolygonMesh wing_nut(int r) {
+  require(r >= 1, "the resolution of a wing nut must be at least 1, not ", r);
   PolygonMesh mesh;
   constexpr double bore = 0.00335, foot = 0.0095, top = 0.0075, height = 0.0115;
   const int n = 16 * r;
@@ -39,7 +40,7 @@ inline PolygonMesh wing_nut(int r) {
                            side * Vec3::UnitY(), 0.6, r);
     close(mesh, end, r);
   }
-  return mesh;
+  return without_unused_vertices(mesh);
 }
 
 }  // namespace tumble::objects

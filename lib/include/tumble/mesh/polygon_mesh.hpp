@@ -14,9 +14,10 @@ namespace tumble {
 /// Vertices and the polygons between them. Seen from outside, the corners of a face go round
 /// counter-clockwise. Faces keep the polygon they were given as: nothing is triangulated.
 struct PolygonMesh {
-  std::vector<Vec3> vertices;         ///< positions [m]
-  std::vector<int> corners;           ///< vertex indices, face after face
-  std::vector<int> first_corner = {0};  ///< face f owns corners[first_corner[f]] … [first_corner[f+1])
+  std::vector<Vec3> vertices;  ///< positions [m]
+  std::vector<int> corners;    ///< vertex indices, face after face
+  /// Face f owns corners[first_corner[f]] … corners[first_corner[f + 1] − 1].
+  std::vector<int> first_corner = {0};
 
   int face_count() const { return static_cast<int>(first_corner.size()) - 1; }
 
@@ -40,7 +41,8 @@ struct PolygonMesh {
 };
 
 /// Calls `visit(f, std::array{a, b, c})` for the triangles of each face f, in a fan from its first
-/// corner. For a planar face this is the face; for one that is not planar it is what the face means.
+/// corner. For a planar face this is the face; for one that is not planar it is what the face
+/// means.
 template <class Visit>
 void for_each_triangle(const PolygonMesh& mesh, Visit&& visit) {
   for (int f = 0; f < mesh.face_count(); ++f) {

@@ -1,0 +1,24 @@
+#pragma once
+/// @file
+/// Everything about mass properties: of meshes, closed forms, points and samples, and what to do
+/// with them. For one thing alone, include its header.
+
+#include "tumble/mass/bounding_box.hpp"
+#include "tumble/mass/grid_points.hpp"
+#include "tumble/mass/low_discrepancy_points.hpp"
+#include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mass/mirtich/mirtich.hpp"
+#include "tumble/mass/parallel_axis.hpp"
+#include "tumble/mass/point_sampling.hpp"
+#include "tumble/mass/points.hpp"
+#include "tumble/mass/principal_axes.hpp"
+#include "tumble/mass/random_points.hpp"
+#include "tumble/mass/solids/ball.hpp"
+#include "tumble/mass/solids/box.hpp"
+#include "tumble/mass/solids/capsule.hpp"
+#include "tumble/mass/solids/cone.hpp"
+#include "tumble/mass/solids/cylinder.hpp"
+#include "tumble/mass/solids/ellipsoid.hpp"
+#include "tumble/mass/solids/placed.hpp"
+#include "tumble/mass/transform.hpp"
+#include "tumble/mass/validity.hpp"

@@ -1,0 +1,38 @@
+#pragma once
+/// @file
+/// What a mesh must be before its mass properties mean anything, and what they must be after.
+
+#include <cmath>
+
+#include "tumble/mass/error_bound.hpp"
+#include "tumble/mesh/diagnose.hpp"
+#include "tumble/require.hpp"
+
+namespace tumble {
+
+/// Refuses what has no mass properties.
+/// @throws std::invalid_argument if the density is not positive and finite, or the mesh is not the
+///         boundary of a body (open, inside out, …: the message says which face or edge)
+inline void require_measurable(const PolygonMesh& mesh, double density) {
+  require(density > 0 && std::isfinite(density), "the density ", density,
+          " kg/m³ is not positive and finite");
+  require_body(mesh);
+}
+
+/// Passes on mass properties that can be those of a body.
+/// @throws std::invalid_argument if the mesh is inside out, or so flat, thin or small that no digit
+///         of its mass is certain
+inline BoundedMassProperties require_volume(const BoundedMassProperties& body) {
+  require(body.mass_error_bound < 1,
+          "the mesh encloses no volume that rounding leaves certain: mass ", body.mass,
+          " kg, with a relative error of up to ", body.mass_error_bound);
+  require(body.mass > 0,
+          "the mesh is inside out: its faces go round clockwise seen from outside (mass ",
+          body.mass, " kg)");
+  require(body.inertia.trace() > 0 && body.inertia.allFinite(),
+          "the inertia of the mesh is too small or too large for double: its trace is ",
+          body.inertia.trace(), " kg m²");
+  return body;
+}
+
+}  // namespace tumble

@@ -1,0 +1,87 @@
+#pragma once
+/// @file
+/// The ten integrals that mass properties are made of, about a chosen point p:
+/// ∫ dV, ∫ r dV, ∫ r rᵀ dV with r = x − p; or the same sums over points with masses.
+///
+/// p should be near the body: then nothing cancels when the inertia is moved to the centre of mass.
+/// Source: any text on mechanics, e.g. Goldstein, "Classical Mechanics" (3rd ed. 2002), §5.3.
+
+#include "tumble/mass/double_double.hpp"
+#include "tumble/mass/mass_properties.hpp"
+
+namespace tumble {
+
+/// The integrals of 1, x, y, z and their products, of scalars T.
+template <class T>
+struct Moments {
+  T one{};                               ///< [m³], or [kg] for points
+  T x{}, y{}, z{};                       ///< the above · m
+  T xx{}, yy{}, zz{}, xy{}, yz{}, zx{};  ///< the above · m²
+
+  template <class U>
+  Moments& operator+=(const Moments<U>& m) {
+    one += m.one;
+    x += m.x, y += m.y, z += m.z;
+    xx += m.xx, yy += m.yy, zz += m.zz;
+    xy += m.xy, yz += m.yz, zx += m.zx;
+    return *this;
+  }
+};
+
+/// The moments of a unit of volume or mass at r, or of one sample.
+inline Moments<double> unit_moments(const Vec3& r) {
+  const double x = r.x(), y = r.y(), z = r.z();
+  return {1, x, y, z, x * x, y * y, z * z, x * y, y * z, z * x};
+}
+
+/// Mass properties from moments about `reference`.
+/// @param reference the point p that the moments are about [m]
+/// @param density   [kg/m³], or 1 for moments that have masses in them already
+inline MassProperties mass_properties(const Moments<DoubleDouble>& m, const Vec3& reference,
+                                      double density) {
+  using T = DoubleDouble;
+  const T cx = m.x / m.one, cy = m.y / m.one, cz = m.z / m.one;
+  // ∫ (r − c)(r − c)ᵀ = ∫ r rᵀ − c ∫ rᵀ
+  const T xx = m.xx - cx * m.x, yy = m.yy - cy * m.y, zz = m.zz - cz * m.z;
+  const double xy = double(m.xy - cx * m.y), yz = double(m.yz - cy * m.z),
+               zx = double(m.zx - cz * m.x);
+  MassProperties result;
+  result.mass = density * double(m.one);
+  result.centre = {double(cx + reference.x()), double(cy + reference.y()),
+                   double(cz + reference.z())};
+  // clang-format off
+  result.inertia << double(yy + zz), -xy, -zx,
+                    -xy, double(zz + xx), -yz,
+                    -zx, -yz, double(xx + yy);
+  // clang-format on
+  result.inertia *= density;
+  return result;
+}
+
+/// Adds many moments without losing digits: plain sums of short blocks, the blocks in
+/// double-double. The error of n terms is that of a sum of `block_size`.
+class BlockedMoments {
+ public:
+  void add(const Moments<double>& m) {
+    block_ += m;
+    if (++in_block_ == block_size) close_block();
+  }
+  /// The sum of everything added so far.
+  Moments<DoubleDouble> total() const {
+    Moments<DoubleDouble> sum = closed_;
+    return sum += block_;
+  }
+
+ private:
+  static constexpr int block_size = 128;
+  void close_block() {
+    closed_ += block_;
+    block_ = {};
+    in_block_ = 0;
+  }
+  Moments<DoubleDouble> closed_;
+  Moments<double> block_;
+  int in_block_ = 0;
+};
+
+}  // namespace tumble

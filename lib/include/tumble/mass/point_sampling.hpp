@@ -1,0 +1,102 @@
+#pragma once
+/// @file
+/// Mass properties of any solid by counting points: the integral of f is the mean of f over the
+/// box, 0 outside the solid, times the box's volume.
+///
+/// The standard error of a mean of n independent values is σ/√n; nine of ten errors are below
+/// twice, all but one in 10⁴ below four times that. Grid and low-discrepancy points do better than
+/// it says. Source: e.g. Caflisch, "Monte Carlo and quasi-Monte Carlo methods", Acta Numerica 7,
+/// 1998, §2.
+
+#include <cmath>
+
+#include "tumble/mass/as_point.hpp"
+#include "tumble/mass/moments.hpp"
+#include "tumble/mass/sample_points.hpp"
+#include "tumble/mass/solid.hpp"
+#include "tumble/require.hpp"
+
+namespace tumble {
+
+/// Mass properties and how far they may be off, as for random points (1 standard error).
+struct SampledMassProperties : MassProperties {
+  std::int64_t points = 0;            ///< how many were tried
+  std::int64_t inside = 0;            ///< how many of them were in the solid
+  double mass_standard_error = 0;     ///< [kg]
+  double centre_standard_error = 0;   ///< of its distance from the truth [m]
+  double inertia_standard_error = 0;  ///< of the Frobenius norm of its error [kg m²]
+};
+
+/// The sums over the points inside, r from the middle of the box.
+struct SampleSums {
+  BlockedMoments moments;
+  double q2 = 0;           ///< Σ |r|⁴ [m⁴]
+  Vec3 qr = Vec3::Zero();  ///< Σ |r|² r [m³]
+
+  void add(const Vec3& r) {
+    const double q = r.squaredNorm();
+    moments.add(unit_moments(r));
+    q2 += q * q;
+    qr += q * r;
+  }
+};
+
+/// Σ |r − c|⁴ over the points, from sums about another point than c.
+inline double fourth_moment(const SampleSums& sums, const Moments<DoubleDouble>& m, const Vec3& c) {
+  const Vec3 first = {double(m.x), double(m.y), double(m.z)};
+  const double q = double(m.xx + m.yy + m.zz), cc = c.squaredNorm();
+  const double cr2 = c.x() * c.x() * double(m.xx) + c.y() * c.y() * double(m.yy) +
+                     c.z() * c.z() * double(m.zz) + 2 * c.x() * c.y() * double(m.xy) +
+                     2 * c.y() * c.z() * double(m.yz) + 2 * c.z() * c.x() * double(m.zx);
+  // |r − c|² = |r|² − 2 c·r + |c|², squared and summed
+  return sums.q2 + 4 * cr2 + double(m.one) * cc * cc - 4 * c.dot(sums.qr) + 2 * cc * q -
+         4 * cc * c.dot(first);
+}
+
+/// Mass properties and standard errors from the sums.
+/// @param weight the mass that each point stands for: density · box volume / n [kg]
+inline SampledMassProperties from_samples(const SampleSums& sums, std::int64_t n,
+                                          const Vec3& middle, double weight) {
+  const Moments<DoubleDouble> m = sums.moments.total();
+  SampledMassProperties result{mass_properties(m, middle, weight)};
+  const double inside = double(m.one), total = static_cast<double>(n);
+  result.points = n;
+  result.inside = static_cast<std::int64_t>(inside);
+  result.mass_standard_error = weight * std::sqrt(inside * (1 - inside / total));
+  // Σ |r − c|² = ½ tr I / weight; the centre is a mean over the points inside.
+  result.centre_standard_error = std::sqrt(result.inertia.trace() / 2 / weight) / inside;
+  // ‖|r|² 1 − r rᵀ‖² = 2 |r|⁴
+  const double squares = 2 * fourth_moment(sums, m, result.centre - middle);
+  const double mean = (result.inertia / weight).squaredNorm() / total;
+  result.inertia_standard_error = weight * std::sqrt(std::max(0.0, squares - mean));
+  return result;
+}
+
+/// Mass properties of a solid from points that are tried whether they are inside.
+/// @param solid   anything with contains() and bounds()
+/// @param density [kg/m³]
+/// @param points  GridPoints, RandomPoints or R3Points
+/// @throws std::invalid_argument if the density is not positive and finite, the bounds are empty or
+///         not finite, or no point fell inside
+template <Solid S, SamplePoints P>
+SampledMassProperties sample_mass_properties(const S& solid, double density, P points) {
+  require(density > 0 && std::isfinite(density), "the density ", density,
+          " kg/m³ is not positive and finite");
+  const Eigen::AlignedBox3d box = solid.bounds();
+  const Vec3 size = box.sizes(), middle = box.center();
+  require(size.minCoeff() > 0 && size.allFinite() && middle.allFinite(),
+          "the solid's bounds are empty or not finite: from ", AsPoint{box.min()}, " to ",
+          AsPoint{box.max()});
+  const std::int64_t n = points.count();
+  SampleSums sums;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const Vec3 r = (points.next() - Vec3::Constant(0.5)).cwiseProduct(size);
+    if (solid.contains(middle + r)) sums.add(r);
+  }
+  require(double(sums.moments.total().one) > 0, "none of ", n,
+          " points fell inside the solid within ", AsPoint{box.min()}, " to ", AsPoint{box.max()},
+          ": take more points, or tighter bounds if it is much smaller than they are");
+  return from_samples(sums, n, middle, density * size.prod() / static_cast<double>(n));
+}
+
+}  // namespace tumble

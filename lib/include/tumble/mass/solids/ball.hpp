@@ -1,0 +1,37 @@
+#pragma once
+/// @file
+/// A ball, its middle in the origin: V = 4π/3 r³, I = ⅖ m r² 1.
+///
+/// Source: any table of moments of inertia, e.g. Meriam & Kraige, "Engineering Mechanics: Dynamics"
+/// (7th ed. 2012), table D/4.
+
+#include <numbers>
+
+#include "tumble/mass/solids/solid_checks.hpp"
+
+namespace tumble {
+
+/// A solid ball, |x| ≤ radius.
+struct Ball {
+  double radius = 1;  ///< [m]
+
+  bool contains(const Vec3& point) const { return point.squaredNorm() <= radius * radius; }
+  /// @throws std::invalid_argument if the radius is not positive and finite
+  Eigen::AlignedBox3d bounds() const {
+    require_positive(radius, "the ball's radius");
+    return {Vec3::Constant(-radius), Vec3::Constant(radius)};
+  }
+};
+
+/// Mass properties of a homogeneous ball.
+/// @param density [kg/m³]
+/// @throws std::invalid_argument if the radius or the density is not positive and finite
+inline MassProperties mass_properties(const Ball& ball, double density) {
+  require_positive(density, "the density");
+  require_positive(ball.radius, "the ball's radius");
+  const double r = ball.radius, mass = density * (4 * std::numbers::pi / 3 * r * r * r);
+  const double I = 0.4 * mass * r * r;
+  return symmetric_body(mass, 0, I, I, I);
+}
+
+}  // namespace tumble

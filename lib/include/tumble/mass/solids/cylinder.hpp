@@ -1,0 +1,42 @@
+#pragma once
+/// @file
+/// A cylinder along z, its middle in the origin: V = π r² h, I_zz = m r²/2, I_xx = m (3r² + h²)/12.
+///
+/// Source: any table of moments of inertia, e.g. Meriam & Kraige, "Engineering Mechanics: Dynamics"
+/// (7th ed. 2012), table D/4.
+
+#include <numbers>
+
+#include "tumble/mass/solids/solid_checks.hpp"
+
+namespace tumble {
+
+/// A solid cylinder, x² + y² ≤ radius² and |z| ≤ height/2.
+struct Cylinder {
+  double radius = 1;  ///< [m]
+  double height = 2;  ///< [m]
+
+  bool contains(const Vec3& point) const {
+    return point.head<2>().squaredNorm() <= radius * radius && 2 * std::abs(point.z()) <= height;
+  }
+  /// @throws std::invalid_argument if a dimension is not positive and finite
+  Eigen::AlignedBox3d bounds() const {
+    require_positive(radius, "the cylinder's radius");
+    require_positive(height, "the cylinder's height");
+    return {Vec3(-radius, -radius, -height / 2), Vec3(radius, radius, height / 2)};
+  }
+};
+
+/// Mass properties of a homogeneous cylinder.
+/// @param density [kg/m³]
+/// @throws std::invalid_argument if a dimension or the density is not positive and finite
+inline MassProperties mass_properties(const Cylinder& cylinder, double density) {
+  require_positive(density, "the density");
+  const Vec3 corner = cylinder.bounds().max();
+  const double r2 = corner.x() * corner.x(), h = 2 * corner.z();
+  const double mass = density * (std::numbers::pi * r2 * h);
+  const double across = mass * (3 * r2 + h * h) / 12;
+  return symmetric_body(mass, 0, across, across, mass * r2 / 2);
+}
+
+}  // namespace tumble

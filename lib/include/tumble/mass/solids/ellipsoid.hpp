@@ -1,0 +1,39 @@
+#pragma once
+/// @file
+/// An ellipsoid along the axes, its middle in the origin: V = 4π/3 abc, I_xx = m (b² + c²)/5.
+///
+/// Source: any table of moments of inertia, e.g. Meriam & Kraige, "Engineering Mechanics: Dynamics"
+/// (7th ed. 2012), table D/4.
+
+#include <numbers>
+
+#include "tumble/mass/solids/solid_checks.hpp"
+
+namespace tumble {
+
+/// A solid ellipsoid, (x/a)² + (y/b)² + (z/c)² ≤ 1.
+struct Ellipsoid {
+  Vec3 radii = Vec3::Ones();  ///< half axes a, b, c [m]
+
+  bool contains(const Vec3& point) const { return point.cwiseQuotient(radii).squaredNorm() <= 1; }
+  /// @throws std::invalid_argument if a half axis is not positive and finite
+  Eigen::AlignedBox3d bounds() const {
+    for (const double r : {radii.x(), radii.y(), radii.z()})
+      require_positive(r, "the ellipsoid's half axis");
+    return {-radii, radii};
+  }
+};
+
+/// Mass properties of a homogeneous ellipsoid.
+/// @param density [kg/m³]
+/// @throws std::invalid_argument if a half axis or the density is not positive and finite
+inline MassProperties mass_properties(const Ellipsoid& ellipsoid, double density) {
+  require_positive(density, "the density");
+  const Vec3 squares = ellipsoid.bounds().max().cwiseAbs2();
+  const double mass = density * (4 * std::numbers::pi / 3 * ellipsoid.radii.prod());
+  return symmetric_body(mass, 0, mass * (squares.y() + squares.z()) / 5,
+                        mass * (squares.z() + squares.x()) / 5,
+                        mass * (squares.x() + squares.y()) / 5);
+}
+
+}  // namespace tumble

@@ -1,0 +1,33 @@
+#pragma once
+/// @file
+/// A solid turned and moved: its point r is at x + R r.
+
+#include "tumble/mass/solid.hpp"
+#include "tumble/mass/transform.hpp"
+
+namespace tumble {
+
+/// A solid somewhere else than where its type defines it.
+template <Solid S>
+struct Placed {
+  S solid;
+  Mat3 R = Mat3::Identity();  ///< rotation, solid to world
+  Vec3 x = Vec3::Zero();      ///< where the solid's origin is [m]
+
+  bool contains(const Vec3& point) const { return solid.contains(R.transpose() * (point - x)); }
+  Eigen::AlignedBox3d bounds() const {
+    const Eigen::AlignedBox3d box = solid.bounds();
+    const Vec3 half = R.cwiseAbs() * (box.sizes() / 2), middle = x + R * box.center();
+    return {middle - half, middle + half};
+  }
+};
+
+/// Mass properties of a placed homogeneous solid, in world coordinates.
+/// @param density [kg/m³]
+/// @throws std::invalid_argument as for the solid itself
+template <Solid S>
+MassProperties mass_properties(const Placed<S>& placed, double density) {
+  return translated(rotated(mass_properties(placed.solid, density), placed.R), placed.x);
+}
+
+}  // namespace tumble

@@ -1,0 +1,69 @@
+#pragma once
+/// @file
+/// Mass properties of a body that was turned, moved, stretched, or joined with another one.
+///
+/// I_world = R I_body Rᵀ. Source: e.g. Witkin & Baraff, "Physically Based Modeling", SIGGRAPH
+/// course notes (1997), §2.6; joining by the parallel axis theorem.
+
+#include <cmath>
+
+#include "tumble/mass/as_point.hpp"
+#include "tumble/mass/parallel_axis.hpp"
+#include "tumble/require.hpp"
+
+namespace tumble {
+
+/// R I Rᵀ: the inertia of a body turned by R, exactly symmetric [kg m²].
+/// @param R rotation, body to world
+/// @param I symmetric tensor in body axes [kg m²]
+inline Mat3 rotate_inertia(const Mat3& R, const Mat3& I) {
+  const Mat3 turned = R * I * R.transpose();
+  return (turned + turned.transpose()) / 2;
+}
+
+/// The body turned about the origin of its coordinates: x → R x.
+inline MassProperties rotated(const MassProperties& body, const Mat3& R) {
+  return {body.mass, R * body.centre, rotate_inertia(R, body.inertia)};
+}
+
+/// The body moved: x → x + d [m].
+inline MassProperties translated(const MassProperties& body, const Vec3& d) {
+  return {body.mass, body.centre + d, body.inertia};
+}
+
+/// The body stretched along the axes at the same density: x → (s_x x, s_y y, s_z z).
+/// @param s factors; a common factor gives mass s³ and inertia s⁵
+/// @throws std::invalid_argument if a factor is not positive and finite
+inline MassProperties scaled(const MassProperties& body, const Vec3& s) {
+  require(s.minCoeff() > 0 && s.allFinite(), "the scale factors ", AsPoint{s},
+          " are not all positive and finite");
+  const double volume = s.prod();
+  // ∫ r rᵀ dm = ½ tr(I) 1 − I, and it stretches to det(D) D (∫ r rᵀ dm) D with D = diag(s).
+  const Mat3 second = body.inertia.trace() / 2 * Mat3::Identity() - body.inertia;
+  const Mat3 stretched = volume * (s.asDiagonal() * second * s.asDiagonal());
+  return {volume * body.mass, s.cwiseProduct(body.centre),
+          stretched.trace() * Mat3::Identity() - stretched};
+}
+
+/// The body enlarged s times in all directions at the same density.
+/// @throws std::invalid_argument if s is not positive and finite
+inline MassProperties scaled(const MassProperties& body, double s) {
+  require(s > 0 && std::isfinite(s), "the scale factor ", s, " is not positive and finite");
+  return {s * s * s * body.mass, s * body.centre, s * s * s * s * s * body.inertia};
+}
+
+/// Two bodies as one rigid body, both given in the same coordinates.
+/// @throws std::invalid_argument if a mass is not positive and finite
+inline MassProperties combine(const MassProperties& a, const MassProperties& b) {
+  for (const double mass : {a.mass, b.mass})
+    require(mass > 0 && std::isfinite(mass), "the mass ", mass, " kg is not positive and finite");
+  const double mass = a.mass + b.mass;
+  const Vec3 apart = b.centre - a.centre;
+  // Both offsets from the common centre lie along `apart`: their sum is the reduced mass at
+  // `apart`.
+  const double reduced = a.mass * (b.mass / mass);
+  return {mass, a.centre + (b.mass / mass) * apart,
+          a.inertia + b.inertia + point_inertia(reduced, apart)};
+}
+
+}  // namespace tumble

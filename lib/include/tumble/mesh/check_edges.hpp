@@ -1,0 +1,142 @@
+#pragma once
+/// @file
+/// Names the edges at which a surface is not closed. Slow (it sorts all edges), and so only asked
+/// when edge_balance() has said that there are some.
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tumble/mesh/edge_balance.hpp"
+#include "tumble/mesh/finding.hpp"
+#include "tumble/mesh/weld.hpp"
+
+namespace tumble {
+
+/// One use of an edge by a face.
+struct EdgeUse {
+  int low, high;  ///< its vertices, low < high
+  int face;
+  bool forward;  ///< the face goes from low to high
+
+  bool same_edge(const EdgeUse& other) const { return low == other.low && high == other.high; }
+};
+
+/// All uses of all edges, those of the same edge side by side.
+inline std::vector<EdgeUse> edge_uses(const PolygonMesh& mesh) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(mesh.corners.size());
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const std::span<const int> face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const int a = face[k], b = face[k + 1 < face.size() ? k + 1 : 0];
+      if (a != b) uses.push_back({std::min(a, b), std::max(a, b), f, a < b});
+    }
+  }
+  const auto order = [](const EdgeUse& u, const EdgeUse& v) {
+    if (u.low != v.low) return u.low < v.low;
+    return u.high != v.high ? u.high < v.high : u.face < v.face;
+  };
+  std::sort(uses.begin(), uses.end(), order);
+  return uses;
+}
+
+/// Calls `visit(uses of one edge)` for every edge that is not used equally often both ways.
+template <class Visit>
+void for_each_uneven_edge(const std::vector<EdgeUse>& uses, Visit&& visit) {
+  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    int balance = 0;
+    for (j = i; j < uses.size() && uses[i].same_edge(uses[j]); ++j)
+      balance += uses[j].forward ? 1 : -1;
+    if (balance != 0) visit(std::span<const EdgeUse>(uses).subspan(i, j - i));
+  }
+}
+
+/// Finds faces that have exactly the vertices of an earlier face. Only worth asking for a mesh that
+/// is not closed: a face and its mirror image add nothing, and are a part that touches itself.
+inline std::vector<Finding> find_duplicate_faces(const PolygonMesh& mesh) {
+  std::vector<std::vector<int>> keys;
+  std::vector<int> order;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    keys.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
+    std::sort(keys.back().begin(), keys.back().end());
+    order.push_back(f);
+  }
+  const auto key = [&](int f) -> const std::vector<int>& {
+    return keys[static_cast<std::size_t>(f)];
+  };
+  std::sort(order.begin(), order.end(),
+            [&](int f, int g) { return key(f) != key(g) ? key(f) < key(g) : f < g; });
+  FindingsOfOneKind duplicates(FindingKind::duplicate_face);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const int f = order[i], original = order[i - 1];
+    if (key(f) != key(original) || key(f).size() < 3) continue;
+    duplicates.add(f, {-1, -1}, [&] {
+      return "face #" + std::to_string(f + 1) + " has the same vertices as face #" +
+             std::to_string(original + 1) + ": take one of them away";
+    });
+  }
+  std::vector<Finding> findings;
+  duplicates.append_to(findings);
+  return findings;
+}
+
+/// "edge #3–#7, from vertex #3 at (…) to vertex #7 at (…)".
+inline std::string describe_edge(const PolygonMesh& mesh, const EdgeUse& use) {
+  return "the edge from " + describe_vertex(mesh, use.low) + " to " +
+         describe_vertex(mesh, use.high);
+}
+
+/// "faces #1, #2 and #9".
+inline std::string describe_faces(std::span<const EdgeUse> uses) {
+  std::string text = uses.size() == 1 ? "face #" : "faces #";
+  for (std::size_t i = 0; i < uses.size() && i < 6; ++i)
+    text += (i == 0                 ? ""
+             : i + 1 == uses.size() ? " and #"
+                                    : ", #") +
+            std::to_string(uses[i].face + 1);
+  return uses.size() > 6 ? text + ", …" : text;
+}
+
+/// Finds where the surface is not closed: open edges, neighbours that disagree on what is outside,
+/// and edges with an odd company of faces.
+/// @param mesh indices in range
+inline std::vector<Finding> find_uneven_edges(const PolygonMesh& mesh) {
+  const std::vector<EdgeUse> uses = edge_uses(mesh);
+  int open_count = 0;
+  for_each_uneven_edge(uses,
+                       [&](std::span<const EdgeUse> edge) { open_count += edge.size() == 1; });
+  const std::string cure = open_count > 0 && is_closed(weld(mesh))
+                               ? "; the surface is closed once vertices at equal positions are "
+                                 "merged: call weld()"
+                               : "";
+  FindingsOfOneKind open(FindingKind::open_edge), uneven(FindingKind::uneven_edge);
+  FindingsOfOneKind turned(FindingKind::inconsistent_orientation);
+  for_each_uneven_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const EdgeUse& first = edge.front();
+    if (edge.size() == 1)
+      open.add(first.face, {first.low, first.high}, [&] {
+        return describe_edge(mesh, first) + " has " + describe_faces(edge) +
+               " on one side and nothing on the other (open edges in all: " +
+               std::to_string(open_count) + ")" + cure;
+      });
+    else if (edge.size() == 2)
+      turned.add(first.face, {first.low, first.high}, [&] {
+        return describe_faces(edge) + " go along " + describe_edge(mesh, first) +
+               " in the same direction: one of them is turned the wrong way round";
+      });
+    else
+      uneven.add(first.face, {first.low, first.high}, [&] {
+        return describe_edge(mesh, first) + " has " + std::to_string(edge.size()) +
+               " faces, unequally many in the two directions: " + describe_faces(edge);
+      });
+  });
+  std::vector<Finding> findings;
+  open.append_to(findings);
+  turned.append_to(findings);
+  uneven.append_to(findings);
+  return findings;
+}
+
+}  // namespace tumble

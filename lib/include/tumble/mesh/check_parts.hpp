@@ -1,0 +1,118 @@
+#pragma once
+/// @file
+/// The parts of a closed surface: which enclose nothing, which are inside out, which lie in another
+/// and count twice, and where the surface passes through itself. In words.
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tumble/mesh/depth.hpp"
+#include "tumble/mesh/finding.hpp"
+
+namespace tumble {
+
+/// "the part with face #13 (12 of 24 faces)", or "the surface" when it has one part only.
+inline std::string describe_part(const PolygonMesh& mesh, const Components& surface, int face) {
+  if (surface.parts.size() == 1) return "the surface";
+  const int part = surface.of(mesh.face(face)[0]);
+  int count = 0;
+  for (int f = 0; f < mesh.face_count(); ++f)
+    count += !mesh.face(f).empty() && surface.of(mesh.face(f)[0]) == part;
+  return "the part with face #" + std::to_string(face + 1) + " (" + std::to_string(count) + " of " +
+         std::to_string(mesh.face_count()) + " faces)";
+}
+
+/// What a wrong depth looks like to somebody who climbs the line.
+inline std::string describe_wrong_depth(const WrongDepth& wrong) {
+  std::ostringstream text;
+  text.precision(9);
+  text << "the surface passes through itself: going up the line x = " << wrong.here.line.x()
+       << ", y = " << wrong.here.line.y();
+  if (wrong.depth < 0)
+    text << ", the body is left at z = " << wrong.here.z << " (face #" << wrong.here.face + 1
+         << ") without having been entered";
+  else
+    text << ", the body is entered at z = " << wrong.before.z << " (face #" << wrong.before.face + 1
+         << ") and again at z = " << wrong.here.z << " (face #" << wrong.here.face + 1
+         << ") without having been left; what lies above counts " << wrong.depth << " times";
+  return text.str();
+}
+
+/// Finds the parts of a closed surface that enclose nothing.
+inline std::vector<Finding> find_flat_parts(const PolygonMesh& mesh, const Components& surface) {
+  const auto is_flat = [](const Component& part) {
+    return !(std::abs(part.volume) > part.rounding);
+  };
+  if (std::none_of(surface.parts.begin(), surface.parts.end(), is_flat)) return {};
+  FindingsOfOneKind flat(FindingKind::flat);
+  const std::vector<int> faces = first_faces(mesh, surface);
+  for (std::size_t i = 0; i < surface.parts.size(); ++i) {
+    if (!is_flat(surface.parts[i])) continue;
+    flat.add(faces[i], {-1, -1}, [&] {
+      return describe_part(mesh, surface, faces[i]) +
+             " encloses no volume that could be told from 0";
+    });
+  }
+  std::vector<Finding> findings;
+  flat.append_to(findings);
+  return findings;
+}
+
+/// Says of each part whether it is inverted or nested wrongly, as `depths` tell.
+inline std::vector<Finding> find_wrong_parts(const PolygonMesh& mesh, const Components& surface,
+                                             const std::vector<PartDepth>& depths) {
+  FindingsOfOneKind inverted(FindingKind::inverted), nested(FindingKind::nested_wrong);
+  const std::vector<int> faces = first_faces(mesh, surface);
+  for (std::size_t i = 0; i < surface.parts.size(); ++i) {
+    const Component& part = surface.parts[i];
+    const PartDepth& depth = depths[i];
+    if (depth.least_around != depth.most_around || !(std::abs(part.volume) > part.rounding))
+      continue;
+    std::ostringstream volume;
+    volume << part.volume << " m³";
+    if (part.volume < 0 && depth.least_around == 0)
+      inverted.add(faces[i], {-1, -1}, [&] {
+        return describe_part(mesh, surface, faces[i]) + " is inside out (volume " + volume.str() +
+               "): reverse the corners of its faces";
+      });
+    if (part.volume > 0 && depth.least_around > 0)
+      nested.add(faces[i], {-1, -1}, [&] {
+        return describe_part(mesh, surface, faces[i]) +
+               " lies inside another part and looks outwards, so " + "that its " + volume.str() +
+               " count " + std::to_string(depth.least_around + 1) +
+               " times: reverse the corners of its faces if it is a cavity, else take it away";
+      });
+  }
+  std::vector<Finding> findings;
+  inverted.append_to(findings);
+  nested.append_to(findings);
+  return findings;
+}
+
+/// What a bundle of lines says: parts that are inside out or nested wrongly, and places where the
+/// surface crosses itself.
+inline std::vector<Finding> find_wrong_depth(const PolygonMesh& mesh, const Components& surface,
+                                                const LineHits& hits) {
+  const std::vector<WrongDepth> wrong = find_wrong_depths(hits);
+  const bool one_looks_inwards = std::any_of(surface.parts.begin(), surface.parts.end(),
+                                             [](const Component& part) { return part.volume < 0; });
+  if (wrong.empty() && !one_looks_inwards) return {};
+  const std::vector<PartDepth> depths = measure_parts(hits, surface);
+  std::vector<Finding> findings = find_wrong_parts(mesh, surface, depths);
+  const auto crosses = [&](const LineHit& hit) {
+    const PartDepth& depth = depths[static_cast<std::size_t>(hit.part)];
+    return depth.crosses_itself || depth.crosses_another();
+  };
+  const bool unexplained = findings.empty();
+  FindingsOfOneKind crossing(FindingKind::self_crossing);
+  for (const WrongDepth& place : wrong)
+    if (unexplained || crosses(place.here) || crosses(place.before))
+      crossing.add(place.here.face, {-1, -1}, [&] { return describe_wrong_depth(place); });
+  crossing.append_to(findings);
+  return findings;
+}
+
+}  // namespace tumble

@@ -1,0 +1,113 @@
+#pragma once
+/// @file
+/// What can be wrong with a mesh, and how it is said.
+///
+/// Fields are indices into the mesh, from 0. Numbers in the text are written #n and count from 1,
+/// as an OBJ file does: "face #1" is `mesh.face(0)`.
+
+#include <array>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tumble/mesh/polygon_mesh.hpp"
+
+namespace tumble {
+
+enum class FindingKind {
+  no_faces,                  ///< nothing there
+  index_out_of_range,        ///< a corner names a vertex that does not exist
+  not_finite,                ///< a coordinate is NaN or infinite
+  degenerate_face,           ///< fewer than 3 corners, a corner twice, or an area of exactly 0
+  open_edge,                 ///< an edge with a face on one side only
+  inconsistent_orientation,  ///< two neighbours go round in opposite senses
+  duplicate_face,            ///< the same face twice
+  uneven_edge,    ///< three or more faces at an edge, unequally many in the two directions
+  flat,           ///< a part that encloses no volume
+  inverted,       ///< a part whose faces look inwards, and nothing around it
+  nested_wrong,   ///< a part inside another that looks outwards: its inside counts twice
+  self_crossing,  ///< the surface passes through itself
+};
+
+/// One thing that is wrong, where it is, and what it means.
+struct Finding {
+  FindingKind kind{};
+  int face = -1;                       ///< a face it can be seen at; −1: none
+  std::array<int, 2> edge = {-1, -1};  ///< the edge, or twice the vertex; −1: none
+  std::string message;                 ///< a sentence
+};
+
+/// The name of a kind, as in the code.
+inline const char* name(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::no_faces:
+      return "no_faces";
+    case FindingKind::index_out_of_range:
+      return "index_out_of_range";
+    case FindingKind::not_finite:
+      return "not_finite";
+    case FindingKind::degenerate_face:
+      return "degenerate_face";
+    case FindingKind::open_edge:
+      return "open_edge";
+    case FindingKind::inconsistent_orientation:
+      return "inconsistent_orientation";
+    case FindingKind::duplicate_face:
+      return "duplicate_face";
+    case FindingKind::uneven_edge:
+      return "uneven_edge";
+    case FindingKind::flat:
+      return "flat";
+    case FindingKind::inverted:
+      return "inverted";
+    case FindingKind::nested_wrong:
+      return "nested_wrong";
+    case FindingKind::self_crossing:
+      return "self_crossing";
+  }
+  return "?";
+}
+
+inline std::ostream& operator<<(std::ostream& out, FindingKind kind) { return out << name(kind); }
+
+/// Whether an integral over the mesh is wrong with it. All are but a degenerate face, which has no
+/// area to add (a method that divides by the length of its normal gives NaN all the same).
+inline bool spoils_integrals(FindingKind kind) { return kind != FindingKind::degenerate_face; }
+
+/// "vertex #3 at (0, 1, 0.5)".
+inline std::string describe_vertex(const PolygonMesh& mesh, int v) {
+  std::ostringstream text;
+  text.precision(9);
+  const Vec3& p = mesh.vertex(v);
+  text << "vertex #" << v + 1 << " at (" << p.x() << ", " << p.y() << ", " << p.z() << ")";
+  return text.str();
+}
+
+/// Findings of one kind: the first few in words, the others counted.
+class FindingsOfOneKind {
+ public:
+  static constexpr int most = 5;
+  explicit FindingsOfOneKind(FindingKind kind) : kind_(kind) {}
+
+  /// Adds one; `describe()` is called only when its sentence will be shown.
+  template <class Describe>
+  void add(int face, std::array<int, 2> edge, Describe&& describe) {
+    if (count_++ < most) shown_.push_back(Finding{kind_, face, edge, describe()});
+  }
+
+  int count() const { return count_; }
+
+  /// Moves them to the end of `findings`; the last one says how many more there are.
+  void append_to(std::vector<Finding>& findings) {
+    if (count_ > most) shown_.back().message += " (and " + std::to_string(count_ - most) + " more)";
+    findings.insert(findings.end(), shown_.begin(), shown_.end());
+  }
+
+ private:
+  FindingKind kind_;
+  int count_ = 0;
+  std::vector<Finding> shown_;
+};
+
+}  // namespace tumble

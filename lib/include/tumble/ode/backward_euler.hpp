@@ -1,0 +1,59 @@
+#pragma once
+/// @file
+/// Backward Euler: the slope at the end of the step, which has to be found.
+///
+///     y₁ = y + h f(t + h, y₁),   by Newton:  (I − h ∂f/∂y) Δ = y + h f(t + h, y₁) − y₁
+///
+/// However stiff the problem, the step need not be short for the method to be stable.
+/// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.3.
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "tumble/ode/jacobian.hpp"
+
+namespace tumble {
+
+/// The state one step later.
+/// @param f right-hand side of y' = f(t, y), with f.jacobian(t, y) if it knows one
+/// @param h step, negative to go back in time
+/// @throws std::runtime_error if Newton's iteration does not converge
+template <OdeState State, OdeRhs<State> F>
+State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
+  using std::max, std::sqrt;
+  using Scalar = ScalarOf<State>;
+  using Matrix = JacobianOf<State>;
+  constexpr int max_iterations = 25;
+  // Newton converges quadratically: after a correction of √ε, what is left is of the size of ε.
+  const Scalar enough = sqrt(std::numeric_limits<Scalar>::epsilon());
+
+  State y1 = y;
+  for (int i = 0; i < max_iterations; ++i) {
+    const State dydt = f(t + h, y1);
+    const Matrix J = jacobian(f, t + h, y1, dydt, h);
+    const Matrix A = Matrix::Identity(y.size(), y.size()) - h * J;
+    const State residual = y + h * dydt - y1;
+    const State correction = A.partialPivLu().solve(residual);
+    y1 += correction;
+    if (correction.norm() <= enough * max(y.norm(), y1.norm())) return y1;
+  }
+  std::ostringstream text;
+  text << "backward_euler_step: Newton's iteration does not converge from t = " << t
+       << " with h = " << h << ": take a shorter step";
+  throw std::runtime_error(text.str());
+}
+
+/// Backward Euler as a type, for integrate_fixed<BackwardEuler>.
+struct BackwardEuler {
+  static constexpr int order = 1;
+
+  template <OdeState State, OdeRhs<State> F>
+  static State step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
+    return backward_euler_step(f, t, y, h);
+  }
+};
+
+}  // namespace tumble

@@ -1,0 +1,126 @@
+#include "tumble/mass/tetrahedra.hpp"
+
+#include <doctest/doctest.h>
+
+#include "lib/mass/meshes.hpp"
+#include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mass/solids/box.hpp"
+
+using namespace tumble;
+using test::askew;
+using test::eps;
+using test::inertia_error;
+using test::mass_error;
+
+namespace {
+
+struct NamedMesh {
+  const char* name;
+  PolygonMesh mesh;
+};
+
+std::vector<NamedMesh> ordinary_meshes() {
+  const PolygonMesh sphere = test::sphere(3), torus = test::torus_mesh(40, 20, 1, 0.4);
+  const PolygonMesh L = test::prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, 1.5);
+  return {{"tetrahedron", test::unit_tetrahedron()},
+          {"box", test::box_mesh(Vec3(1, 2, 3))},
+          {"box askew", test::mapped(test::box_mesh(Vec3(1, 2, 3)), askew())},
+          {"L, concave faces", L},
+          {"L askew", test::mapped(L, askew(), Vec3(1, 2, 3))},
+          {"sphere", sphere},
+          {"ellipsoid 1:10:100", test::mapped(sphere, askew() * Vec3(1, 10, 100).asDiagonal())},
+          {"torus of skew quads", torus}};
+}
+
+/// All within their bounds: the exact tensor that they are compared with is itself rounded by eps.
+void check_against_exact(const PolygonMesh& mesh, const BoundedMassProperties& found) {
+  const BoundedMassProperties exact = exact_tetrahedra(mesh, 1);
+  CHECK(mass_error(found.mass, mesh) <= found.mass_error_bound);
+  CHECK(inertia_error(found.inertia, exact.inertia) <= found.inertia_error_bound + eps);
+  const double room = found.inertia_error_bound * bounds(mesh).sizes().norm();
+  CHECK((found.centre - exact.centre).norm() <= room + 2 * eps * exact.centre.norm());
+}
+
+}  // namespace
+
+TEST_CASE("tetrahedra: the unit tetrahedron: V = 1/6, I = 1/80 and products −∫ = +1/480") {
+  const PolygonMesh mesh = test::unit_tetrahedron();
+  Mat3 I = Mat3::Constant(1.0 / 480);
+  I.diagonal().setConstant(1.0 / 80);
+  for (const MassProperties& body :
+       {MassProperties(fast_tetrahedra(mesh, 1)), MassProperties(precise_tetrahedra(mesh, 1)),
+        MassProperties(exact_tetrahedra(mesh, 1))}) {
+    CHECK(std::abs(body.mass - 1.0 / 6) <= 2 * eps / 6);
+    CHECK((body.centre - Vec3::Constant(0.25)).norm() <= 4 * eps * 0.25);
+    CHECK(inertia_error(body.inertia, I) <= 8 * eps);
+  }
+}
+
+TEST_CASE("tetrahedra: boxes are what the closed form says, and density multiplies") {
+  for (const Vec3& size : {Vec3(1, 1, 1), Vec3(1, 2, 3), Vec3(0.1, 10, 3)}) {
+    const PolygonMesh mesh = test::box_mesh(size);
+    const MassProperties truth = mass_properties(Box{size}, 7.5);
+    const BoundedMassProperties body = fast_tetrahedra(mesh, 7.5);
+    CAPTURE(size.transpose());
+    CHECK(std::abs(body.mass - truth.mass) <= 4 * eps * truth.mass);
+    CHECK(inertia_error(body.inertia, truth.inertia) <= 8 * eps);
+  }
+}
+
+TEST_CASE("tetrahedra: the exact path agrees with the volume of a lattice polytope to 28 digits") {
+  // Corners at thirds of integers do not exist in double; at integers all is exact: 6V an integer.
+  PolygonMesh mesh = test::unit_tetrahedron();
+  Mat3 A;
+  A << 101, 7, -3, 5, 97, 11, -2, 13, 103;
+  mesh = test::mapped(mesh, A, Vec3(1e6, -1e6, 3));
+  const DoubleDouble v = exact_moments(mesh, Vec3(1e6 + 0.1, -1e6 + 0.7, 0.3)).one * 6.0;
+  const double det =
+      101.0 * (97 * 103 - 11 * 13) - 7.0 * (5 * 103 + 2 * 11) - 3.0 * (5 * 13 + 2 * 97);
+  CHECK(std::abs(double((v - det) / DoubleDouble(det))) <= 1e-28);
+}
+
+TEST_CASE("tetrahedra: every path keeps within its own bound of the exact value") {
+  for (const NamedMesh& shape : ordinary_meshes()) {
+    CAPTURE(shape.name);
+    const BoundedMassProperties fast = fast_tetrahedra(shape.mesh, 1),
+                                precise = precise_tetrahedra(shape.mesh, 1);
+    check_against_exact(shape.mesh, fast);
+    check_against_exact(shape.mesh, precise);
+    // Nothing cancels here, so the door need not go on to double-double.
+    CHECK(unchecked_mass_properties(shape.mesh, 1).inertia_error_bound ==
+          precise.inertia_error_bound);
+    // eps for the rounding of the result, eps for the product with the density.
+    CHECK(mass_error(precise.mass, shape.mesh) <= 2 * eps);
+    CHECK(inertia_error(precise.inertia, exact_tetrahedra(shape.mesh, 1).inertia) <= 4 * eps);
+    // The bound says that digits are there: a bound of 1 would let anything pass.
+    CHECK(fast.mass_error_bound <= 1e-12);
+    CHECK(fast.inertia_error_bound <= 1e-12);
+  }
+}
+
+TEST_CASE("tetrahedra: polygons and their triangles are the same body") {
+  for (const NamedMesh& shape : ordinary_meshes()) {
+    CAPTURE(shape.name);
+    const Mat3 triangles = precise_tetrahedra(test::triangulated(shape.mesh), 1).inertia;
+    CHECK(inertia_error(precise_tetrahedra(shape.mesh, 1).inertia, triangles) <= 8 * eps);
+  }
+}
+
+TEST_CASE("tetrahedra: a sphere's mesh approaches the ball with the square of its edges") {
+  double error[2];
+  for (const int level : {3, 4}) {
+    const double V = fast_tetrahedra(test::sphere(level), 1).mass;
+    error[level - 3] = 4 * std::numbers::pi / 3 - V;
+  }
+  CHECK(std::abs(error[0] / error[1] - 4) <= 0.03 * 4);  // next term: h², (1/16)² · 4
+}
+
+TEST_CASE("tetrahedra: vertices that no face uses change nothing") {
+  PolygonMesh mesh = test::mapped(test::box_mesh(Vec3(1, 2, 3)), askew());
+  const BoundedMassProperties without = fast_tetrahedra(mesh, 1);
+  mesh.vertices.push_back(Vec3(1e12, 0, 0));
+  mesh.vertices.push_back(Vec3::Constant(std::nan("")));
+  const BoundedMassProperties with = fast_tetrahedra(mesh, 1);
+  CHECK(with.inertia == without.inertia);
+  CHECK(with.inertia_error_bound == without.inertia_error_bound);
+}
