@@ -34,10 +34,14 @@ const objects::Object& find_object(const std::string& name) {
   throw std::invalid_argument("there is no object '" + name + "', only " + names_of_objects());
 }
 
-/// A body of a closed mesh. @throws std::invalid_argument if the mesh does not bound a body
+/// @throws std::invalid_argument naming the subject if the mesh does not bound a body
 Subject make_subject(const std::string& name, const PolygonMesh& mesh, const PolygonMesh& drawing,
                      double density) {
-  require_body(mesh);
+  try {
+    require_body(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(name + ": " + error.what());
+  }
   return {name, mesh, drawing, density, exact_tetrahedra(mesh, density)};
 }
 
@@ -82,7 +86,7 @@ void show_objects(Output& output) {
     const Vec3 moments = principal_axes(I).moments;
     const Mat3 found = unchecked_mirtich(subject.mesh, subject.density).inertia;
     table.add({subject.name, std::to_string(subject.mesh.face_count()),
-               support::number(subject.density), support::number(subject.exact.mass, 5),
+               support::number(subject.density, 6), support::number(subject.exact.mass, 5),
                three_numbers(moments, 3), support::error_number((found - I).norm() / I.norm())});
     std::ostringstream obj;
     write_obj(obj, subject.mesh);
@@ -100,9 +104,14 @@ void run(const Options& options) {
   show_solvers(subject, output);
   show_motion(subject, output);
   show_objects(output);
-  std::cout << "\nIn " << std::filesystem::absolute(output.folder()).string() << ":";
-  for (const std::string& file : output.files()) std::cout << ' ' << file;
-  std::cout << '\n';
+  std::cout << "\nFigures, tables and meshes are in "
+            << std::filesystem::absolute(output.folder()).lexically_normal().string() << ":\n";
+  for (const char* kind : {".svg", ".csv", ".obj"}) {
+    std::cout << "  ";
+    for (const std::string& file : output.files())
+      if (file.ends_with(kind)) std::cout << ' ' << file;
+    std::cout << '\n';
+  }
 }
 
 }  // namespace

@@ -91,18 +91,18 @@ TEST_CASE("line_crossing: triangles round a vertex are met once by the line thro
   }
 }
 
-TEST_CASE(
-    "line_crossing: of two triangles that share an edge, one is met, an ulp from the edge too") {
-  const Vec3 p(-12, -12, 0), q(24, 24, 0), left(-100, 100, 0), right(100, -100, 0);
-  for (int i = 0; i < 64; ++i)
-    for (int j = 0; j < 64; ++j) {
-      CAPTURE(i);
-      CAPTURE(j);
-      const double x = 0.5 + i * 0x1p-53, y = 0.5 + j * 0x1p-53;
-      // On the edge y = x the line is moved by (ε, ε²), to the right of it.
-      CHECK(line_crossing(p, q, left, x, y) == (y > x));
-      CHECK(line_crossing(q, p, right, x, y) == (y <= x));
-    }
+TEST_CASE("line_crossing: of two triangles that share an edge one is met, an ulp from it too") {
+  Random rng(4);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p = rng.vector(), q = rng.vector();
+    const Vec3 across(p.y() - q.y(), q.x() - p.x(), 0);
+    const Vec3 r = p + rng.uniform(0.1, 0.9) * (q - p);  // on the edge, up to an ulp
+    const int side = side_of_edge(p, q, r.x(), r.y());
+    CAPTURE(p.transpose());
+    CAPTURE(q.transpose());
+    CHECK(line_crossing(p, q, p + across, r.x(), r.y()) == (side > 0));
+    CHECK(line_crossing(q, p, p - across, r.x(), r.y()) == (side < 0));
+  }
 }
 
 TEST_CASE("line_crossing: a line on the rim is moved by (ε, ε²), ε > 0") {
@@ -121,9 +121,9 @@ TEST_CASE("line_crossing: a triangle that is vertical is never met") {
   CHECK(line_crossing({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 0) == 0);
 }
 
-TEST_CASE("collibeside: exactly") {
-  CHECK(collibeside({0, 0, 0}, {1, 2, 3}, {2, 4, 6}));
-  CHECK(collibeside({1, 1, 1}, {1, 1, 1}, {5, 6, 7}));
-  CHECK_FALSE(collibeside({0, 0, 0}, {1, 2, 3}, {2, 4, std::nextafter(6, 7)}));
-  CHECK_FALSE(collibeside({1e8, 0, 0}, {1e8 + 1, 2, 3}, {1e8 + 2, 4, 6 + 1e-15}));
+TEST_CASE("collinear: exactly") {
+  CHECK(collinear({0, 0, 0}, {1, 2, 3}, {2, 4, 6}));
+  CHECK(collinear({1, 1, 1}, {1, 1, 1}, {5, 6, 7}));
+  CHECK_FALSE(collinear({0, 0, 0}, {1, 2, 3}, {2, 4, std::nextafter(6, 7)}));
+  CHECK_FALSE(collinear({1e8, 0, 0}, {1e8 + 1, 2, 3}, {1e8 + 2, 4, 6 + 1e-15}));
 }
