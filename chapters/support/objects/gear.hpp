@@ -96,7 +96,7 @@ inline void add_wall(PolygonMesh& mesh, const Loop& low, const Loop& high, int p
   }
 }
 
-/// A gear 6 cm across and 1 cm thick, about 180 r² + 700 r triangles. @param r resolution, from 1
+/// A gear 6 cm across and 1 cm thick, about 180 r² + 650 r triangles. @param r resolution, from 1
 inline PolygonMesh gear(int r) {
   require(r >= 1, "the resolution of a gear must be at least 1, not ", r);
   PolygonMesh mesh;

@@ -8,7 +8,7 @@
 
 namespace tumble::objects {
 
-/// A T-handle 12 cm wide, about 400 r² triangles. @param r resolution, from 1
+/// A T-handle 12 cm wide, about 430 r² triangles. @param r resolution, from 1
 inline PolygonMesh t_handle(int r) {
   require(r >= 1, "the resolution of a T-handle must be at least 1, not ", r);
   PolygonMesh mesh;

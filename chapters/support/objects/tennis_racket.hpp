@@ -41,7 +41,7 @@ inline void add_strings(PolygonMesh& mesh, int k, int count, double spacing, dou
   }
 }
 
-/// A racket 69 cm long, about 1,300 r² triangles and 32 strings. @param r resolution, from 1
+/// A racket 69 cm long, about 1,050 r² triangles and 32 strings. @param r resolution, from 1
 inline PolygonMesh tennis_racket(int r) {
   require(r >= 1, "the resolution of a tennis racket must be at least 1, not ", r);
   PolygonMesh mesh;

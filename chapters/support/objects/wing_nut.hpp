@@ -6,7 +6,7 @@
 
 namespace tumble::objects {
 
-/// A wing nut 4.8 cm wide, about 600 r² triangles. @param r resolution, from 1
+/// A wing nut 4.8 cm wide, about 500 r² triangles. @param r resolution, from 1
 inline PolygonMesh wing_nut(int r) {
   require(r >= 1, "the resolution of a wing nut must be at least 1, not ", r);
   PolygonMesh mesh;

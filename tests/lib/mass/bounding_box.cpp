@@ -70,6 +70,23 @@ TEST_CASE("principal_box, fit_oriented_box: find a turned box again, wherever it
   }
 }
 
+TEST_CASE(
+    "principal_box: along the axes in which the points' spread about their mean is uncorrelated") {
+  test::Random rng(103);
+  for (int i = 0; i < 30; ++i) {
+    std::vector<Vec3> points(
+        5, rng.vector());  // most of them in one corner: the mean is far from the middle
+    for (int k = 0; k < 6; ++k) points.push_back(rng.vector());
+    const Mat3 R = principal_box(points).R;
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& x : points) mean += x / 11;
+    Mat3 spread = Mat3::Zero();
+    for (const Vec3& x : points) spread += R.transpose() * (x - mean) * (x - mean).transpose() * R;
+    const Mat3 mixed = spread - Mat3(spread.diagonal().asDiagonal());
+    CHECK(mixed.norm() <= 100 * eps * spread.norm());  // 11 terms, two products each way
+  }
+}
+
 TEST_CASE("fit_oriented_box: never larger than the box along the axes or the principal axes") {
   test::Random rng(102);
   for (int i = 0; i < 30; ++i) {

@@ -75,6 +75,9 @@ TEST_CASE("double-double: keeps what a double loses") {
   const DoubleDouble third = DoubleDouble(1) / DoubleDouble(3);
   CHECK(std::abs(double(third * 3 - DoubleDouble(1))) <= 15 * u2);
   CHECK(third.lo != 0);
+  // Where the large parts cancel, both small ones are still there.
+  const DoubleDouble rest = DoubleDouble(1, 0x1p-54) + DoubleDouble(-1, 0x1p-120);
+  CHECK(rest == DoubleDouble(0x1p-54, 0x1p-120));
   CHECK(DoubleDouble(1, -1e-20) < DoubleDouble(1));
   CHECK_FALSE(DoubleDouble(1) < DoubleDouble(1));
 }

@@ -56,14 +56,19 @@ TEST_CASE("tetrahedra: the unit tetrahedron: V = 1/6, I = 1/80 and products âˆ’â
   }
 }
 
-TEST_CASE("tetrahedra: boxes are what the closed form says, and density multiplies") {
-  for (const Vec3& size : {Vec3(1, 1, 1), Vec3(1, 2, 3), Vec3(0.1, 10, 3)}) {
-    const PolygonMesh mesh = test::box_mesh(size);
+TEST_CASE(
+    "tetrahedra: boxes are what the closed form says, where they are, and density multiplies") {
+  for (const Vec3& size : {Vec3(1, 1, 1), Vec3(1, 2, 3), Vec3(0.125, 10, 3)}) {
+    const Vec3 place(3, -5, 8);  // with these sizes no vertex is rounded
+    const PolygonMesh mesh = test::mapped(test::box_mesh(size), Mat3::Identity(), place);
     const MassProperties truth = mass_properties(Box{size}, 7.5);
-    const BoundedMassProperties body = fast_tetrahedra(mesh, 7.5);
     CAPTURE(size.transpose());
-    CHECK(std::abs(body.mass - truth.mass) <= 4 * eps * truth.mass);
-    CHECK(inertia_error(body.inertia, truth.inertia) <= 8 * eps);
+    for (const auto method : {fast_tetrahedra, precise_tetrahedra, exact_tetrahedra}) {
+      const BoundedMassProperties body = method(mesh, 7.5);
+      CHECK(std::abs(body.mass - truth.mass) <= 4 * eps * truth.mass);
+      CHECK((body.centre - place).norm() <= 4 * eps * place.norm());
+      CHECK(inertia_error(body.inertia, truth.inertia) <= 8 * eps);
+    }
   }
 }
 

@@ -95,7 +95,7 @@ inline std::vector<Finding> find_wrong_parts(const PolygonMesh& mesh, const Comp
 /// What a bundle of lines says: parts that are inside out or nested wrongly, and places where the
 /// surface crosses itself.
 inline std::vector<Finding> find_wrong_depth(const PolygonMesh& mesh, const Components& surface,
-                                                const LineHits& hits) {
+                                             const LineHits& hits) {
   const std::vector<WrongDepth> wrong = find_wrong_depths(hits);
   const bool one_looks_inwards = std::any_of(surface.parts.begin(), surface.parts.end(),
                                              [](const Component& part) { return part.volume < 0; });

@@ -1,0 +1,9 @@
+#pragma once
+/// @file
+/// Everything about meshes, but for tumble/mesh/read_obj.hpp, which needs the target tumble::obj.
+
+#include "tumble/mesh/diagnose.hpp"
+#include "tumble/mesh/mesh_solid.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/mesh/weld.hpp"
+#include "tumble/mesh/write_obj.hpp"
