@@ -124,7 +124,7 @@ support::Table motion_table(const std::vector<Moment>& motion) {
 
 RigidBodyState<> spinning(const RigidBody<>& body, const Spin& spin) {
   const PrincipalAxes axes = principal_axes(body.I_body());
-  const Vec3 omega = spin.rate * Vec3(spin.tilt, 1, spin.tilt);
+  const Vec3 omega = spin.rate * Vec3(spin.tilt, 1, -spin.tilt);
   // q⁻¹ maps the world's axes to the principal axes in the body.
   const Quat q = from_matrix(axes.R).conjugate();
   return state_of_motion<double>(body, Vec3::Zero(), q, Vec3::Zero(), omega);
@@ -150,8 +150,7 @@ void show_motion(const Subject& subject, Output& output) {
               "motion");
   std::cout << '\n';
   if (times.empty()) {
-    std::cout
-        << "  It does not turn over in 12 s: its two nearest moments differ too little for that.\n";
+    std::cout << "  It does not turn over in 12 s: two of its moments are equal, or nearly so.\n";
   } else {
     std::cout << "  It turns over at";
     for (const double t : times) std::cout << ' ' << support::number(t) << " s";

@@ -22,10 +22,11 @@ struct Subject {
   MassProperties exact;  ///< each number the true one, rounded
 };
 
-/// A tumbling start: the body spins about its middle axis, a little off it.
+/// A tumbling start: the body spins about its middle axis, a little off it, on the side from which
+/// it goes away fast.
 struct Spin {
   double rate;  ///< [rad/s]
-  double tilt;  ///< angle towards each of the other two axes [rad]
+  double tilt;  ///< angle towards the least and away from the largest moment's axis [rad]
 };
 
 /// The state of the subject in that spin, its principal axes along the world's: the smallest moment

@@ -103,3 +103,11 @@ TEST_CASE("integrate_adaptive: a span of a few units in the last place is crosse
   const auto solution = integrate_adaptive<DormandPrince54>(decay, State(1.0), t0, t1);
   CHECK(std::abs(solution.y[0] - std::exp(t0 - t1)) <= 4 * test::eps);
 }
+
+TEST_CASE("integrate_adaptive: a step that would not move the time is not taken") {
+  // The problem asks for 1e-12 s, but the clock at 10⁹ s ticks in 1e-7 s.
+  const auto fast = [](double, const State& y) { return State(-1e12 * y[0]); };
+  const std::string message = message_of<std::runtime_error>(
+      [&] { integrate_adaptive<DormandPrince54>(fast, State(1.0), 1e9, 2e9); });
+  CHECK(contains(message, "the step became too small at t = 1000000000"));
+}

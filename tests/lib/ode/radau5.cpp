@@ -101,6 +101,32 @@ TEST_CASE("Radau5: Prothero and Robinson's problem, and what it costs an explici
   CHECK(evaluations(DormandPrince54(), 1e5) >= 1000 * stiff);
 }
 
+TEST_CASE("Radau5: keeps the Jacobian while it is good, for a linear problem to the end") {
+  int calls = 0, jacobians = 0;
+  const auto f = [&](double t, const State2& y) -> State2 {
+    ++calls;
+    return {y[1], -100 * y[0] - 101 * y[1] + std::sin(t)};
+  };
+  const auto J = [&](double, const State2&) -> Eigen::Matrix2d {
+    ++jacobians;
+    return (Eigen::Matrix2d() << 0, 1, -100, -101).finished();
+  };
+  const auto solution = integrate_adaptive<Radau5>(with_jacobian(f, J), State2(1, 0), 0, 10);
+  CHECK(jacobians == 1);
+  CHECK(solution.evaluations == calls);
+  CHECK(solution.steps > 10);
+}
+
+TEST_CASE("Radau5: a step that has no solution is not accepted, and half of it is tried next") {
+  const auto f = [](double, const Vec3& y) -> Vec3 { return y.cwiseProduct(y).array() + 1; };
+  const Vec3 y(1, 1, 1);
+  Radau5::Stepper<Vec3> stepper({}, f(0, y));
+  const Attempt<Vec3> attempt = stepper.attempt(f, 0, y, 10);
+  CHECK(!attempt.accepted());
+  CHECK(attempt.error == INFINITY);
+  CHECK(attempt.next_h == 5);
+}
+
 TEST_CASE("Radau5::step: stiff decay is exact in the limit, and what does not converge is said") {
   const auto f = [](double, const Vec3& y) -> Vec3 { return -1e12 * y; };
   // The stability function falls as −3/z (Hairer & Wanner II, IV.3); rounding is that of 1.
