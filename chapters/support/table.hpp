@@ -66,7 +66,10 @@ class Table {
   std::string csv() const {
     std::string out;
     for (const std::vector<std::string>& row : rows_) {
-      for (std::size_t c = 0; c < row.size(); ++c) out += (c == 0 ? "" : ",") + quoted(row[c]);
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        if (c > 0) out += ',';
+        out += quoted(row[c]);
+      }
       out += '\n';
     }
     return out;

@@ -4,6 +4,7 @@
 
 #include "support/inputs.hpp"
 #include "support/refusal.hpp"
+#include "support/relative_error.hpp"
 #include "tumble/body/derived.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/ode/dop853.hpp"
@@ -68,8 +69,8 @@ TEST_CASE("free_symmetric_top: two times after one another are their sum, howeve
     const RigidBodyState<> twice = free_symmetric_top(body, free_symmetric_top(body, start, t), t);
     // Angles of size t are rounded to eps t; the axis found in the body and L·n once each as well.
     CHECK(angle_between(twice.q, free_symmetric_top(body, start, 2 * t).q) <= 64 * eps * (1 + t));
-    CHECK(kinetic_energy(body, twice) ==
-          doctest::Approx(kinetic_energy(body, start)).epsilon(64 * eps * (1 + t)));
+    CHECK(test::relative_error(kinetic_energy(body, twice), kinetic_energy(body, start)) <=
+          64 * eps * (1 + t));
   }
 }
 

@@ -136,3 +136,14 @@ TEST_CASE(
   CHECK(kinds(needle) == "");
   CHECK(kinds(test::inside_out(needle)) == "inverted");
 }
+
+TEST_CASE("diagnose: plates and needles that lie askew are bodies, and inside out they are found") {
+  const Mat3 R = Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  for (const Vec3& size : {Vec3(1, 1, 1e-8), Vec3(1, 1e-8, 1e-8), Vec3(1, 1e-12, 1e-3)}) {
+    CAPTURE(size.transpose());
+    PolygonMesh thin = test::box(Vec3::Zero(), size);
+    for (Vec3& p : thin.vertices) p = R * p;
+    CHECK(kinds(thin) == "");
+    CHECK(kinds(test::inside_out(thin)) == "inverted");
+  }
+}
