@@ -13,8 +13,8 @@
 
 namespace tumble::support {
 
-/// One curve. Points that an axis cannot show (not finite; not positive on a log axis) are left
-/// out.
+/// One curve. Points that an axis cannot show (not finite; not positive on a log axis)
+/// are left out.
 struct Series {
   std::string name;
   std::vector<double> x, y;
@@ -101,8 +101,8 @@ struct EndLabel {
   double y;
 };
 
-/// Where each curve's name stands: at the height of its last point, pushed apart where they would
-/// overlap.
+/// Where each curve's name stands: at the height of its last point, pushed apart where
+/// they would overlap.
 inline std::vector<EndLabel> end_labels(const Plot& plot, const Frame& frame) {
   std::vector<EndLabel> labels;
   for (std::size_t s = 0; s < plot.series.size(); ++s) {

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// How long something takes, on a machine that is also doing other things: the least of several
-/// runs.
+/// How long something takes, on a machine that is also doing other things: the least
+/// of several runs.
 
 #include <algorithm>
 #include <chrono>

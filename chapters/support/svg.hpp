@@ -11,8 +11,8 @@
 
 namespace tumble::support {
 
-/// A number with at most `digits` behind the point, without trailing zeros, the same on every
-/// platform.
+/// A number with at most `digits` behind the point, without trailing zeros, the same
+/// on every platform.
 inline std::string svg_number(double value, int digits = 1) {
   std::array<char, 64> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
@@ -41,8 +41,8 @@ inline std::string svg_text(std::string_view text) {
   return escaped;
 }
 
-/// The opening of a figure: size, title for screen readers, style, background. Close it with
-/// </svg>.
+/// The opening of a figure: size, title for screen readers, style, background. Close
+/// it with </svg>.
 inline std::string svg_open(double width, double height, std::string_view title) {
   const std::string size = svg_number(width) + " " + svg_number(height);
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"tumble-figure\" role=\"img\" "

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double h = 1.0 / 60;  // [s]
 constexpr int steps = 60 * 60 * 10;
-constexpr Spin spin{3.141592653589793, 0.5};  // half a turn a second, well off the axis
+constexpr Spin start_spin{3.141592653589793, 0.5};  // half a turn a second, well off the axis
 
 /// A run of one representation with one repair.
 struct Run {
@@ -31,8 +31,8 @@ bool is_sampled(int step) {
   return std::binary_search(moments.begin(), moments.end(), step);
 }
 
-/// Steps a state on; `repair` gives the state to go on with, `shape_error` how far it is from a
-/// rotation.
+/// Steps a state on; `repair` gives the state to go on with, `shape_error` how far it is
+/// from a rotation.
 template <class Motion, class State, class Repair, class ShapeError>
 State run(const Motion& motion, State y, Repair&& repair, ShapeError&& shape_error, Run& result) {
   for (int step = 1; step <= steps; ++step) {
@@ -100,7 +100,7 @@ Run run_quaternion(const RigidBody<>& body, const RigidBodyState<>& start, Repai
 
 void show_drift(const Subject& subject, Output& output) {
   const RigidBody<> body(subject.exact);
-  const RigidBodyState<> start = spinning(body, spin);
+  const RigidBodyState<> start = spinning(body, start_spin);
   progress("reference orientation after " + std::to_string(steps) + " steps");
   const Quat exact = unpack<double>(integrate_adaptive<Dop853>(RigidBodyMotion(body), pack(start),
                                                                0.0, h * steps, {1e-14, 1e-14})

@@ -1,5 +1,5 @@
-// The tumbling itself: spin about the middle axis does not last, the body turns over, and over
-// again.
+// The tumbling itself: spin about the middle axis does not last, the body turns over,
+// and over again.
 #include <iostream>
 
 #include "support/plot.hpp"
@@ -11,8 +11,9 @@
 namespace tumble::tour {
 namespace {
 
-constexpr Spin spin{6.283185307179586, 0.01};  // one turn a second, nearly about the middle axis
-constexpr double duration = 12;                // [s]
+constexpr Spin start_spin{6.283185307179586,
+                          0.01};  // one turn a second, nearly about the middle axis
+constexpr double duration = 12;   // [s]
 constexpr int moments = 1200;
 
 struct Moment {
@@ -25,7 +26,7 @@ struct Moment {
 std::vector<Moment> simulate(const RigidBody<>& body) {
   const Mat3 principal = principal_axes(body.I_body()).R;
   const RigidBodyMotion motion(body);
-  PackedState<double> y = pack(spinning(body, spin));
+  PackedState<double> y = pack(spinning(body, start_spin));
   std::vector<Moment> list;
   for (int i = 0; i <= moments; ++i) {
     const double t = duration * i / moments;

@@ -11,8 +11,9 @@
 namespace tumble::tour {
 namespace {
 
-constexpr Spin spin{6.283185307179586, 0.01};  // one turn a second, nearly about the middle axis
-constexpr double duration = 3;                 // [s]
+constexpr Spin start_spin{6.283185307179586,
+                          0.01};  // one turn a second, nearly about the middle axis
+constexpr double duration = 3;    // [s]
 
 /// One run of a solver.
 struct Sample {
@@ -36,10 +37,10 @@ struct Problem {
   }
 };
 
-/// The answer: the best method, in long double where that is more than double, at the tightest
-/// tolerance.
+/// The answer: the best method, in long double where that is more than double, at
+/// the tightest tolerance.
 Problem make_problem(const RigidBody<>& body, const MassProperties& properties) {
-  const PackedState<double> start = pack(spinning(body, spin));
+  const PackedState<double> start = pack(spinning(body, start_spin));
   const RigidBody<long double> precise(properties);
   const double tolerance =
       std::max(1e-18, 4 * static_cast<double>(std::numeric_limits<long double>::epsilon()));

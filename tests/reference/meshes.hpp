@@ -1,8 +1,8 @@
 #pragma once
 /// @file
-/// The true mass properties of the scanned meshes (density 1), by rational arithmetic from the
-/// coordinates as doubles, 40 digits, rounded to 20; faces as fans of triangles from their first
-/// corner.
+/// The true mass properties of the scanned meshes (density 1), by rational arithmetic from
+/// the coordinates as doubles, 40 digits, rounded to 20; faces as fans of triangles from
+/// their first corner.
 
 #include <array>
 

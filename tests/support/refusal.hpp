@@ -29,8 +29,8 @@ bool mentions(const std::string& text, const Parts&... parts) {
 
 }  // namespace tumble::test
 
-/// The action (an expression) must throw std::invalid_argument with a message that has all the
-/// parts.
+/// The action (an expression) must throw std::invalid_argument with a message that has
+/// all the parts.
 #define CHECK_REFUSED(expression, ...)                                      \
   do {                                                                      \
     const std::string refusal =                                             \

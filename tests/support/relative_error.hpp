@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// How far a number is from what it should be. (doctest's Approx adds an absolute part of the same
-/// size.)
+/// How far a number is from what it should be. (doctest's Approx adds an absolute part of
+/// the same size.)
 
 #include <cmath>
 

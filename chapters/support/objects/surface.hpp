@@ -69,8 +69,8 @@ inline void join_all(PolygonMesh& mesh, const std::vector<Loop>& tube,
   }
 }
 
-/// The rim of a patch of n × m cells, in steps from its first corner: (along the loop, across
-/// loops).
+/// The rim of a patch of n × m cells, in steps from its first corner: (along the
+/// loop, across loops).
 inline std::vector<std::array<int, 2>> rim_steps(int n, int m) {
   std::vector<std::array<int, 2>> steps;
   for (int k = 0; k < n; ++k) steps.push_back({k, 0});
@@ -88,8 +88,8 @@ inline Loop rim(const std::vector<Loop>& tube, const Patch& p) {
   return loop;
 }
 
-/// The rim of a patch, upside down: a tube that started from an equal patch and bent by 180° ends
-/// there.
+/// The rim of a patch, upside down: a tube that started from an equal patch and bent by
+/// 180° ends there.
 inline Loop rim_of_end(const std::vector<Loop>& tube, const Patch& p) {
   Loop loop;
   for (const auto& [j, i] : rim_steps(p.corners, p.loops))

@@ -40,8 +40,8 @@ inline Station between(const std::vector<Station>& stations, double t) {
   return here;
 }
 
-/// A tube from the rim of a patch of n × m cells along the stations, `pieces` from each to the
-/// next.
+/// A tube from the rim of a patch of n × m cells along the stations, `pieces` from each
+/// to the next.
 /// @param e1 the direction in which a section does not turn, that of the patch's loops
 /// @return the last loop
 inline Loop sweep(PolygonMesh& mesh, const Loop& start, int n, int m,

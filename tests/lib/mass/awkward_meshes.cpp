@@ -58,8 +58,8 @@ TEST_CASE("meshes tiny and huge: no threshold has a unit") {
       const BoundedMassProperties body = method.compute(mesh, 1);
       CAPTURE(s);
       CAPTURE(method.name);
-      // s rounds every vertex by eps: 3 eps in the volume, 5 eps in the inertia, and the method's
-      // own.
+      // s rounds every vertex by eps: 3 eps in the volume, 5 eps in the inertia, and
+      // the method's own.
       CHECK(std::abs(body.mass / expected.mass - 1) <= 12 * eps);
       CHECK(inertia_error(body.inertia, expected.inertia) <= 20 * eps);
       CHECK(body.mass_error_bound <= 1e-13);

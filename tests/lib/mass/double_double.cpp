@@ -56,8 +56,8 @@ TEST_CASE(
     CAPTURE(x.hi);
     CAPTURE(y.hi);
     CAPTURE(z.hi);
-    // One operation is good to 3 u² (sum), 7 u² (product), 15 u² (quotient): add them along each
-    // law.
+    // One operation is good to 3 u² (sum), 7 u² (product), 15 u² (quotient): add them
+    // along each law.
     const double spread = std::abs(x.hi) + std::abs(y.hi);
     CHECK(std::abs(double((x + y) - y - x)) <= 6 * u2 * (spread + std::abs(y.hi)));
     CHECK(relative(x * y / y - x, x) <= 22 * u2);

@@ -88,8 +88,8 @@ TEST_CASE(
     for (int k = 0; k < 3; ++k) {
       const double exact = 0.5 + i / std::pow(g, k + 1);
       const double difference = p[k] - (exact - std::floor(exact));
-      // pow and the quotient round by 4 eps of i; near 0 and 1 the fraction may be on the other
-      // side.
+      // pow and the quotient round by 4 eps of i; near 0 and 1 the fraction may be on
+      // the other side.
       CHECK(std::abs(difference - std::round(difference)) <= 4 * eps * i);
     }
   }

@@ -9,8 +9,8 @@ using namespace tumble;
 using test::Random;
 
 TEST_CASE("has_no_area: exactly, where the cross product in doubles is not 0") {
-  // In units of 2⁻⁵³: a = −(odd), b = 2 modulo 4. Then c = a + 3 (b − a) is a double, but b − a is
-  // none.
+  // In units of 2⁻⁵³: a = −(odd), b = 2 modulo 4. Then c = a + 3 (b − a) is a double, but b −
+  // a is none.
   Random rng(31);
   int not_zero_in_doubles = 0;
   for (int i = 0; i < 1000; ++i) {

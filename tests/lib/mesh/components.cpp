@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "lib/mesh/shapes.hpp"
-#include "support/relative_error.hpp"
 #include "support/inputs.hpp"
+#include "support/relative_error.hpp"
 
 using namespace tumble;
 

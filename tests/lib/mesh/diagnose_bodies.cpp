@@ -19,8 +19,8 @@ std::string kinds(const PolygonMesh& mesh) {
   return text;
 }
 
-/// A triangle on an edge, of zero area: the edge's middle is a new vertex of one of its two faces
-/// only.
+/// A triangle on an edge, of zero area: the edge's middle is a new vertex of one of its
+/// two faces only.
 PolygonMesh with_flat_face(PolygonMesh mesh) {
   const std::vector<int> face(mesh.face(0).begin(), mesh.face(0).end());
   const int middle = static_cast<int>(mesh.vertices.size());
@@ -52,8 +52,8 @@ PolygonMesh eight() {
 
 TEST_CASE("diagnose: a triangle without area is found exactly") {
   for (const PolygonMesh& body : {small_body(), test::sphere(1)}) {
-    // Middles of edges are exact only where the sum of the ends is: keep 20 bits of each
-    // coordinate.
+    // Middles of edges are exact only where the sum of the ends is: keep 20 bits
+    // of each coordinate.
     PolygonMesh mesh = body;
     for (Vec3& p : mesh.vertices)
       for (double& x : p) x = std::round(x * 0x1p20) * 0x1p-20;

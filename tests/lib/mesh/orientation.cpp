@@ -15,9 +15,9 @@ TEST_CASE("orientation: left is 1, right is −1, on the line is 0") {
 }
 
 TEST_CASE("orientation: is exact for points that are an ulp from the line, near and far") {
-  // (0.5 + i 2⁻⁵³, 0.5 + j 2⁻⁵³) against the line y = x through (12, 12) and (24, 24): the sign of
-  // j − i, where plain doubles give nonsense (Kettner et al., "Classroom examples of robustness
-  // problems").
+  // (0.5 + i 2⁻⁵³, 0.5 + j 2⁻⁵³) against the line y = x through (12, 12) and (24, 24): the
+  // sign of j − i, where plain doubles give nonsense (Kettner et al., "Classroom examples
+  // of robustness problems").
   for (int i = 0; i < 64; ++i)
     for (int j = 0; j < 64; ++j) {
       CAPTURE(i);
@@ -74,8 +74,8 @@ TEST_CASE("line_crossing: a line through a vertex, an edge or a face enters and 
 }
 
 TEST_CASE("line_crossing: triangles round a vertex are met once by the line through it") {
-  // A fan of n triangles round the origin, with the centre of the lowest, the highest or a middle
-  // name.
+  // A fan of n triangles round the origin, with the centre of the lowest, the highest or
+  // a middle name.
   Random rng(3);
   for (int n = 3; n < 30; ++n) {
     std::vector<Vec3> rim;

@@ -103,8 +103,8 @@ inline PolygonMesh soup(const PolygonMesh& mesh) {
   return result;
 }
 
-/// A sphere of radius 1: the icosahedron's triangles cut in four, `level` times; 20 · 4^level of
-/// them.
+/// A sphere of radius 1: the icosahedron's triangles cut in four, `level` times; 20 ·
+/// 4^level of them.
 inline PolygonMesh sphere(int level) {
   PolygonMesh mesh;
   const double g = std::numbers::phi;

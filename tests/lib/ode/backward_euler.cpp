@@ -28,8 +28,8 @@ TEST_CASE("backward_euler_step: solves y1 = y + h f(t + h, y1), to rounding") {
     CAPTURE(y.transpose());
     CAPTURE(h);
     const Vec3 y1 = backward_euler_step(f, t, y, h);
-    // What Newton leaves is the square of a last correction of √ε, times second derivatives
-    // below 6.
+    // What Newton leaves is the square of a last correction of √ε, times second
+    // derivatives below 6.
     CHECK((y1 - y - h * f(t + h, y1)).norm() <= 40 * test::eps * (1 + y.norm()));
   }
 }

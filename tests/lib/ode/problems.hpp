@@ -30,8 +30,8 @@ struct Rational {
   State operator()(T t, const State& y) const { return State(-2 * t * y[0] * y[0]); }
 };
 
-/// A planet on an ellipse of eccentricity ¼, y = (x, y, vx, vy), from its perihelion to its
-/// aphelion.
+/// A planet on an ellipse of eccentricity ¼, y = (x, y, vx, vy), from its perihelion
+/// to its aphelion.
 template <class T>
 struct Kepler {
   using State = Vector4<T>;

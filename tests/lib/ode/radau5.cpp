@@ -56,8 +56,8 @@ TEST_CASE("Radau5: van der Pol, from mildly to extremely stiff") {
       CHECK(std::abs(given.y[0] - reference.y) <= 10 * tolerance);
       CHECK(std::abs(given.y[1] - reference.dydt) <= 10 * tolerance);
       CHECK(std::abs(found.y[0] - reference.y) <= 10 * tolerance);
-      // The steps are as many for an exact Jacobian as for differences, which cost two evaluations
-      // each time.
+      // The steps are as many for an exact Jacobian as for differences, which cost two
+      // evaluations each time.
       CHECK(std::abs(given.steps - found.steps) <= 0.02 * given.steps);
       CHECK(found.rejected <= 0.1 * found.steps);
       CHECK(given.evaluations < found.evaluations);

@@ -48,8 +48,8 @@ TEST_CASE("Euler angles: the axes are turned about in order, each the newest one
     Mat3 R = Mat3::Identity();
     for (int turn = 0; turn < 3; ++turn) {
       const auto axis = static_cast<std::size_t>(turn);
-      // A turn about the body's own axis, written as a turn about where that axis is in the world
-      // now.
+      // A turn about the body's own axis, written as a turn about where that axis is in
+      // the world now.
       const Vec3 world_axis = R.col(axes[axis]);
       R = exp_rotation<double>(angles[turn] * world_axis) * R;
     }

@@ -104,8 +104,8 @@ TEST_CASE("newton_rotation: is the nearest rotation, even of a badly stretched m
     for (const Vec3& stretch :
          {Vec3(1, 1, 1), Vec3(0.5, 1, 2), Vec3(1e-3, 1, 1e3), Vec3(7e8, 5e8, 9e8)}) {
       CAPTURE(stretch.transpose());
-      // R S with S symmetric positive definite has the polar factor R; rounding is amplified by
-      // 1/σ_min.
+      // R S with S symmetric positive definite has the polar factor R; rounding is
+      // amplified by 1/σ_min.
       const Mat3 S = Q * stretch.asDiagonal() * Q.transpose();
       const double condition = stretch.maxCoeff() / stretch.minCoeff();
       CHECK((newton_rotation(R * S) - R).norm() <= 32 * eps * condition);

@@ -3,8 +3,8 @@
 /// What follows from the state: the matrix R, the velocity v and the angular velocity ω, and with
 /// them where any point of the body is and how fast.
 ///
-/// v = P/m,  ω = R I_body⁻¹ Rᵀ L.   Source: Baraff, "Rigid Body Simulation I" (1997), §2.5–2.10,
-/// §4.
+/// v = P/m,  ω = R I_body⁻¹ Rᵀ L.   Source: Baraff, "Rigid Body Simulation I"
+/// (1997), §2.5–2.10, §4.
 
 #include "tumble/body/rigid_body.hpp"
 #include "tumble/body/state.hpp"

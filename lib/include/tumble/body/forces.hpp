@@ -2,8 +2,8 @@
 /// @file
 /// What can push a rigid body: anything that, given the time and the motion, says with what wrench.
 ///
-/// A user's own force is a lambda: [](double t, const RigidBody<>& body, const Derived<>& now) { …
-/// }.
+/// A user's own force is a lambda: [](double t, const RigidBody<>& body, const Derived<>& now)
+/// { … }.
 
 #include <cmath>
 #include <concepts>

@@ -3,8 +3,8 @@
 /// The same equation of motion with R in place of q: eighteen numbers (x, R, P, L), for comparison.
 /// All nine numbers of R drift, and only an orthonormalisation brings them back.
 ///
-/// d/dt (x, R, P, L) = (P/m, [ω]× R, F, τ).   Source: Baraff, "Rigid Body Simulation I" (1997), eq.
-/// 2-22.
+/// d/dt (x, R, P, L) = (P/m, [ω]× R, F, τ).   Source: Baraff, "Rigid Body Simulation I"
+/// (1997), eq. 2-22.
 
 #include <tuple>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The least that a body's turning needs: three equal moments, two, or none decide what is
-/// computed.
+/// The least that a body's turning needs: three equal moments, two, or none decide
+/// what is computed.
 ///
 ///   ball           ω = L/A for ever: no tensor, no orientation needed to know ω
 ///   symmetric top  turns about L and about its own axis at constant rates: sines only

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The constants of a rigid body: its mass and, in body coordinates, its inertia tensor and the
-/// inverse.
+/// The constants of a rigid body: its mass and, in body coordinates, its inertia tensor
+/// and the inverse.
 ///
 /// Body coordinates have their origin at the centre of mass; their axes need not be principal.
 /// Source: Baraff, "Rigid Body Simulation I" (1997), §2.7 and fig. 4.
@@ -26,8 +26,8 @@ class RigidBody {
   /// @throws std::invalid_argument if no body has them
   explicit RigidBody(const MassProperties& properties) {
     require_valid(properties);
-    // Divided by its own size first: the inverse of a very small or large tensor would leave the
-    // range.
+    // Divided by its own size first: the inverse of a very small or large tensor would
+    // leave the range.
     const double scale = properties.inertia.trace();
     const Mat3 scaled = properties.inertia / scale;
     mass_ = static_cast<T>(properties.mass);

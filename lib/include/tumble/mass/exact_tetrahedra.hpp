@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-/// The moments of a closed mesh about a point, with everything in double-double. Nothing is
-/// checked.
+/// The moments of a closed mesh about a point, with everything in double-double.
+/// Nothing is checked.
 /// @param reference near the body [m]
 inline Moments<DoubleDouble> exact_moments(const PolygonMesh& mesh, const Vec3& reference) {
   const Vector3<DoubleDouble> p = reference.cast<DoubleDouble>();
@@ -23,8 +23,8 @@ inline Moments<DoubleDouble> exact_moments(const PolygonMesh& mesh, const Vec3& 
   return with_factors(sum);
 }
 
-/// Mass properties of a closed mesh, each number the true one rounded to double. Nothing is
-/// checked.
+/// Mass properties of a closed mesh, each number the true one rounded to double.
+/// Nothing is checked.
 /// @param density [kg/m³]
 inline BoundedMassProperties exact_tetrahedra(const PolygonMesh& mesh, double density) {
   const Vec3 p = reference_point(mesh);

@@ -13,8 +13,8 @@ namespace tumble {
 struct MassProperties {
   double mass = std::numeric_limits<double>::quiet_NaN();                  ///< [kg]
   Vec3 centre = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  ///< centre of mass [m]
-  /// Inertia tensor about the centre of mass [kg m²], products with the minus sign (I_xy = −∫ x y
-  /// dm).
+  /// Inertia tensor about the centre of mass [kg m²], products with the minus sign (I_xy = −∫
+  /// x y dm).
   Mat3 inertia = Mat3::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 

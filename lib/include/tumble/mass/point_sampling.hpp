@@ -4,9 +4,9 @@
 /// box, 0 outside the solid, times the box's volume.
 ///
 /// The standard error of a mean of n independent values is σ/√n; nine of ten errors are below
-/// twice, all but one in 10⁴ below four times that. Grid and low-discrepancy points do better than
-/// it says. Source: e.g. Caflisch, "Monte Carlo and quasi-Monte Carlo methods", Acta Numerica 7,
-/// 1998, §2.
+/// twice, all but one in 10⁴ below four times that. Grid and low-discrepancy points do better
+/// than it says. Source: e.g. Caflisch, "Monte Carlo and quasi-Monte Carlo methods", Acta
+/// Numerica 7, 1998, §2.
 
 #include <cmath>
 

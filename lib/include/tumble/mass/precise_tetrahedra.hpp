@@ -46,10 +46,10 @@ inline DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3&
       exact_difference(a, p));
 }
 
-/// Mass properties of a closed mesh: the mass to the last bit on every shape; the inertia too,
-/// unless the tetrahedra cancel (a plate with the reference point beside it), which its bound
-/// shows. Three times slower than fast_tetrahedra(). Nothing is checked: see
-/// mesh_mass_properties().
+/// Mass properties of a closed mesh: the mass to the last bit on every shape; the
+/// inertia too, unless the tetrahedra cancel (a plate with the reference point beside
+/// it), which its bound shows. Three times slower than fast_tetrahedra(). Nothing is
+/// checked: see mesh_mass_properties().
 /// @param mesh    closed, faces counter-clockwise seen from outside
 /// @param density [kg/m³]
 inline BoundedMassProperties precise_tetrahedra(const PolygonMesh& mesh, double density) {

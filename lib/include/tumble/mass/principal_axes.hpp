@@ -29,8 +29,8 @@ inline void jacobi_rotation(Mat3& A, Mat3& R, int i, int j) {
   const double t = std::copysign(1, theta) / (std::abs(theta) + std::hypot(theta, 1));
   const Eigen::JacobiRotation<double> turn(1 / std::hypot(t, 1), t / std::hypot(t, 1));
   const int k = 3 - i - j;
-  // A'(i, i) = A(i, i) − t a, A'(j, j) = A(j, j) + t a: small moments are not formed from large
-  // ones.
+  // A'(i, i) = A(i, i) − t a, A'(j, j) = A(j, j) + t a: small moments are not formed
+  // from large ones.
   A(i, i) -= t * a;
   A(j, j) += t * a;
   A(i, j) = A(j, i) = 0;

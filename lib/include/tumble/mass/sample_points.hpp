@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The family of point sets that a solid is sampled with: points of the unit cube, one after the
-/// other.
+/// The family of point sets that a solid is sampled with: points of the unit cube, one
+/// after the other.
 ///
 /// - GridPoints (grid_points.hpp): cell centres; smooth shapes about n^(−2/3), but blind along its
 /// planes

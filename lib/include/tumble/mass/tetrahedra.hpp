@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Mass properties of a closed mesh as a sum of signed tetrahedra, one on each triangle of its
-/// faces.
+/// Mass properties of a closed mesh as a sum of signed tetrahedra, one on each triangle
+/// of its faces.
 ///
 /// With the corners a, b, c about a reference point, 6V = ((b − a) × (c − a)) · a and s = a + b +
 /// c: ∫ r dV = 6V/24 s,  ∫ r rᵀ dV = 6V/120 (s sᵀ + a aᵀ + b bᵀ + c cᵀ). Source: e.g. Blow &
@@ -50,8 +50,8 @@ inline Moments<DoubleDouble> with_factors(Moments<DoubleDouble> m) {
   return m;
 }
 
-/// The sum of what `term(a, b, c)` gives for every triangle: plain within some 100 faces, the rest
-/// in double-double.
+/// The sum of what `term(a, b, c)` gives for every triangle: plain within some 100 faces, the
+/// rest in double-double.
 template <class Term>
 Moments<DoubleDouble> sum_over_triangles(const PolygonMesh& mesh, Term&& term) {
   constexpr int block = 128;

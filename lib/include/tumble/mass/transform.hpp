@@ -59,8 +59,8 @@ inline MassProperties combine(const MassProperties& a, const MassProperties& b) 
     require(mass > 0 && std::isfinite(mass), "the mass ", mass, " kg is not positive and finite");
   const double mass = a.mass + b.mass;
   const Vec3 apart = b.centre - a.centre;
-  // Both offsets from the common centre lie along `apart`: their sum is the reduced mass at
-  // `apart`.
+  // Both offsets from the common centre lie along `apart`: their sum is the reduced
+  // mass at `apart`.
   const double reduced = a.mass * (b.mass / mass);
   return {mass, a.centre + (b.mass / mass) * apart,
           a.inertia + b.inertia + point_inertia(reduced, apart)};

@@ -60,8 +60,8 @@ inline std::vector<Finding> find_not_finite(const PolygonMesh& mesh) {
 /// Whether a triangle has an area of exactly 0.
 inline bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, n = u.cross(v);
-  // Rounding moves no component of n by more than 8 ε |u| |v|: only below it the exact test is
-  // needed.
+  // Rounding moves no component of n by more than 8 ε |u| |v|: only below it the exact
+  // test is needed.
   constexpr double eps = 0x1p-53;
   const double bound = 8 * eps * u.lpNorm<1>() * v.lpNorm<1>();
   return !(n.lpNorm<1>() > bound) && collinear(a, b, c);

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The parts of a surface: faces that hang together by shared vertices, and what each part
-/// encloses.
+/// The parts of a surface: faces that hang together by shared vertices, and what
+/// each part encloses.
 ///
 /// 6 V = Σ (a − o) · ((b − a) × (c − a)) over the part's triangles, o one of its own vertices:
 /// nothing is lost when the part is small or far away. Source: the divergence theorem; for the

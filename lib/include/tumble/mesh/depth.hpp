@@ -32,9 +32,9 @@ struct PartDepth {
   bool crosses_another() const { return least_around < most_around; }
 };
 
-/// Calls `visit(hits at one height)`, from below, for the hits of one line. Heights that rounding
-/// may have exchanged are one height: where parts touch, the order of leaving and entering means
-/// nothing.
+/// Calls `visit(hits at one height)`, from below, for the hits of one line. Heights that
+/// rounding may have exchanged are one height: where parts touch, the order of leaving and
+/// entering means nothing.
 template <class Visit>
 void for_each_height(std::span<const LineHit> hits, Visit&& visit) {
   for (std::size_t i = 0, j = 0; i < hits.size(); i = j) {

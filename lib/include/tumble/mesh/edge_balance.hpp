@@ -6,9 +6,9 @@
 /// 0 when every edge is used equally often in both directions: then, and only then, the surface is
 /// closed and its faces agree on what is outside. By chance it is 0 once in 2⁶⁴ meshes.
 ///
-/// Source: a fingerprint as in Carter & Wegman, "Universal classes of hash functions", J. Comput.
-/// Syst. Sci. 18 (1979); the mixer's constants are those of Steele, Lea & Flood's SplitMix64,
-/// OOPSLA (2014).
+/// Source: a fingerprint as in Carter & Wegman, "Universal classes of hash functions", J.
+/// Comput. Syst. Sci. 18 (1979); the mixer's constants are those of Steele, Lea & Flood's
+/// SplitMix64, OOPSLA (2014).
 
 #include <cstdint>
 

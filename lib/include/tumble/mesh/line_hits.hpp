@@ -26,8 +26,8 @@ struct LineHit {
   double error;   ///< what rounding, of the vertices too, may have done to z at most [m]
 };
 
-/// All crossings, those of each line from below to above; those of line i from first[i] to first[i
-/// + 1].
+/// All crossings, those of each line from below to above; those of line i from first[i] to
+/// first[i + 1].
 struct LineHits {
   std::vector<LineHit> hits;
   std::vector<std::size_t> first;

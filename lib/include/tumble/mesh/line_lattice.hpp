@@ -2,10 +2,10 @@
 /// @file
 /// A thousand vertical lines, spread over a box so that the ones near a triangle are known at once.
 ///
-/// Line (i, j) stands at x = (i + ½) Δx, y = (j + {i/φ}) Δy: a lattice whose columns are shifted by
-/// the golden ratio, so that no row of a regular mesh slips through it. Source: Niederreiter,
-/// "Random Number Generation and Quasi-Monte Carlo Methods" (1992), §5.1 (lattice rules in two
-/// dimensions).
+/// Line (i, j) stands at x = (i + ½) Δx, y = (j + {i/φ}) Δy: a lattice whose columns are
+/// shifted by the golden ratio, so that no row of a regular mesh slips through it. Source:
+/// Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods" (1992), §5.1 (lattice
+/// rules in two dimensions).
 
 #include <cmath>
 #include <limits>
@@ -37,8 +37,8 @@ class LineLattice {
   int size() const { return nx_ * ny_; }
   PlanePoint line(int i) const { return {x_[index(i / ny_)], y_[index(i)]}; }
 
-  /// Calls `visit(i)` for the lines in a rectangle. (Most rectangles have none: no branch is
-  /// taken.)
+  /// Calls `visit(i)` for the lines in a rectangle. (Most rectangles have none: no
+  /// branch is taken.)
   template <class Visit>
   void for_each_in(const Rectangle& r, Visit&& visit) const {
     const int c0 = grid_.column(r.x0), c1 = grid_.column(r.x1);

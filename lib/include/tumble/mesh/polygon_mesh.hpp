@@ -40,9 +40,9 @@ struct PolygonMesh {
   }
 };
 
-/// Calls `visit(f, std::array{a, b, c})` for the triangles of each face f, in a fan from its first
-/// corner. For a planar face this is the face; for one that is not planar it is what the face
-/// means.
+/// Calls `visit(f, std::array{a, b, c})` for the triangles of each face f, in a fan from its
+/// first corner. For a planar face this is the face; for one that is not planar it is what
+/// the face means.
 template <class Visit>
 void for_each_triangle(const PolygonMesh& mesh, Visit&& visit) {
   for (int f = 0; f < mesh.face_count(); ++f) {

@@ -3,10 +3,10 @@
 /// Reads the positions and the faces of a Wavefront OBJ file. Needs tinyobjloader (tumble::obj).
 ///
 /// tinyobjloader takes the file apart, but guesses where it should ask: `v nan 0 0` and `v 1 2`
-/// become numbers, `f 1 2x 3` and an index beyond int become other vertices; and its own reading of
-/// decimals is off by 1 to 6 ulp for half of all numbers (measured, rc10). So each line is looked
-/// at again while its callback runs: coordinates are correctly rounded, and what is no number is
-/// refused.
+/// become numbers, `f 1 2x 3` and an index beyond int become other vertices; and its own reading
+/// of decimals is off by 1 to 6 ulp for half of all numbers (measured, rc10). So each line is
+/// looked at again while its callback runs: coordinates are correctly rounded, and what is no
+/// number is refused.
 
 #include <tiny_obj_loader.h>
 
@@ -152,8 +152,8 @@ struct ObjReader {
   }
 };
 
-/// Reads a mesh. Polygons stay polygons, of any size; vertices that no face uses, and equal ones,
-/// stay.
+/// Reads a mesh. Polygons stay polygons, of any size; vertices that no face uses, and
+/// equal ones, stay.
 /// @param name what the text is called in messages
 /// @throws std::invalid_argument naming the line, and the face or vertex, for: a vertex before the
 ///         faces that is not there, an index 0, a face of fewer than 3 corners, a coordinate that

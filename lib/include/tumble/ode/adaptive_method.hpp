@@ -1,11 +1,11 @@
 #pragma once
 /// @file
-/// What integrate_adaptive asks of a method: to try a step, to judge it and to propose the next
-/// one.
+/// What integrate_adaptive asks of a method: to try a step, to judge it and to propose
+/// the next one.
 ///
-/// What a method keeps from one step to the next (the last derivative, a Jacobian, a factorisation)
-/// is in its Stepper; the way from t0 to t1, the counting and the refusals are in
-/// integrate_adaptive.
+/// What a method keeps from one step to the next (the last derivative, a Jacobian, a
+/// factorisation) is in its Stepper; the way from t0 to t1, the counting and the refusals
+/// are in integrate_adaptive.
 
 #include "tumble/ode/tolerances.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The 5(4) pair of Dormand and Prince: six evaluations a step, the seventh is the next step's
-/// first.
+/// The 5(4) pair of Dormand and Prince: six evaluations a step, the seventh is the
+/// next step's first.
 ///
 /// The step is of order 5; the difference from the embedded result of order 4 is the error
 /// estimate. Source: Dormand & Prince, "A family of embedded Runge–Kutta formulae", J. Comput.

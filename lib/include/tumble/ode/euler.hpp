@@ -4,8 +4,8 @@
 ///
 ///     y(t + h) = y + h f(t, y) + O(h²)
 ///
-/// Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993),
-/// eq. I.7.3.
+/// Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed.
+/// (1993), eq. I.7.3.
 
 #include "tumble/ode/rhs.hpp"
 

@@ -4,8 +4,8 @@
 ///
 ///     kᵢ = f(t + cᵢ h, y + h Σ_{j<i} aᵢⱼ kⱼ),   y(t + h) = y + h Σ bᵢ kᵢ
 ///
-/// Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993),
-/// definition II.1.1.
+/// Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed.
+/// (1993), definition II.1.1.
 
 #include "tumble/ode/butcher_tableau.hpp"
 

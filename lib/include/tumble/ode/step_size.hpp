@@ -2,8 +2,8 @@
 /// @file
 /// How long the next step should be.
 ///
-/// The error of a step grows as hᵠ⁺¹, so with ‖e‖ measured at h the step that would just be allowed
-/// is
+/// The error of a step grows as hᵠ⁺¹, so with ‖e‖ measured at h the step that would just
+/// be allowed is
 ///
 ///     h_new = h · 0.9 · ‖e‖^(−1/(q+1)),   0.2 ≤ h_new/h ≤ 10
 ///

@@ -12,8 +12,8 @@
 
 namespace tumble {
 
-/// sin x / x, with its limit 1 at 0. No series is needed: the quotient itself is accurate for tiny
-/// x.
+/// sin x / x, with its limit 1 at 0. No series is needed: the quotient itself is accurate
+/// for tiny x.
 template <class T>
 T sinc(const T& x) {
   using std::sin;
@@ -42,9 +42,9 @@ Vector3<T> log_quaternion(const Quaternion<T>& q) {
   return (T(2) * atan2(sine, w) / sine) * v;
 }
 
-/// The angle [rad] of the turn that takes orientation a to orientation b, in [0, π]; the signs of
-/// the quaternions do not matter. This is the error measure for orientations in all tests and
-/// tables.
+/// The angle [rad] of the turn that takes orientation a to orientation b, in [0, π]; the
+/// signs of the quaternions do not matter. This is the error measure for orientations in all
+/// tests and tables.
 template <class T>
 T angle_between(const Quaternion<T>& a, const Quaternion<T>& b) {
   return log_quaternion<T>(a.conjugate() * b).norm();

@@ -5,8 +5,8 @@
 /// M = R S with S symmetric; from the singular value decomposition M = U Σ Vᵀ, R = U Vᵀ, with the
 /// sign of the last singular direction turned where that would be a reflection.
 ///
-/// Source: Higham, "Functions of Matrices" (2008), ch. 8; the sign: Umeyama, IEEE PAMI 13 (1991),
-/// eq. 43.
+/// Source: Higham, "Functions of Matrices" (2008), ch. 8; the sign: Umeyama, IEEE PAMI 13
+/// (1991), eq. 43.
 
 #include <Eigen/SVD>
 

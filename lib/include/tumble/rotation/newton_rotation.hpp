@@ -5,8 +5,8 @@
 /// X ← ½ (X + X⁻ᵀ) squares the distance to the polar factor at each step, so that one step mends
 /// what an integrator's step has done.
 ///
-/// Source: Higham, "Computing the polar decomposition", SIAM J. Sci. Stat. Comput. 7 (1986),
-/// eq. 3.1.
+/// Source: Higham, "Computing the polar decomposition", SIAM J. Sci. Stat. Comput. 7
+/// (1986), eq. 3.1.
 
 #include <cmath>
 

@@ -1,14 +1,14 @@
 #pragma once
 /// @file
-/// How far a matrix is from being a rotation: its columns must be orthogonal unit vectors,
-/// right-handed.
+/// How far a matrix is from being a rotation: its columns must be orthogonal
+/// unit vectors, right-handed.
 
 #include "tumble/types.hpp"
 
 namespace tumble {
 
-/// ‖MᵀM − 1‖ (Frobenius): 0 for a rotation or a reflection, about twice the relative stretch or
-/// shear.
+/// ‖MᵀM − 1‖ (Frobenius): 0 for a rotation or a reflection, about twice the relative
+/// stretch or shear.
 inline double orthonormality_error(const Mat3& M) {
   return (M.transpose() * M - Mat3::Identity()).norm();
 }

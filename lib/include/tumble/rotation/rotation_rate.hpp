@@ -2,8 +2,8 @@
 /// @file
 /// How an orientation changes: Ṙ = [ω]× R. Each column, an axis of the body, moves as ω × axis.
 ///
-/// Source: Baraff, "An Introduction to Physically Based Modeling: Rigid Body Simulation I" (1997),
-/// eq. 2-11.
+/// Source: Baraff, "An Introduction to Physically Based Modeling: Rigid Body Simulation I"
+/// (1997), eq. 2-11.
 
 #include "tumble/rotation/skew.hpp"
 #include "tumble/types.hpp"

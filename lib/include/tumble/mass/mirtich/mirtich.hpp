@@ -26,8 +26,7 @@ inline BoundedMassProperties unchecked_mirtich(const PolygonMesh& mesh, double d
 /// Mass properties of a mesh after Mirtich.
 /// @param density [kg/m³]
 /// @throws std::invalid_argument as mesh_mass_properties(); also if the shape is so thin that no
-/// digit
-///         of its volume is certain this way (mesh_mass_properties() still finds it)
+///         digit of its volume is certain this way (mesh_mass_properties() still finds it)
 inline BoundedMassProperties mirtich_mass_properties(const PolygonMesh& mesh, double density) {
   require_measurable(mesh, density);
   return require_volume(unchecked_mirtich(mesh, density));

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Mirtich's first level: integrals over a plane polygon become sums over its edges (Green's
-/// theorem).
+/// Mirtich's first level: integrals over a plane polygon become sums over its
+/// edges (Green's theorem).
 ///
 /// ∬ αⁱ βʲ dα dβ = 1/(i+1) ∮ αⁱ⁺¹ βʲ dβ, and = −1/(j+1) ∮ αⁱ βʲ⁺¹ dα; along an edge both are
 /// polynomials. Source: Mirtich, "Fast and Accurate Computation of Polyhedral Mass Properties",
@@ -21,8 +21,8 @@ struct ProjectionIntegrals {
   double aaa = 0, aab = 0, abb = 0, bbb = 0;  ///< of α³, α²β, αβ², β³  [m⁵]
 };
 
-/// Σ_k x^k y^(n−k), k = 0…n: what ∫ of the n-th power along an edge from x to y comes to, times n
-/// + 1.
+/// Σ_k x^k y^(n−k), k = 0…n: what ∫ of the n-th power along an edge from x to y comes to, times
+/// n + 1.
 inline double power_sum(double x, double y, int n) {
   double sum = 1, power = 1;
   for (int k = 1; k <= n; ++k) {
@@ -52,8 +52,8 @@ inline void add_edge(ProjectionIntegrals& sum, const Eigen::Vector2d& p, const E
                    a1 * (((4 * b1 + 3 * b0) * b1 + 2 * b0 * b0) * b1 + b0 * b0 * b0));
 }
 
-/// The projection integrals of a polygon: of its shadow, seen along the axis γ. It may have any
-/// shape.
+/// The projection integrals of a polygon: of its shadow, seen along the axis γ. It may
+/// have any shape.
 /// @param corners in order [m]
 /// @param gamma   0, 1 or 2 for x, y or z; α = γ + 1 and β = γ + 2, modulo 3
 inline ProjectionIntegrals projection_integrals(std::span<const Vec3> corners, int gamma) {
