@@ -41,7 +41,7 @@ Vec3 second_moments(const PolygonMesh& mesh) {
 TEST_CASE("objects: bound a body at every resolution") {
   for (const Object& object : objects::all)
     for (const int r : {1, 2, 3, 4, 5, 6, 7, 8, 12}) {
-      CAPTURE(object.name);
+      CAPTURE(std::string(object.name));
       CAPTURE(r);
       for (const Finding& finding : diagnose(object.mesh(r))) FAIL_CHECK(finding.message);
     }
@@ -53,7 +53,7 @@ TEST_CASE("objects: have the holes that the things have") {
       {"t_handle", 2}, {"wing_nut", 0}, {"tennis_racket", 0 + 32 * 2}, {"mug", 0}, {"gear", 0}};
   for (const Object& object : objects::all)
     for (const int r : {1, 2, 5}) {
-      CAPTURE(object.name);
+      CAPTURE(std::string(object.name));
       CAPTURE(r);
       CHECK(test::euler_characteristic(object.mesh(r)) == expected.at(object.name));
     }
@@ -65,7 +65,7 @@ TEST_CASE("objects: each edge has two faces: nothing touches") {
       std::map<std::pair<int, int>, int> faces;
       const PolygonMesh mesh = object.mesh(r);
       for (const EdgeUse& use : edge_uses(mesh)) ++faces[{use.low, use.high}];
-      CAPTURE(object.name);
+      CAPTURE(std::string(object.name));
       for (const auto& [edge, count] : faces) CHECK(count == 2);
     }
 }
@@ -73,7 +73,7 @@ TEST_CASE("objects: each edge has two faces: nothing touches") {
 TEST_CASE("objects: no vertex is left over, and polygons are flat") {
   for (const Object& object : objects::all) {
     const PolygonMesh mesh = object.mesh(2);
-    CAPTURE(object.name);
+    CAPTURE(std::string(object.name));
     for (const int part : components(mesh).of_vertex) CHECK(part >= 0);
     for (int f = 0; f < mesh.face_count(); ++f)
       for (std::size_t k = 3; k < mesh.face(f).size(); ++k) {
@@ -87,7 +87,7 @@ TEST_CASE("objects: no vertex is left over, and polygons are flat") {
 
 TEST_CASE("objects: come with about 1,000 and about 20,000 triangles") {
   for (const Object& object : objects::all) {
-    CAPTURE(object.name);
+    CAPTURE(std::string(object.name));
     const int coarse = triangle_count(object.mesh(object.for_drawings)),
               fine = triangle_count(object.mesh(object.fine));
     CHECK(coarse > 500);
@@ -99,7 +99,7 @@ TEST_CASE("objects: come with about 1,000 and about 20,000 triangles") {
 
 TEST_CASE("objects: a finer mesh is the same thing") {
   for (const Object& object : objects::all) {
-    CAPTURE(object.name);
+    CAPTURE(std::string(object.name));
     const double v4 = test::volume(object.mesh(4)), v8 = test::volume(object.mesh(8)),
                  v16 = test::volume(object.mesh(16));
     CHECK(v4 > 0);
@@ -116,7 +116,7 @@ TEST_CASE("objects: real sizes in metres") {
                                              {"mug", {0.116, 0.082, 0.096}},
                                              {"gear", {0.060, 0.060, 0.010}}};
   for (const Object& object : objects::all) {
-    CAPTURE(object.name);
+    CAPTURE(std::string(object.name));
     const Vec3 size = bounds(object.mesh(object.fine)).sizes();
     CAPTURE(size.transpose());
     CHECK((size - sizes.at(object.name)).lpNorm<Eigen::Infinity>() < 0.0015);

@@ -1,6 +1,8 @@
 // The tour from outside: what it leaves, and what it says to bad input.
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include <fstream>
 #include <iterator>
 
@@ -42,7 +44,7 @@ void check_complete(const CommandResult& result) {
     CHECK(mentions(result.output, heading));
   for (const char* file :
        {"mass.svg", "drift.svg", "solvers.svg", "solvers_time.svg", "spin.svg", "tumbling.svg"}) {
-    CAPTURE(file);
+    CAPTURE(std::string(file));
     const std::string svg = content(file);
     CHECK(mentions(svg, "<svg ", "</svg>"));
     CHECK_FALSE(mentions(svg, "nan"));

@@ -1,6 +1,8 @@
 // Meshes on which mass properties are often wrong without a word: far away, tiny, huge, thin.
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "lib/mass/meshes.hpp"
 #include "support/refusal.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
@@ -39,7 +41,7 @@ TEST_CASE("meshes far away: as exact as near the origin, to the last bit of the 
       for (const Method& method : all) {
         const BoundedMassProperties body = method.compute(mesh, 1);
         CAPTURE(distance);
-        CAPTURE(method.name);
+        CAPTURE(std::string(method.name));
         CHECK(mass_error(body.mass, mesh) <= 1e-15);
         CHECK(inertia_error(body.inertia, exact.inertia) <= 2e-15);
         CHECK((body.centre - exact.centre).cwiseAbs().maxCoeff() <= 2 * eps * distance);
@@ -57,7 +59,7 @@ TEST_CASE("meshes tiny and huge: no threshold has a unit") {
     for (const Method& method : all) {
       const BoundedMassProperties body = method.compute(mesh, 1);
       CAPTURE(s);
-      CAPTURE(method.name);
+      CAPTURE(std::string(method.name));
       // s rounds every vertex by eps: 3 eps in the volume, 5 eps in the inertia, and
       // the method's own.
       CHECK(std::abs(body.mass / expected.mass - 1) <= 12 * eps);
@@ -73,7 +75,7 @@ TEST_CASE(
   const BoundedMassProperties exact = exact_tetrahedra(mesh, 1);
   for (const Method& method : plain) {
     const BoundedMassProperties body = method.compute(mesh, 1);
-    CAPTURE(method.name);
+    CAPTURE(std::string(method.name));
     // 1e-16 against a thickness of 1e-8: 1e-8, and the bound says so within a factor of 1000.
     CHECK(mass_error(body.mass, mesh) <= 1e-8);
     CHECK(mass_error(body.mass, mesh) <= body.mass_error_bound);
@@ -106,7 +108,7 @@ TEST_CASE(
     "a needle 1 × 1e-8 × 1e-8, askew: plain doubles keep nothing and say so, the door keeps all") {
   const PolygonMesh mesh = thin(Vec3(1, 1e-8, 1e-8));
   for (const Method& method : plain) {
-    CAPTURE(method.name);
+    CAPTURE(std::string(method.name));
     CHECK(method.compute(mesh, 1).mass_error_bound >= 0.5);
     CHECK(mass_error(method.compute(mesh, 1).mass, mesh) <=
           method.compute(mesh, 1).mass_error_bound);
@@ -132,7 +134,7 @@ TEST_CASE(
     CAPTURE(size.transpose());
     for (const Method& method : all) {
       const BoundedMassProperties body = method.compute(mesh, 1);
-      CAPTURE(method.name);
+      CAPTURE(std::string(method.name));
       CHECK(mass_error(body.mass, mesh) <= body.mass_error_bound);
       CHECK(inertia_error(body.inertia, exact.inertia) <= body.inertia_error_bound + eps);
     }

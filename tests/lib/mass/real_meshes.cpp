@@ -1,6 +1,8 @@
 // Scanned and modelled meshes, whose true mass properties are known to 40 digits.
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "lib/mass/meshes.hpp"
 #include "reference/meshes.hpp"
 #include "support/scanned_meshes.hpp"
@@ -47,7 +49,7 @@ TEST_CASE("real meshes: the doors let the good ones in, and refuse the scan that
   if (!test::have_scanned_meshes()) return;
   for (const char* file : {"spot.obj", "spot_low.obj", "fish_low.obj"}) {
     const PolygonMesh mesh = read_obj(test::scanned_mesh(file));
-    CAPTURE(file);
+    CAPTURE(std::string(file));
     CHECK(std::abs(mesh_mass_properties(mesh, 1000).mass - 1000 * exact_tetrahedra(mesh, 1).mass) <=
           4 * eps * (1000 * exact_tetrahedra(mesh, 1).mass));
   }

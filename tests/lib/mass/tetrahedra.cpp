@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "lib/mass/meshes.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/mass/solids/box.hpp"
@@ -86,7 +88,7 @@ TEST_CASE("tetrahedra: the exact path agrees with the volume of a lattice polyto
 
 TEST_CASE("tetrahedra: every path keeps within its own bound of the exact value") {
   for (const NamedMesh& shape : ordinary_meshes()) {
-    CAPTURE(shape.name);
+    CAPTURE(std::string(shape.name));
     const BoundedMassProperties fast = fast_tetrahedra(shape.mesh, 1),
                                 precise = precise_tetrahedra(shape.mesh, 1);
     check_against_exact(shape.mesh, fast);
@@ -105,7 +107,7 @@ TEST_CASE("tetrahedra: every path keeps within its own bound of the exact value"
 
 TEST_CASE("tetrahedra: polygons and their triangles are the same body") {
   for (const NamedMesh& shape : ordinary_meshes()) {
-    CAPTURE(shape.name);
+    CAPTURE(std::string(shape.name));
     const Mat3 triangles = precise_tetrahedra(test::triangulated(shape.mesh), 1).inertia;
     CHECK(inertia_error(precise_tetrahedra(shape.mesh, 1).inertia, triangles) <= 8 * eps);
   }

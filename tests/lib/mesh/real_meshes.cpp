@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "support/scanned_meshes.hpp"
 #include "tumble/mesh/diagnose.hpp"
 #include "tumble/mesh/read_obj.hpp"
@@ -9,7 +11,7 @@ using namespace tumble;
 TEST_CASE("diagnose: finds nothing wrong with closed real meshes") {
   if (!test::have_scanned_meshes()) return;
   for (const char* file : {"spot.obj", "spot_low.obj", "fish_low.obj"}) {
-    CAPTURE(file);
+    CAPTURE(std::string(file));
     for (const Finding& finding : diagnose(read_obj(test::scanned_mesh(file))))
       FAIL_CHECK(finding.message);
   }
