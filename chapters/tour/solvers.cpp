@@ -104,19 +104,6 @@ std::string time_to_reach(const Curve& curve, double error) {
   return std::isfinite(least) ? support::duration(least) : "–";
 }
 
-/// The slope of log error against log cost, where rounding does not flatten it and steps are not
-/// too long to say anything.
-std::string seen_order(const Curve& curve) {
-  constexpr double rounding = 1e-10, too_coarse = 0.1;
-  std::vector<double> cost_inverse, errors;
-  for (const Sample& s : curve.samples) {
-    if (s.error < rounding || s.error > too_coarse) continue;
-    cost_inverse.push_back(1 / s.evaluations);
-    errors.push_back(s.error);
-  }
-  return errors.size() < 2 ? "–" : support::number(observed_order(cost_inverse, errors), 2);
-}
-
 double best_error(const Curve& curve) {
   double best = std::numeric_limits<double>::infinity();
   for (const Sample& s : curve.samples) best = std::min(best, s.error);
@@ -164,10 +151,10 @@ void show_solvers(const Subject& subject, Output& output) {
       fixed_steps<BackwardEuler>("backward Euler", problem, 128, 1 << 13),
       adaptive_steps<Radau5>("Radau IIA 5 (implicit)", problem, 12)};
 
-  support::Table table({"method", "order", "seen", "evaluations to 1e-3", "1e-6", "1e-9",
-                        "time to 1e-6", "best error"});
+  support::Table table(
+      {"method", "order", "evaluations to 1e-3", "1e-6", "1e-9", "time to 1e-6", "best error"});
   for (const Curve& c : curves)
-    table.add({c.name, std::to_string(c.order), seen_order(c), evaluations_to_reach(c, 1e-3),
+    table.add({c.name, std::to_string(c.order), evaluations_to_reach(c, 1e-3),
                evaluations_to_reach(c, 1e-6), evaluations_to_reach(c, 1e-9), time_to_reach(c, 1e-6),
                support::error_number(best_error(c))});
   output.show("Solvers: what an error of the orientation [rad] costs after 3 s of tumbling", table,
