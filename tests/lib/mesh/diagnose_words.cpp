@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "lib/mesh/shapes.hpp"
+#include "support/refusal.hpp"
 #include "tumble/mesh/diagnose.hpp"
 
 using namespace tumble;
@@ -92,4 +93,12 @@ TEST_CASE(
               "\n  degenerate_face: face #12 has the same vertex at two corners: vertex #1") !=
           std::string::npos);
   }
+}
+
+TEST_CASE("require_faultless: refuses a degenerate face too, and names it") {
+  CHECK_NOTHROW(require_faultless(test::cube()));
+  PolygonMesh degenerate = triangles();
+  degenerate.add_face({0, 1, 1});
+  CHECK_REFUSED(require_faultless(degenerate), "the mesh has faults", "degenerate_face: face #13");
+  CHECK_REFUSED(require_faultless(test::without_face(triangles(), 0)), "open_edge");
 }

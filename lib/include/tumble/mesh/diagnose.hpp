@@ -8,6 +8,7 @@
 /// (check_parts.hpp). No threshold has a unit: a body of a micrometre, or 10⁸ m away, is judged
 /// like any other.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -50,18 +51,32 @@ inline std::vector<Finding> diagnose(const PolygonMesh& mesh) {
   return findings;
 }
 
+/// All findings, one a line: what a refusal says.
+inline std::string findings_text(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& finding : findings)
+    text += std::string("\n  ") + name(finding.kind) + ": " + finding.message;
+  return text;
+}
+
 /// Lets a mesh pass that bounds a body, and refuses any other: what a computation of mass asks
-/// first. A degenerate face alone is no reason to refuse.
+/// first. Real meshes have faces without area; they add nothing to an integral and alone are no
+/// reason to refuse here: require_faultless() does.
 /// @throws std::invalid_argument with all findings, one a line
 inline void require_body(const PolygonMesh& mesh) {
   const std::vector<Finding> findings = diagnose(mesh);
-  bool good = true;
-  std::string text;
-  for (const Finding& finding : findings) {
-    good = good && !spoils_integrals(finding.kind);
-    text += std::string("\n  ") + name(finding.kind) + ": " + finding.message;
-  }
-  require(good, "the mesh does not bound a body:", text);
+  const bool good = std::none_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return spoils_integrals(finding.kind);
+  });
+  require(good, "the mesh does not bound a body:", findings_text(findings));
+}
+
+/// Lets a mesh pass in which nothing at all was found, degenerate faces included: what a program
+/// asks that divides by a face's area or needs its normal.
+/// @throws std::invalid_argument with all findings, one a line
+inline void require_faultless(const PolygonMesh& mesh) {
+  const std::vector<Finding> findings = diagnose(mesh);
+  require(findings.empty(), "the mesh has faults:", findings_text(findings));
 }
 
 }  // namespace tumble
