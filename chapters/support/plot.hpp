@@ -9,7 +9,7 @@
 
 #include "support/axis.hpp"
 #include "support/svg.hpp"
-#include "tumble/require.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble::support {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tumble/require.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble::support {
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "tumble/require.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble::test {
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble::test {
 

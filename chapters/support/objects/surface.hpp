@@ -12,8 +12,8 @@
 #include <numbers>
 #include <vector>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble::objects {
 

@@ -4,7 +4,7 @@
 
 #include "lib/mass/meshes.hpp"
 #include "support/refusal.hpp"
-#include "tumble/mass/solid.hpp"
+#include "tumble/core/solid.hpp"
 #include "tumble/mass/validity.hpp"
 
 using namespace tumble;

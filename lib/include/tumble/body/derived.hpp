@@ -8,8 +8,8 @@
 
 #include "tumble/body/rigid_body.hpp"
 #include "tumble/body/state.hpp"
+#include "tumble/core/types.hpp"
 #include "tumble/quaternion/convert.hpp"
-#include "tumble/types.hpp"
 
 namespace tumble {
 

@@ -11,7 +11,7 @@
 
 #include "tumble/body/derived.hpp"
 #include "tumble/body/wrench.hpp"
-#include "tumble/require.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble {
 

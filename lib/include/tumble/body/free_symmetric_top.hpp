@@ -8,8 +8,8 @@
 
 #include "tumble/body/model.hpp"
 #include "tumble/body/state.hpp"
+#include "tumble/core/require.hpp"
 #include "tumble/quaternion/exp_log.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -14,8 +14,8 @@
 #include "tumble/body/derived.hpp"
 #include "tumble/body/forces.hpp"
 #include "tumble/body/state.hpp"
+#include "tumble/core/require.hpp"
 #include "tumble/quaternion/quaternion_rate.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -13,8 +13,8 @@
 #include <cmath>
 
 #include "tumble/body/rigid_body.hpp"
+#include "tumble/core/require.hpp"
 #include "tumble/mass/principal_axes.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -6,9 +6,9 @@
 /// Body coordinates have their origin at the centre of mass; their axes need not be principal.
 /// Source: Baraff, "Rigid Body Simulation I" (1997), §2.7 and fig. 4.
 
+#include "tumble/core/types.hpp"
 #include "tumble/mass/mass_properties.hpp"
 #include "tumble/mass/validity.hpp"
-#include "tumble/types.hpp"
 
 namespace tumble {
 

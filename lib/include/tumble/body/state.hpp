@@ -5,8 +5,8 @@
 /// Momenta are stored rather than velocities: P and L stay constant where nothing pushes, ω does
 /// not. Source: Baraff, "Rigid Body Simulation I" (1997), §2.9 and §4 (there with R instead of q).
 
+#include "tumble/core/types.hpp"
 #include "tumble/quaternion/convert.hpp"
-#include "tumble/types.hpp"
 
 namespace tumble {
 

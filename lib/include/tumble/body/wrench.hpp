@@ -4,7 +4,7 @@
 ///
 /// τ = (p − x) × F.   Source: Baraff, "Rigid Body Simulation I" (1997), §2.6, eqs. 2-16 to 2-19.
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

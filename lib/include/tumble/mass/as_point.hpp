@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

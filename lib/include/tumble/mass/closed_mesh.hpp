@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mass/error_bound.hpp"
 #include "tumble/mesh/diagnose.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -2,8 +2,8 @@
 /// @file
 /// The centres of n × n × n equal cells of the unit cube: ((i + ½)/n, (j + ½)/n, (k + ½)/n).
 
+#include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

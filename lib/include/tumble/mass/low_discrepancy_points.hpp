@@ -10,8 +10,8 @@
 /// recurrence is Kronecker's, see Niederreiter, "Random Number Generation and Quasi-Monte
 /// Carlo Methods" (1992), §3.1.
 
+#include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -10,11 +10,11 @@
 
 #include <cmath>
 
+#include "tumble/core/require.hpp"
+#include "tumble/core/solid.hpp"
 #include "tumble/mass/as_point.hpp"
 #include "tumble/mass/moments.hpp"
 #include "tumble/mass/sample_points.hpp"
-#include "tumble/mass/solid.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <span>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mass/as_point.hpp"
 #include "tumble/mass/moments.hpp"
 #include "tumble/mass/parallel_axis.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

@@ -8,8 +8,8 @@
 
 #include <random>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

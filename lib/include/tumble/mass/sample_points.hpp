@@ -11,7 +11,7 @@
 #include <concepts>
 #include <cstdint>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

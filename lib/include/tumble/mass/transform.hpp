@@ -7,9 +7,9 @@
 
 #include <cmath>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mass/as_point.hpp"
 #include "tumble/mass/parallel_axis.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

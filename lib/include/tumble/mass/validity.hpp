@@ -9,10 +9,10 @@
 #include <cmath>
 #include <string>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mass/as_point.hpp"
 #include "tumble/mass/mass_properties.hpp"
 #include "tumble/mass/principal_axes.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "tumble/mass/precise_tetrahedra.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/mesh/precise_volume.hpp"
 
 namespace tumble {
 

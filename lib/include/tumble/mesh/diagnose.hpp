@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mesh/check_edges.hpp"
 #include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/check_parts.hpp"
 #include "tumble/mesh/components.hpp"
 #include "tumble/mesh/finding.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

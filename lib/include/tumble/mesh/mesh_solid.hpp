@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "tumble/mass/solid.hpp"
+#include "tumble/core/require.hpp"
+#include "tumble/core/solid.hpp"
 #include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/edge_balance.hpp"
 #include "tumble/mesh/orientation.hpp"
 #include "tumble/mesh/xy_grid.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

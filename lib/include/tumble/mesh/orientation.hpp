@@ -14,7 +14,7 @@
 #include <array>
 #include <cmath>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

@@ -26,8 +26,8 @@
 #include <utility>
 #include <vector>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

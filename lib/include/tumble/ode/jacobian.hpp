@@ -12,8 +12,8 @@
 #include <limits>
 #include <utility>
 
+#include "tumble/core/require.hpp"
 #include "tumble/ode/rhs.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

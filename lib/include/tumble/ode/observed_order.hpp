@@ -11,7 +11,7 @@
 #include <cmath>
 #include <span>
 
-#include "tumble/require.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble {
 

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <concepts>
 
-#include "tumble/require.hpp"
-#include "tumble/types.hpp"
+#include "tumble/core/require.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tumble/core/require.hpp"
 #include "tumble/ode/rhs.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

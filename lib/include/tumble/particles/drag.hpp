@@ -9,8 +9,8 @@
 
 #include <cmath>
 
+#include "tumble/core/require.hpp"
 #include "tumble/particles/particle.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

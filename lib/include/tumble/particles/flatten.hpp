@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "tumble/core/require.hpp"
 #include "tumble/particles/particle.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

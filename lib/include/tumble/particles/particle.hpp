@@ -7,7 +7,7 @@
 
 #include <limits>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

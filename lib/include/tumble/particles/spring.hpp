@@ -9,8 +9,8 @@
 
 #include <cmath>
 
+#include "tumble/core/require.hpp"
 #include "tumble/particles/force.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

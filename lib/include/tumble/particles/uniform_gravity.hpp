@@ -4,8 +4,8 @@
 ///
 ///     F = m g
 
+#include "tumble/core/require.hpp"
 #include "tumble/particles/particle.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

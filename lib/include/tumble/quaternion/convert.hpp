@@ -8,9 +8,9 @@
 
 #include <cmath>
 
-#include "tumble/require.hpp"
+#include "tumble/core/require.hpp"
+#include "tumble/core/types.hpp"
 #include "tumble/rotation/orthonormality.hpp"
-#include "tumble/types.hpp"
 
 namespace tumble {
 

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

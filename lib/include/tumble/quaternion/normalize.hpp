@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tumble/require.hpp"
-#include "tumble/types.hpp"
+#include "tumble/core/require.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

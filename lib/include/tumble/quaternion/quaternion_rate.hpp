@@ -4,7 +4,7 @@
 ///
 /// Source: Baraff, "Rigid Body Simulation I" (1997), eq. 4-2 and appendix B.
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

@@ -5,8 +5,8 @@
 /// slerp(a, b, t) = a (a⁻¹ b)^t, which is (sin((1−t)Ω) a + sin(tΩ) b) / sin Ω without the 0/0 at Ω
 /// = 0 and without an arc cosine. Source: Shoemake, SIGGRAPH 1985, §3.3.
 
+#include "tumble/core/types.hpp"
 #include "tumble/quaternion/exp_log.hpp"
-#include "tumble/types.hpp"
 
 namespace tumble {
 

@@ -13,8 +13,8 @@
 #include <cmath>
 #include <utility>
 
-#include "tumble/require.hpp"
-#include "tumble/types.hpp"
+#include "tumble/core/require.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

@@ -8,10 +8,10 @@
 
 #include <cmath>
 
+#include "tumble/core/types.hpp"
 #include "tumble/quaternion/convert.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/rotation/skew.hpp"
-#include "tumble/types.hpp"
 
 namespace tumble {
 

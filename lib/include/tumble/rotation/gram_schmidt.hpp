@@ -3,8 +3,8 @@
 /// Re-orthogonalisation by Gram–Schmidt: cheapest to understand, but the first column is never
 /// moved and the last takes all the blame.
 
-#include "tumble/require.hpp"
-#include "tumble/types.hpp"
+#include "tumble/core/require.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

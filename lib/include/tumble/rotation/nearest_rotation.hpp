@@ -10,8 +10,8 @@
 
 #include <Eigen/SVD>
 
-#include "tumble/require.hpp"
-#include "tumble/types.hpp"
+#include "tumble/core/require.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

@@ -3,7 +3,7 @@
 /// How far a matrix is from being a rotation: its columns must be orthogonal
 /// unit vectors, right-handed.
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

@@ -5,8 +5,8 @@
 /// Source: Baraff, "An Introduction to Physically Based Modeling: Rigid Body Simulation I"
 /// (1997), eq. 2-11.
 
+#include "tumble/core/types.hpp"
 #include "tumble/rotation/skew.hpp"
-#include "tumble/types.hpp"
 
 namespace tumble {
 

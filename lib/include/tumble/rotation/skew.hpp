@@ -5,7 +5,7 @@
 /// Source: any text on rigid bodies; here after Murray, Li & Sastry, "A Mathematical Introduction
 /// to Robotic Manipulation" (1994), eq. 2.4, where it is written v̂.
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble {
 

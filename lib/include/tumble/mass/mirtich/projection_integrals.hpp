@@ -9,7 +9,7 @@
 
 #include <span>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 namespace tumble::mirtich {
 

@@ -2,7 +2,7 @@
 /// @file
 /// A solid turned and moved: its point r is at x + R r.
 
-#include "tumble/mass/solid.hpp"
+#include "tumble/core/solid.hpp"
 #include "tumble/mass/transform.hpp"
 
 namespace tumble {

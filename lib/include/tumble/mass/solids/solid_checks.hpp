@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mass/mass_properties.hpp"
-#include "tumble/require.hpp"
 
 namespace tumble {
 

@@ -9,10 +9,10 @@
 
 #include <cmath>
 
-#include "tumble/types.hpp"
+#include "tumble/core/types.hpp"
 
 #ifdef __FAST_MATH__
-#error "tumble/mass/double_double.hpp: -ffast-math takes the error terms away; compile without it"
+#error "tumble/double_double.hpp: -ffast-math takes the error terms away; compile without it"
 #endif
 
 namespace tumble {

@@ -1,4 +1,4 @@
-#include "tumble/mass/double_double.hpp"
+#include "tumble/core/double_double.hpp"
 
 #include <doctest/doctest.h>
 
