@@ -36,9 +36,8 @@ inline Mat3 newton_rotation_step(const Mat3& M) { return (M + inverse_transpose(
 ///          stretched one home in about ten
 /// @throws std::invalid_argument unless det M is positive and finite
 inline Mat3 newton_rotation(const Mat3& M) {
-  constexpr double converged =
-      1e-8;                    // the next error is about the square of this change: below eps
-  constexpr int enough = 100;  // a cap that scaled steps never come near
+  constexpr double converged = 1e-8;  // what is left is about the square of this change: below eps
+  constexpr int enough = 20;          // a cap that scaled steps do not come near
   Mat3 X = M;
   for (int i = 0; i < enough; ++i) {
     const Mat3 Y = inverse_transpose(X);
@@ -48,7 +47,7 @@ inline Mat3 newton_rotation(const Mat3& M) {
     X = next;
     if (change <= converged) break;
   }
-  return newton_rotation_step(X);
+  return X;
 }
 
 }  // namespace tumble
