@@ -1,0 +1,72 @@
+#include "judge/commands/matrix.hpp"
+
+#include <ostream>
+#include <string>
+
+#include "judge/spec/impostor.hpp"
+#include "judge/spec/misconception.hpp"
+#include "judge/spec/run.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// What the spec made of one misconception.
+struct Kill {
+  std::size_t failed = 0, cases = 0;
+  std::string named;  ///< what the last case that named anything has named
+  bool right = false;
+};
+
+/// The judge narrows down as answers come in; what it says last has to be the one right name.
+Kill try_to_kill(const Unit& unit, std::size_t k, std::uint64_t seed) {
+  Impostor impostor(k);
+  Kill kill;
+  const std::string& name = mistakes_of(unit.id())[k].name;
+  for (const CaseResult& result : run_spec({unit.id(), seed}, impostor)) {
+    ++kill.cases;
+    if (result.passed()) continue;
+    ++kill.failed;
+    const auto& mistakes = result.finding->mistakes;
+    if (mistakes.empty()) continue;
+    kill.named.clear();
+    for (const NamedMistake& mistake : mistakes)
+      kill.named += (kill.named.empty() ? "" : " or ") + mistake.name;
+  }
+  kill.right = kill.named == name;
+  return kill;
+}
+
+}  // namespace
+
+bool print_kill_matrix(std::ostream& out, const std::vector<Unit>& units, std::uint64_t seed) {
+  constexpr std::size_t at_least = 4;
+  bool complete = true;
+  std::size_t total = 0, right = 0;
+  out << "| unit | misconception | cases that fail | named |\n|---|---|---|---|\n";
+  for (const Unit& unit : units) {
+    const std::vector<NamedMistake>& mistakes = mistakes_of(unit.id());
+    for (std::size_t k = 0; k < mistakes.size(); ++k) {
+      const Kill kill = try_to_kill(unit, k, seed);
+      const std::string verdict = kill.right           ? "yes"
+                                  : kill.failed == 0   ? "**survives**"
+                                  : kill.named.empty() ? "**not named**"
+                                                       : "**as " + kill.named + "**";
+      out << "| " << unit.number << " " << unit.name << " | " << mistakes[k].name << " | "
+          << kill.failed << " of " << kill.cases << " | " << verdict << " |\n";
+      ++total;
+      right += kill.right ? 1 : 0;
+    }
+    if (mistakes.size() < at_least) {
+      out << "| " << unit.number << " " << unit.name << " | **only " << mistakes.size()
+          << " misconceptions** | | |\n";
+      complete = false;
+    }
+  }
+  out << "\n"
+      << units.size() << " units, " << total << " misconceptions, " << right
+      << " of them killed and named.\n";
+  return complete && right == total;
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,17 @@
+#pragma once
+/// @file
+/// The kill matrix: does every spec fail every one of its misconceptions, and name it?
+
+#include <cstdint>
+#include <iosfwd>
+#include <vector>
+
+#include "judge/course/course.hpp"
+
+namespace tumble::judge {
+
+/// Runs the spec of every unit against each of its misconceptions, and prints a Markdown table.
+/// @return whether each of them failed, was named and none besides it, and there are at least four
+bool print_kill_matrix(std::ostream& out, const std::vector<Unit>& units, std::uint64_t seed);
+
+}  // namespace tumble::judge

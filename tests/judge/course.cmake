@@ -1,0 +1,101 @@
+# A course: chapters of units under exercises/, solutions/ and tests/. The one place that lists an
+# exercise is its heading in a contract, `// == 4.1 product: what it is`. From there everything follows:
+#   exercises/04_quaternions/product.cpp   the stub            tests/04_quaternions/product.cpp   the spec
+#   solutions/04_quaternions/product.cpp   the answer          <build>/workers/…   who asks the student's code
+
+# What a student's file is compiled with, by the judge and by the build alike.
+set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -g1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE -fno-pie
+  -Wall -Wextra -Wno-unused-parameter)
+
+# The units of one contract, as a list of "4.1 product".
+function(tumble_units_of contract out)
+  file(STRINGS ${contract} headings REGEX "^// == [0-9]+\\.[0-9]+ [a-z0-9_]+: ")
+  set(units)
+  foreach(heading IN LISTS headings)
+    string(REGEX REPLACE "^// == ([0-9.]+ [a-z0-9_]+): .*" "\\1" unit "${heading}")
+    list(APPEND units "${unit}")
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${contract})
+  set(${out} "${units}" PARENT_SCOPE)
+endfunction()
+
+function(tumble_require_file file what)
+  if(NOT EXISTS ${file})
+    message(FATAL_ERROR "${what} is missing: ${file}")
+  endif()
+endfunction()
+
+# Objects that are linked into workers: compiled as the student's file is.
+function(tumble_student_object target source)
+  add_library(${target} OBJECT ${source})
+  target_compile_options(${target} PRIVATE ${TUMBLE_STUDENT_FLAGS})
+  target_include_directories(${target} PRIVATE ${ARGN})
+  target_include_directories(${target} SYSTEM PRIVATE ${TUMBLE_EIGEN})
+endfunction()
+
+# Adds the course under `root` to the judge `target`: its specs, and for each unit its worker's objects.
+# Writes ${target}.json, which tells the judge what there is.
+function(tumble_add_course target root)
+  set(json)
+  set(earlier)
+  file(GLOB contracts CONFIGURE_DEPENDS ${root}/exercises/[0-9]*/contract.hpp)
+  list(SORT contracts)
+  foreach(contract IN LISTS contracts)
+    cmake_path(GET contract PARENT_PATH exercises)
+    cmake_path(GET exercises FILENAME chapter)
+    string(REGEX REPLACE "^[0-9]+_" "" namespace ${chapter})
+    tumble_units_of(${contract} units)
+    foreach(unit IN LISTS units)
+      string(REGEX REPLACE " .*" "" number "${unit}")
+      string(REGEX REPLACE ".* " "" name "${unit}")
+      set(spec ${root}/tests/${chapter}/${name}.cpp)
+      set(solution ${root}/solutions/${chapter}/${name}.cpp)
+      tumble_require_file(${exercises}/${name}.cpp "the stub of ${unit}")
+      tumble_require_file(${solution} "the solution of ${unit}")
+      tumble_require_file(${spec} "the spec of ${unit}")
+
+      target_sources(${target} PRIVATE ${spec})
+      set_source_files_properties(${spec} TARGET_DIRECTORY ${target} PROPERTIES
+        COMPILE_DEFINITIONS "TUMBLE_UNIT=\"${chapter}/${name}\"")
+
+      set(id ${target}_${chapter}_${name})
+      set(worker ${CMAKE_CURRENT_BINARY_DIR}/workers/${chapter}/${name}.cpp)
+      file(CONFIGURE OUTPUT ${worker} CONTENT [[
+#include "judge/worker/serve.hpp"
+#include "@contract@"
+
+int main() { return tumble::judge::serve(@namespace@::@name@); }
+]] @ONLY)
+      tumble_student_object(${id}_worker ${worker}
+        ${TUMBLE_JUDGE_INCLUDES} ${exercises} ${root}/exercises)
+      tumble_student_object(${id}_solution ${solution} ${exercises} ${root}/exercises)
+      add_dependencies(${target} ${id}_worker ${id}_solution)
+
+      list(JOIN earlier "," earlier_json)
+      string(APPEND json "${separator}
+    {\"number\": \"${number}\", \"chapter\": \"${chapter}\", \"name\": \"${name}\",
+     \"worker\": \"$<TARGET_OBJECTS:${id}_worker>\", \"earlier\": [${earlier_json}]}")
+      set(separator ",")
+      list(APPEND earlier "\"$<TARGET_OBJECTS:${id}_solution>\"")
+    endforeach()
+  endforeach()
+
+  set(flags ${student_flags})
+  list(TRANSFORM flags REPLACE "(.+)" "\"\\1\"")
+  list(JOIN flags ", " flags)
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.json CONTENT
+"{
+  \"root\": \"${root}\",
+  \"state\": \"${CMAKE_CURRENT_BINARY_DIR}/${target}.state\",
+  \"compiler\": \"${CMAKE_CXX_COMPILER}\", \"compiler_id\": \"${CMAKE_CXX_COMPILER_ID}\",
+  \"flags\": [${flags}],
+  \"precompiled\": \"${TUMBLE_STUDENT_PCH}\",
+  \"linker\": \"${TUMBLE_STUDENT_LINKER}\",
+  \"runtime\": \"$<TARGET_FILE:tumble_worker>\",
+  \"units\": [${json}
+  ]
+}
+")
+  target_compile_definitions(${target} PRIVATE
+    TUMBLE_COURSE="${CMAKE_CURRENT_BINARY_DIR}/${target}.json")
+endfunction()

@@ -1,0 +1,78 @@
+#include "judge/course/contract.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace tumble::judge {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\n");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+}
+
+/// The names in "(const Quaternion& a, double t)": the last word before each comma of the list.
+std::vector<std::string> parameter_names(const std::string& signature) {
+  std::vector<std::string> names;
+  std::string parameter;
+  int depth = 0;
+  const auto finish = [&] {
+    parameter = trimmed(parameter);
+    const auto last = parameter.find_last_of(" &*");
+    if (!parameter.empty()) names.push_back(parameter.substr(last + 1));
+    parameter.clear();
+  };
+  for (std::size_t i = signature.find('('); i + 1 < signature.size(); ++i) {
+    const char c = signature[i];
+    if (c == ')' && depth == 1) break;
+    if (c == ',' && depth == 1)
+      finish();
+    else if (c != '(' || depth > 0)
+      parameter += c;
+    if (c == '(' || c == '<') ++depth;
+    if (c == ')' || c == '>') --depth;
+  }
+  finish();
+  return names;
+}
+
+}  // namespace
+
+Declaration read_declaration(const Course& course, const Unit& unit) {
+  const fs::path file = course.contract(unit);
+  const std::string heading = "// == " + unit.number + " " + unit.name + ": ";
+  std::ifstream in(file);
+  Declaration declaration;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(heading)) {
+      declaration.title = line.substr(heading.size());
+    } else if (!declaration.title.empty() && !line.starts_with("//")) {
+      const auto end = line.find(';');
+      declaration.signature += line.substr(0, end) + "\n";
+      if (end == std::string::npos) continue;
+      declaration.signature = trimmed(declaration.signature);
+      declaration.parameters = parameter_names(declaration.signature);
+      return declaration;
+    }
+  }
+  throw std::runtime_error(file.string() + " does not declare " + unit.number + " " + unit.name);
+}
+
+std::string stub_of(const Course& course, const Unit& unit) {
+  const Declaration declaration = read_declaration(course, unit);
+  const std::string space = unit.chapter.substr(unit.chapter.find('_') + 1);
+  std::ostringstream stub;
+  stub << "#include \"contract.hpp\"\n\nnamespace " << space << " {\n\n// " << unit.number << " "
+       << unit.name << ": " << declaration.title
+       << ".\n// What is demanded stands in contract.hpp. Ask: ./tumble hint " << unit.number
+       << " · Be judged: ./tumble check " << unit.number << "\n"
+       << declaration.signature << " {\n  throw NotImplemented{};\n}\n\n}  // namespace " << space
+       << "\n";
+  return stub.str();
+}
+
+}  // namespace tumble::judge

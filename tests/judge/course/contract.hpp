@@ -1,0 +1,26 @@
+#pragma once
+/// @file
+/// What a contract says about one unit, and the stub that follows from it.
+
+#include <string>
+#include <vector>
+
+#include "judge/course/course.hpp"
+
+namespace tumble::judge {
+
+/// The declaration of one unit in its contract.hpp.
+struct Declaration {
+  std::string title;                    ///< "the product of two quaternions"
+  std::string signature;                ///< up to and without the semicolon, on one line or more
+  std::vector<std::string> parameters;  ///< their names, in order
+};
+
+/// Reads the part of `contract` that is headed `// == 4.1 product: the product of two quaternions`.
+/// @throws std::runtime_error naming the contract if the heading or the declaration is missing
+Declaration read_declaration(const Course& course, const Unit& unit);
+
+/// The untouched exercise: what `reset` writes, and what a test compares the files with.
+std::string stub_of(const Course& course, const Unit& unit);
+
+}  // namespace tumble::judge

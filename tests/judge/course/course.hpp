@@ -1,0 +1,66 @@
+#pragma once
+/// @file
+/// What there is to be judged: the units of the course, as the build has written them down.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tumble::judge {
+
+namespace fs = std::filesystem;
+
+/// One exercise: one function in one file.
+struct Unit {
+  std::string number;             ///< "4.1"
+  std::string chapter;            ///< "04_quaternions"
+  std::string name;               ///< "product": the function, and the files' name
+  fs::path worker;                ///< object file that asks the student's function
+  std::vector<fs::path> earlier;  ///< object files: the solutions of all units before this one
+
+  /// "04_quaternions/product"
+  std::string id() const { return chapter + "/" + name; }
+  /// "4"
+  std::string chapter_number() const { return number.substr(0, number.find('.')); }
+};
+
+/// How a student's file becomes a worker.
+struct Toolchain {
+  std::string compiler;
+  std::string compiler_id;  ///< CMake's: "GNU", "Clang", "AppleClang"
+  std::vector<std::string> flags;
+  fs::path precompiled;  ///< the header that every student's file starts from
+  std::string linker;    ///< as in -fuse-ld=, or empty
+  fs::path runtime;      ///< static library: the worker's side of the protocol
+};
+
+struct Course {
+  fs::path root;   ///< holds exercises/, solutions/, tests/, chapters/
+  fs::path state;  ///< folder where progress and saved attempts are kept
+  Toolchain toolchain;
+  std::vector<Unit> units;
+
+  fs::path contract(const Unit& unit) const {
+    return root / "exercises" / unit.chapter / "contract.hpp";
+  }
+  fs::path exercise(const Unit& unit) const { return file("exercises", unit); }
+  fs::path solution(const Unit& unit) const { return file("solutions", unit); }
+  fs::path hints(const Unit& unit) const { return root / "exercises" / unit.chapter / "hints.md"; }
+  fs::path page(const Unit& unit) const { return root / "chapters" / unit.chapter / "README.md"; }
+
+  /// The units that a student means by "4.1", "product", "04_quaternions/product", "4", "04" or
+  /// "all".
+  /// @throws std::invalid_argument if there are none; the message lists what there is
+  std::vector<Unit> select(const std::string& what) const;
+
+ private:
+  fs::path file(const char* tree, const Unit& unit) const {
+    return root / tree / unit.chapter / (unit.name + ".cpp");
+  }
+};
+
+/// Reads what the build has written.
+/// @throws std::runtime_error if the file is missing or is no course
+Course read_course(const fs::path& json);
+
+}  // namespace tumble::judge

@@ -1,0 +1,50 @@
+#include "judge/spec/demand.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble::judge {
+
+namespace {
+
+constexpr double incomparable = std::numeric_limits<double>::quiet_NaN();
+
+/// The larger of two errors, where NaN is larger than everything.
+double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
+double difference(double a, double b) {
+  const bool same_place = a == b || (std::isnan(a) && std::isnan(b));
+  if (same_place) return 0;
+  return std::isfinite(a) && std::isfinite(b) ? std::abs(a - b) : incomparable;
+}
+
+double difference(const List& a, const List& b, double sign) {
+  if (a.size() != b.size()) return incomparable;
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double* x = a[i].as<double>();
+    const double* y = b[i].as<double>();
+    largest = worse(x && y ? difference(*x, sign * *y) : largest_difference(a[i], b[i]), largest);
+  }
+  return largest;
+}
+
+}  // namespace
+
+double largest_difference(const Value& a, const Value& b) {
+  if (const double* x = a.as<double>(), *y = b.as<double>(); x && y) return difference(*x, *y);
+  if (const List* x = a.as<List>(), *y = b.as<List>(); x && y) return difference(*x, *y, 1);
+  if (const auto* x = a.as<std::int64_t>(), *y = b.as<std::int64_t>(); x && y)
+    return std::abs(static_cast<double>(*x) - static_cast<double>(*y));
+  if (const auto* x = a.as<std::string>(), *y = b.as<std::string>(); x && y && *x == *y) return 0;
+  return incomparable;
+}
+
+double difference_up_to_sign(const Value& a, const Value& b) {
+  const List *x = a.as<List>(), *y = b.as<List>();
+  if (!x || !y) return incomparable;
+  return std::fmin(difference(*x, *y, 1), difference(*x, *y, -1));
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,52 @@
+#pragma once
+/// @file
+/// What a law demands of an answer. Tolerances are absolute, per number, and derived by the spec
+/// (k·eps·scale, C·hᵖ, 4σ/√n).
+
+#include <string>
+#include <utility>
+
+#include "judge/protocol/convert.hpp"
+#include "judge/protocol/value.hpp"
+
+namespace tumble::judge {
+
+/// How far apart two answers are: the largest difference of two numbers at the same place; NaN
+/// where exactly one of them is not finite or the shapes differ, 0 where both are the same
+/// non-finite value.
+using Metric = double (*)(const Value& a, const Value& b);
+
+double largest_difference(const Value& a, const Value& b);
+/// The same for quaternions as rotations: q and −q are one.
+double difference_up_to_sign(const Value& a, const Value& b);
+
+/// An answer near a value.
+struct CloseTo {
+  Value expected;
+  double tolerance;
+  Metric metric;
+};
+
+template <class T>
+CloseTo close_to(const T& expected, double tolerance) {
+  return {to_value(expected), tolerance, largest_difference};
+}
+
+/// The same rotation as the unit quaternion `expected`: q or −q.
+template <class T>
+CloseTo same_rotation(const T& expected, double tolerance) {
+  return {to_value(expected), tolerance, difference_up_to_sign};
+}
+
+/// An answer that has a property: `error` measures by how much it is missed.
+struct Obeys {
+  std::string law;  ///< "RᵀR = 1"
+  double error;
+  double bound;
+};
+
+inline Obeys obeys(std::string law, double error, double bound) {
+  return {std::move(law), error, bound};
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,46 @@
+#pragma once
+/// @file
+/// Named wrong answers. When an answer is wrong, the judge looks which misconception gives the same
+/// numbers to every question of the unit so far, and says so.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "judge/verdict/finding.hpp"
+
+namespace tumble::judge {
+
+/// What is said about each misconception of `unit`, in the order of its spec.
+std::vector<NamedMistake>& mistakes_of(const std::string& unit);
+
+template <class Signature>
+struct Misconception;
+
+/// A mistake that students make, as another body of the same function.
+template <class Result, class... Arguments>
+struct Misconception<Result(Arguments...)> {
+  std::string name;      ///< short: "operands swapped"
+  std::string sentence;  ///< what happened, and where to look; no formula that solves the unit
+  std::string section;   ///< heading of the chapter's page that explains it
+  std::function<Result(Arguments...)> body;
+};
+
+/// The misconceptions of one unit: a spec defines one object of this type.
+template <class Signature>
+class Misconceptions {
+ public:
+  Misconceptions(const std::string& unit, std::vector<Misconception<Signature>> list) {
+    for (const auto& [name, sentence, section, body] : list)
+      mistakes_of(unit).push_back({name, sentence, section});
+    of(unit) = std::move(list);
+  }
+  static std::vector<Misconception<Signature>>& of(const std::string& unit) {
+    static std::map<std::string, std::vector<Misconception<Signature>>> registry;
+    return registry[unit];
+  }
+};
+
+}  // namespace tumble::judge

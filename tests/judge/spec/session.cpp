@@ -1,0 +1,141 @@
+#include "judge/spec/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace tumble::judge {
+
+namespace {
+
+Session* current_session = nullptr;
+
+/// FNV-1a: the same on every platform, unlike std::hash.
+std::uint64_t hash(const std::string& text, std::uint64_t h) {
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return h;
+}
+
+double largest_magnitude(const Value& value) {
+  if (const double* x = value.as<double>()) return std::isfinite(*x) ? std::abs(*x) : 0;
+  double largest = 0;
+  if (const List* list = value.as<List>())
+    for (const Value& element : *list) largest = std::fmax(largest, largest_magnitude(element));
+  return largest;
+}
+
+}  // namespace
+
+std::vector<NamedMistake>& mistakes_of(const std::string& unit) {
+  static std::map<std::string, std::vector<NamedMistake>> registry;
+  return registry[unit];
+}
+
+Session::Session(std::string unit, Answerer& answerer, std::uint64_t seed)
+    : unit_(std::move(unit)),
+      answerer_(answerer),
+      seed_(seed),
+      previous_(std::exchange(current_session, this)) {}
+
+Session::~Session() { current_session = previous_; }
+
+Session& Session::current() {
+  if (!current_session) throw std::logic_error("a spec runs inside a session only");
+  return *current_session;
+}
+
+void Session::start_case(std::size_t number) {
+  finding_.reset();
+  random_.emplace(hash(unit_, seed_ * 0x9e3779b97f4a7c15 + number));
+  answerer_.start_case();
+}
+
+std::optional<Finding> Session::take_finding() { return std::exchange(finding_, std::nullopt); }
+
+void Session::found(Finding finding) {
+  if (finding_) return;
+  finding.printed = answerer_.printed();
+  finding_ = std::move(finding);
+}
+
+std::size_t Session::ask(Call call) {
+  const auto record = [&call](FunctionId id, const List& arguments) {
+    Value result = call.functions(id, arguments);
+    call.evaluations.push_back({id, arguments, result});
+    return result;
+  };
+  try {
+    call.answer = answerer_.ask(call, record);
+  } catch (const NoAnswer& why) {
+    Finding finding;
+    finding.outcome = why.outcome;
+    finding.detail = why.what();
+    finding.question = Question{call.arguments, call.evaluations.size()};
+    found(std::move(finding));
+    throw;
+  }
+  calls_.push_back(std::move(call));
+  return calls_.size() - 1;
+}
+
+Finding Session::wrong_answer(std::size_t number) const {
+  const Call& call = calls_[number];
+  Finding finding;
+  finding.question = Question{call.arguments, call.evaluations.size()};
+  finding.answer = call.answer;
+  finding.mistakes = matching_mistakes();
+  return finding;
+}
+
+bool Session::demand(std::size_t number, const CloseTo& demand) {
+  Call& call = calls_[number];
+  call.metric = demand.metric;
+  call.tolerance = demand.tolerance;
+  if (demand.metric(call.answer, demand.expected) <= demand.tolerance) return true;
+  Finding finding = wrong_answer(number);
+  finding.demanded = demand.expected;
+  finding.tolerance = demand.tolerance;
+  found(std::move(finding));
+  return false;
+}
+
+bool Session::demand(std::size_t number, const Obeys& demand) {
+  if (demand.error <= demand.bound) return true;
+  Finding finding = wrong_answer(number);
+  finding.detail = demand.law + ": missed by " + std::to_string(demand.error);
+  finding.tolerance = demand.bound;
+  found(std::move(finding));
+  return false;
+}
+
+void Session::malformed(std::size_t number, const std::string& why) {
+  Finding finding = wrong_answer(number);
+  finding.detail = "the answer has the wrong shape: " + why;
+  found(std::move(finding));
+}
+
+std::vector<NamedMistake> Session::matching_mistakes() const {
+  const std::vector<NamedMistake>& all = mistakes_of(unit_);
+  std::vector<NamedMistake> matching;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (gives_the_same(k)) matching.push_back(all[k]);
+  return matching;
+}
+
+bool Session::gives_the_same(std::size_t misconception) const {
+  return std::all_of(calls_.begin(), calls_.end(), [&](const Call& call) {
+    try {
+      const Value other = call.misconception(misconception, call.functions);
+      // The student's arithmetic may take another way to the same wrong number.
+      const double rounding = 64 * test::eps * largest_magnitude(other);
+      return call.metric(call.answer, other) <= std::fmax(call.tolerance, rounding);
+    } catch (const std::exception&) {
+      return false;  // it has no answer here, and the student has one
+    }
+  });
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,87 @@
+#pragma once
+/// @file
+/// The state behind a running spec: who answers, which questions were asked, what was found. A
+/// doctest case is a plain function, so there is one current session.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "judge/spec/answerer.hpp"
+#include "judge/spec/demand.hpp"
+#include "judge/spec/misconception.hpp"
+#include "judge/verdict/finding.hpp"
+#include "support/inputs.hpp"
+
+namespace tumble::judge {
+
+/// One evaluation, by the student's code, of a function that it was given.
+struct Evaluation {
+  FunctionId function;
+  List arguments;
+  Value result;
+};
+
+/// A question, and what came back.
+struct Call {
+  List arguments;
+  Value answer;
+  std::vector<Evaluation> evaluations;
+  /// What misconception k answers to the same question; its evaluations of the functions among the
+  /// arguments go through `functions`.
+  std::function<Value(std::size_t k, const CallBack& functions)> misconception;
+  /// The functions among the arguments.
+  CallBack functions;
+  /// What its demand calls equal; replaced when a demand is made.
+  Metric metric = largest_difference;
+  double tolerance = 0;
+};
+
+class Session {
+ public:
+  /// A run of the spec of `unit` (as "04_quaternions/product") with the inputs of `seed`.
+  Session(std::string unit, Answerer& answerer, std::uint64_t seed);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session();
+
+  /// The session that runs now.
+  static Session& current();
+
+  // ── For the runner ──
+  const std::string& unit() const { return unit_; }
+  void start_case(std::size_t number);
+  /// What ended the case that ran last; the first finding counts.
+  std::optional<Finding> take_finding();
+  void found(Finding finding);
+
+  // ── For a spec ──
+  /// The inputs of this case: they depend on the seed, the unit and the case, nothing else.
+  test::Random& random() { return *random_; }
+  /// Asks, records, and gives the number of the call.
+  /// @throws NoAnswer
+  std::size_t ask(Call call);
+  const Call& call(std::size_t number) const { return calls_[number]; }
+  /// Does the answer of `call` come close enough? Files a finding if not.
+  bool demand(std::size_t call, const CloseTo& demand);
+  bool demand(std::size_t call, const Obeys& demand);
+  /// Files that the answer of `call` has the wrong shape.
+  void malformed(std::size_t call, const std::string& why);
+
+ private:
+  Finding wrong_answer(std::size_t call) const;
+  std::vector<NamedMistake> matching_mistakes() const;
+  bool gives_the_same(std::size_t misconception) const;
+
+  std::string unit_;
+  Answerer& answerer_;
+  std::uint64_t seed_;
+  std::optional<test::Random> random_;
+  std::vector<Call> calls_;
+  std::optional<Finding> finding_;
+  Session* previous_;
+};
+
+}  // namespace tumble::judge
