@@ -1,25 +1,76 @@
 /// @file
 /// The judge's command line; ./tumble calls it.
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <iostream>
 
-#include "judge/commands/matrix.hpp"
-#include "judge/course/course.hpp"
+#include "judge/commands/commands.hpp"
 
 using namespace tumble::judge;
 
+namespace {
+
+/// Options of `check` that only make sense for what it is given.
+void add_check(CLI::App& app, CheckOptions& options) {
+  app.add_option("what", options.what,
+                 "unit (4.1 or product), chapter (4), all; 4.1.3 is one case");
+  app.add_option("--seed", options.seed,
+                 "of the random inputs; another one each time if not given");
+  app.add_option("--from", options.from, "folder with the files to judge, instead of exercises/");
+  app.add_option("--json", options.json, "write the results here, again after each unit");
+  app.add_flag("--every-case", options.every_case, "explain every case that fails");
+  app.add_flag("--strict", options.strict, "refuse to judge if a wall of the sandbox is missing");
+  app.add_flag("--solutions", options.solutions, "judge the solutions");
+  app.add_flag("--sanitize", options.sanitized, "run with AddressSanitizer and UBSan");
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  CLI::App app("tumble's judge");
+  CLI::App app("tumble's judge", "tumble");
   app.require_subcommand(1);
-  std::string what = "all";
+  std::function<int(const Course&)> run;
+  const auto command = [&](const char* name, const char* what,
+                           std::function<int(const Course&)> f) {
+    CLI::App* sub = app.add_subcommand(name, what);
+    sub->callback([&run, f = std::move(f)] { run = f; });
+    return sub;
+  };
+
+  CheckOptions options;
+  add_check(*command("check", "judge what you have written",
+                     [&](const Course& course) { return check(course, options); }),
+            options);
+  command("watch", "judge each file when it is saved", watch);
+  command("list", "all units, and how far you are", list);
+
+  std::string unit, what = "all";
+  int number = 0;
+  bool anyway = false;
   std::uint64_t seed = 1;
-  CLI::App* matrix = app.add_subcommand("matrix", "every spec against every misconception");
-  matrix->add_option("what", what, "unit, chapter or all");
-  matrix->add_option("--seed", seed);
+  CLI::App* hints = command("hint", "three hints a unit, one at a time",
+                            [&](const Course& course) { return hint(course, unit, number); });
+  hints->add_option("unit", unit)->required();
+  hints->add_option("number", number, "1, 2 or 3; the next one if not given");
+  command("reset", "put the untouched stub back, keeping your file",
+          [&](const Course& course) { return reset(course, unit); })
+      ->add_option("unit", unit)
+      ->required();
+  CLI::App* answer = command("solution", "the solution of a unit that passes",
+                             [&](const Course& course) { return solution(course, unit, anyway); });
+  answer->add_option("unit", unit)->required();
+  answer->add_flag("--anyway", anyway, "although it does not pass");
+
+  CLI::App* kills = command("matrix", "every spec against every misconception",
+                            [&](const Course& course) { return matrix(course, what, seed); });
+  kills->add_option("what", what);
+  kills->add_option("--seed", seed);
+  command("stubs", "every stub is untouched and fails every case", stubs);
+  command("sandbox", "which walls stand here", [](const Course&) { return sandbox(); });
+
   CLI11_PARSE(app, argc, argv);
   try {
-    const Course course = read_course(TUMBLE_COURSE);
-    if (*matrix) return print_kill_matrix(std::cout, course.select(what), seed) ? 0 : 1;
+    return run(read_course(TUMBLE_COURSE));
   } catch (const std::exception& e) {
     std::cerr << "tumble: " << e.what() << "\n";
     return 2;

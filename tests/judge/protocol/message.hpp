@@ -34,7 +34,7 @@ struct Message {
 };
 
 /// Limits on what is decoded: the deepest and the largest value that a contract can ask for.
-inline constexpr std::size_t max_frame = 1 << 22;
+inline constexpr std::size_t max_frame = 1 << 20;
 inline constexpr int max_depth = 8;
 
 /// Bytes that are no message, or one that breaks the limits.

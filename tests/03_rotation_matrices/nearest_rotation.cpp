@@ -1,0 +1,193 @@
+/// @file
+/// 3.5 nearest_rotation: its laws, and what goes wrong.
+#include "tumble/rotation/nearest_rotation.hpp"
+
+#include <cmath>
+
+#include "03_rotation_matrices/contract.hpp"
+#include "03_rotation_matrices/inputs.hpp"
+#include "judge/spec/spec.hpp"
+#include "tumble/rotation/exp_log.hpp"
+#include "tumble/rotation/gram_schmidt.hpp"
+#include "tumble/rotation/newton_rotation.hpp"
+#include "tumble/rotation/orthonormality.hpp"
+
+using namespace tumble::judge;
+using tumble::Mat3;
+using tumble::Vec3;
+
+namespace student {
+const Function<decltype(rotation_matrices::nearest_rotation)> nearest_rotation{TUMBLE_UNIT};
+}
+
+namespace {
+
+Mat3 reference(const Mat3& M) { return tumble::nearest_rotation(M); }
+
+/// What rounding may do to a number of the answer: some 30 eps, enlarged by the condition number
+/// where M is inverted and by its square where the way leads through MᵀM. Higham (1986), §3 and §6.
+double rounding(const Mat3& M) { return 32 * eps * condition(M) * condition(M); }
+
+/// The symmetric matrix that stretches along three orthogonal directions.
+Mat3 any_stretch(const Vec3& by) {
+  const Mat3 directions = any_rotation();
+  return directions * by.asDiagonal() * directions.transpose();
+}
+
+/// The matrix that shifts along one axis by `amount` times what stands along the next one.
+Mat3 shear(double amount) {
+  Mat3 S = Mat3::Identity();
+  S(0, 1) = amount;
+  return S;
+}
+
+/// A matrix far from every rotation: stretched, flattened or sheared, in random directions.
+Mat3 far_from_a_rotation() {
+  const Mat3 R = any_rotation(), other = any_rotation();
+  const int kind = static_cast<int>(any_number(0, 3));
+  if (kind == 0) return R * any_stretch({10, 1, 1});
+  if (kind == 1) return R * any_stretch({1, 0.1, any_number(0.5, 2)});
+  return R * shear(2) * other;
+}
+
+/// The limit, or what becomes of it, of 100 steps.
+template <class Step>
+Mat3 after_100(Mat3 X, const Step& step) {
+  for (int n = 0; n < 100; ++n) X = step(X);
+  return X;
+}
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("any drifted matrix") {
+    for (int n = 0; n < 30; ++n) {
+      const Mat3 M = drifted_rotation(0.25);
+      REQUIRE(student::nearest_rotation(M) == close_to(reference(M), rounding(M)));
+    }
+  }
+
+  TEST_CASE("far from a rotation: stretched tenfold, flattened to a tenth, sheared by twice") {
+    for (int n = 0; n < 30; ++n) {
+      const Mat3 M = far_from_a_rotation();
+      REQUIRE(student::nearest_rotation(M) == close_to(reference(M), rounding(M)));
+    }
+  }
+
+  TEST_CASE("a rotation times a symmetric stretch gives the rotation back, whatever the stretch") {
+    for (int n = 0; n < 20; ++n) {
+      const double a = any_number(0.2, 4), b = any_number(0.2, 4);
+      const Mat3 R = any_rotation(), M = R * any_stretch({a, b, 1});
+      // M itself is rounded, which counts like the student's own roundings.
+      REQUIRE(student::nearest_rotation(M) == close_to(R, 2 * rounding(M)));
+    }
+  }
+
+  TEST_CASE("no other rotation is nearer, and what is left is a pure stretch: RᵀM is symmetric") {
+    for (int n = 0; n < 20; ++n) {
+      const Mat3 M = n % 2 ? far_from_a_rotation() : drifted_rotation(0.25);
+      const auto R = student::nearest_rotation(M);
+      const Mat3 S = R->transpose() * M;
+      REQUIRE(R == obeys("RᵀM = MᵀR", (S - S.transpose()).norm(), 12 * rounding(M) * M.norm()));
+      for (const double angle : {1e-3, 0.1, 3.}) {
+        const Mat3 other = tumble::exp_rotation<double>(angle * any_direction()) * R.value();
+        REQUIRE(R == obeys("‖R − M‖ is the smallest", (R.value() - M).norm() - (other - M).norm(),
+                           12 * rounding(M)));
+      }
+    }
+  }
+
+  TEST_CASE("no axis is favoured: turning M turns its nearest rotation, from either side") {
+    for (int n = 0; n < 20; ++n) {
+      const Mat3 M = drifted_rotation(0.25), A = any_rotation(), B = any_rotation();
+      REQUIRE(student::nearest_rotation(A * M * B) ==
+              close_to(Mat3(A * reference(M) * B), 2 * rounding(M)));
+    }
+  }
+
+  TEST_CASE("a rotation comes back as it was, also when it is 1000 times too large or too small") {
+    for (const Mat3& R :
+         {Mat3(Mat3::Identity()), Mat3(Vec3(1, -1, -1).asDiagonal()), any_rotation()}) {
+      for (const double size : {1., 1 + 1e-8, 1e-3, 0.5, 2., 1e3})
+        REQUIRE(student::nearest_rotation(size * R) == close_to(R, 2 * rounding(R)));
+    }
+  }
+
+  TEST_CASE("the smallest drift is repaired too") {
+    for (const double size : {1e-2, 1e-4, 1e-8, 1e-12}) {
+      const Mat3 M = drifted_rotation(size);
+      const auto R = student::nearest_rotation(M);
+      REQUIRE(R == close_to(reference(M), rounding(M)));
+      REQUIRE(R == obeys("RᵀR = 1", tumble::orthonormality_error(R), 6 * rounding(M)));
+    }
+  }
+
+  TEST_CASE("1000 Euler steps of a steady turn: a rotation again, by 1000 atan(h|ω|) about ω") {
+    for (int n = 0; n < 5; ++n) {
+      const double h = 0.01;
+      const int steps = 1000;
+      const Vec3 axis = any_direction(), omega = any_number(1, 3) * axis;
+      const Mat3 start = any_rotation();
+      const Mat3 M = drifted_by_euler(start, omega, h, steps);
+      const auto R = student::nearest_rotation(M);
+      REQUIRE(R == close_to(reference(M), rounding(M)));
+      // An error of δ in each number is one of at most 6 δ in RᵀR.
+      REQUIRE(R == obeys("RᵀR = 1", tumble::orthonormality_error(R), 6 * rounding(M)));
+      // A step turns what is across ω by atan(h|ω|), and stretches it. Each one rounds M anew.
+      const double angle = steps * std::atan(h * omega.norm());
+      const Mat3 expected = tumble::exp_rotation<double>(angle * axis) * start;
+      REQUIRE(R == obeys("turned by 1000 atan(h|ω|)", (R.value() - expected).norm(),
+                         4 * steps * eps + 6 * rounding(M)));
+    }
+  }
+}
+
+const Misconceptions<decltype(rotation_matrices::nearest_rotation)> misconceptions{
+    TUMBLE_UNIT,
+    {{"one Newton step",
+      "This is the first step of the iteration. It squares the error, which is enough for a small "
+      "drift and not for a large one: go on until nothing changes.",
+      "The nearest rotation",
+      [](const Mat3& M) -> Mat3 { return tumble::newton_rotation_step(M); }},
+     {"Gram–Schmidt",
+      "This is a rotation, but not the nearest: the first column was not moved at all, and the "
+      "others pay for it. All three should give way alike.",
+      "The nearest rotation", [](const Mat3& M) -> Mat3 { return tumble::gram_schmidt(M); }},
+     {"Gram–Schmidt by rows",
+      "This is a rotation, but not the nearest: the first row was not moved at all, and the others "
+      "pay for it.",
+      "The nearest rotation",
+      [](const Mat3& M) -> Mat3 { return tumble::gram_schmidt(M.transpose()).transpose(); }},
+     {"columns only normalised",
+      "The columns have length 1 now, but are not orthogonal. A rotation needs both.", "Drift",
+      [](const Mat3& M) -> Mat3 { return M.colwise().normalized(); }},
+     {"only the volume repaired",
+      "M was divided by one number until its determinant was 1. Shear and unequal stretches are "
+      "still in it.",
+      "Drift", [](const Mat3& M) -> Mat3 { return M / std::cbrt(M.determinant()); }},
+     {"inverse not transposed",
+      "The average was taken with the inverse of X itself. That iteration forgets the orientation: "
+      "look where the cross products stand, in columns or in rows.",
+      "The nearest rotation",
+      [](const Mat3& M) -> Mat3 {
+        return after_100(M, [](const Mat3& X) -> Mat3 { return (X + X.inverse()) / 2; });
+      }},
+     {"not divided by the determinant",
+      "The cross products of the columns were used as they are. They make up the inverse only "
+      "after a division by the volume that the columns span; without it the steps run away.",
+      "The nearest rotation",
+      [](const Mat3& M) -> Mat3 {
+        return after_100(M, [](const Mat3& X) -> Mat3 {
+          Mat3 C;
+          C << X.col(1).cross(X.col(2)), X.col(2).cross(X.col(0)), X.col(0).cross(X.col(1));
+          return (X + C) / 2;
+        });
+      }},
+     {"iteration without an inverse",
+      "Steps that use XᵀX in place of an inverse come home only from nearby: they overshoot where "
+      "M stretches by more than about √3.",
+      "The nearest rotation", [](const Mat3& M) -> Mat3 {
+        return after_100(M, [](const Mat3& X) -> Mat3 {
+          return X * (3 * Mat3::Identity() - X.transpose() * X) / 2;
+        });
+      }}}};

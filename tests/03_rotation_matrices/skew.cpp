@@ -1,0 +1,110 @@
+/// @file
+/// 3.2 skew: its laws, and what goes wrong.
+#include "tumble/rotation/skew.hpp"
+#include "03_rotation_matrices/contract.hpp"
+#include "judge/spec/spec.hpp"
+
+using namespace tumble::judge;
+using tumble::Mat3;
+using tumble::Vec3;
+
+namespace student {
+const Function<decltype(rotation_matrices::skew)> skew{TUMBLE_UNIT};
+}
+
+namespace {
+
+const Vec3 e_x = Vec3::UnitX(), e_y = Vec3::UnitY(), e_z = Vec3::UnitZ();
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("the numbers of any vector stand at their places, unrounded") {
+    for (int n = 0; n < 20; ++n) {
+      const Vec3 a = any_vector(10);
+      REQUIRE(student::skew(a) == close_to(tumble::skew(a), 0));
+    }
+  }
+
+  TEST_CASE("the matrix of a times b is a × b") {
+    for (int n = 0; n < 20; ++n) {
+      const Vec3 a = any_vector(), b = any_vector();
+      const auto S = student::skew(a);
+      // Two products and a sum a component, on either side.
+      REQUIRE(S == obeys("skew(a) b = a × b", (S.value() * b - a.cross(b)).norm(),
+                         8 * eps * a.norm() * b.norm()));
+    }
+  }
+
+  TEST_CASE("x × y = z, y × z = x, z × x = y, and the other way round with a minus") {
+    for (const auto& [a, b, c] :
+         {std::tuple(e_x, e_y, e_z), std::tuple(e_y, e_z, e_x), std::tuple(e_z, e_x, e_y)}) {
+      const Mat3 turned = c * b.transpose() - b * c.transpose();  // b ↦ c, c ↦ −b
+      REQUIRE(student::skew(a) == close_to(turned, 0));
+      REQUIRE(student::skew(-a) == close_to(Mat3(-turned), 0));
+    }
+  }
+
+  TEST_CASE("the transpose is the negative, and a × a = 0") {
+    for (int n = 0; n < 20; ++n) {
+      const Vec3 a = any_vector();
+      const auto S = student::skew(a);
+      REQUIRE(S == obeys("Sᵀ = −S", (S.value() + S.value().transpose()).norm(), 0));
+      REQUIRE(S == obeys("S a = 0", (S.value() * a).norm(), 4 * eps * a.squaredNorm()));
+    }
+  }
+
+  TEST_CASE("zero, tiny and huge vectors: nothing is normalised, nothing is lost") {
+    for (const double size : {0., 1e-300, 1e-8, 1e150, 1e300}) {
+      const Vec3 a = any_vector(size);
+      REQUIRE(student::skew(a) == close_to(tumble::skew(a), 0));
+    }
+  }
+}
+
+const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
+    TUMBLE_UNIT,
+    {{"transposed",
+      "All signs are the other way round: this matrix makes b × a. Write out the first component "
+      "of a × b and compare it with the first row.",
+      "Angular velocity", [](const Vec3& a) -> Mat3 { return tumble::skew(a).transpose(); }},
+     {"minus signs forgotten",
+      "The matrix came out symmetric. Each component of a cross product is a difference, so that "
+      "in each row one of the two numbers has a minus.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 {
+        const Mat3 below = tumble::skew(a).triangularView<Eigen::StrictlyLower>();
+        return Vec3(1, -1, 1).asDiagonal() * (below + below.transpose()) *
+               Vec3(1, -1, 1).asDiagonal();
+      }},
+     {"sign of y",
+      "The two places of a's y component have the wrong sign. The second component of a cross "
+      "product begins with z: z, x is its order, not x, z.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 {
+        return tumble::skew<double>({a.x(), -a.y(), a.z()});
+      }},
+     {"x and z swapped",
+      "The components were filled in as one reads, x first. The row for x holds everything but "
+      "a's x component.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 {
+        return tumble::skew<double>({a.z(), a.y(), a.x()});
+      }},
+     {"one half only",
+      "The numbers below the diagonal are missing: each component of a stands in the matrix twice.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 {
+        Mat3 S = tumble::skew(a);
+        S(1, 0) = S(2, 0) = S(2, 1) = 0;
+        return S;
+      }},
+     {"on the diagonal",
+      "A diagonal matrix multiplies component by component. In a cross product no component of b "
+      "stays in its place: the diagonal is empty.",
+      "Angular velocity", [](const Vec3& a) -> Mat3 { return a.asDiagonal(); }},
+     {"normalised",
+      "The vector was scaled to length 1. A cross product grows with its factors, and ω carries "
+      "the speed of the turn in its length.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 { return tumble::skew(Vec3(a.normalized())); }}}};

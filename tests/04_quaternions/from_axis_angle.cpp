@@ -1,0 +1,147 @@
+/// @file
+/// 4.4 from_axis_angle: its laws, and what goes wrong.
+#include <cmath>
+#include <numbers>
+
+#include "04_quaternions/contract.hpp"
+#include "judge/spec/spec.hpp"
+#include "reference.hpp"
+
+using namespace tumble::judge;
+using quaternions::Quaternion;
+using tumble::Vec3;
+
+namespace student {
+const Function<decltype(quaternions::from_axis_angle)> from_axis_angle{TUMBLE_UNIT};
+}
+
+namespace {
+
+using reference::i, reference::j, reference::k, reference::one;
+using std::numbers::pi;
+
+/// The direction takes 5 roundings, its product with the sine 2, and as many in the reference. An
+/// angle that is first brought into one turn is off by a rounding of itself.
+double rounding(double angle) { return (16 + std::abs(angle)) * eps; }
+
+/// (cos, sin · u) of some angle.
+Quaternion of_half(double half, const Vec3& u) {
+  const Vec3 v = std::sin(half) * u;
+  return {std::cos(half), v.x(), v.y(), v.z()};
+}
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("any angle about any axis") {
+    for (int n = 0; n < 30; ++n) {
+      const Vec3 axis = any_vector(3);
+      const double angle = any_number(-6, 6);
+      REQUIRE(student::from_axis_angle(axis, angle) ==
+              same_rotation(reference::from_axis_angle(axis, angle), rounding(angle)));
+    }
+  }
+
+  TEST_CASE("quarter turns and half turns about x, y and z") {
+    for (const Quaternion& unit : {i, j, k}) {
+      const Vec3 axis = unit.tail<3>();
+      const Quaternion quarter = std::sqrt(0.5) * (one + unit);
+      REQUIRE(student::from_axis_angle(axis, pi / 2) == same_rotation(quarter, rounding(pi)));
+      REQUIRE(student::from_axis_angle(axis, pi) == same_rotation(unit, rounding(pi)));
+    }
+  }
+
+  TEST_CASE("however long the axis is, the quaternion has length 1") {
+    for (const double length : {1e-100, 1e-8, 0.5, 1e8, 1e100}) {
+      const Vec3 axis = length * any_direction();
+      const double angle = any_number(-6, 6);
+      const auto answer = student::from_axis_angle(axis, angle);
+      REQUIRE(answer == obeys("|q| = 1", std::abs(answer->norm() - 1), 2 * rounding(angle)));
+      REQUIRE(answer == same_rotation(reference::from_axis_angle(axis, angle), rounding(angle)));
+    }
+  }
+
+  TEST_CASE("no turn at all, and a whole turn, are the rotation 1 about every axis") {
+    const Vec3 axis = any_vector(3);
+    REQUIRE(student::from_axis_angle(axis, 0) == same_rotation(one, rounding(0)));
+    REQUIRE(student::from_axis_angle(axis, 2 * pi) == same_rotation(one, rounding(2 * pi)));
+    REQUIRE(student::from_axis_angle(axis, -2 * pi) == same_rotation(one, rounding(2 * pi)));
+  }
+
+  TEST_CASE("minus the angle is the turn about the opposite axis") {
+    const Vec3 axis = any_vector(3);
+    const double angle = any_number(-3, 3);
+    const auto opposite = student::from_axis_angle(-axis, angle);
+    REQUIRE(student::from_axis_angle(axis, -angle) ==
+            same_rotation(opposite.value(), 2 * rounding(angle)));
+  }
+
+  TEST_CASE("two turns about one axis add their angles") {
+    for (int n = 0; n < 20; ++n) {
+      const Vec3 axis = any_vector(3);
+      const double first = any_number(-3, 3), second = any_number(-3, 3);
+      const Quaternion both = reference::product(student::from_axis_angle(axis, second),
+                                                 student::from_axis_angle(axis, first));
+      REQUIRE(student::from_axis_angle(axis, first + second) ==
+              same_rotation(both, 4 * rounding(6)));
+    }
+  }
+
+  TEST_CASE("tiny turns, and turns close to π") {
+    for (const double angle : {1e-150, 1e-16, 1e-13, 1e-12, 1e-8, 1e-4, pi - 1e-4, pi - 1e-8,
+                               pi - 1e-15, pi, pi + 1e-8}) {
+      const Vec3 axis = any_vector(3);
+      REQUIRE(student::from_axis_angle(axis, angle) ==
+              same_rotation(reference::from_axis_angle(axis, angle), rounding(angle)));
+    }
+  }
+
+  TEST_CASE("angles of many turns") {
+    for (const double size : {1e2, 1e4, 1e6}) {
+      const Vec3 axis = any_vector(3);
+      const double angle = size * any_number(-1, 1);
+      REQUIRE(student::from_axis_angle(axis, angle) ==
+              same_rotation(reference::from_axis_angle(axis, angle), rounding(angle)));
+    }
+  }
+}
+
+const Misconceptions<decltype(quaternions::from_axis_angle)> misconceptions{
+    TUMBLE_UNIT,
+    {{"angle not halved",
+      "This turns by twice the angle: a point is multiplied by the quaternion from both sides.",
+      "Axis and angle",
+      [](const Vec3& axis, double angle) { return of_half(angle, axis.normalized()); }},
+     {"axis not normalised",
+      "The vector part grows with the length of the axis. Of the axis only the direction counts.",
+      "Axis and angle", [](const Vec3& axis, double angle) { return of_half(angle / 2, axis); }},
+     {"quaternion normalised instead of the axis",
+      "The result has length 1, but another angle: the length of the axis had already changed the "
+      "ratio of vector to scalar.",
+      "Axis and angle",
+      [](const Vec3& axis, double angle) -> Quaternion {
+        return of_half(angle / 2, axis).stableNormalized();
+      }},
+     {"degrees for radians",
+      "The angle was taken for degrees and converted. It comes in radians, as the sine wants it.",
+      "Conventions",
+      [](const Vec3& axis, double angle) {
+        return reference::from_axis_angle(axis, angle * pi / 180);
+      }},
+     {"sine and cosine swapped",
+      "No turn at all must be (1, 0, 0, 0). Which of sine and cosine is 1 at zero?",
+      "Axis and angle",
+      [](const Vec3& axis, double angle) {
+        const Vec3 v = std::cos(angle / 2) * axis.normalized();
+        return Quaternion(std::sin(angle / 2), v.x(), v.y(), v.z());
+      }},
+     {"turned the other way",
+      "This turns by −angle: the quaternion from world to body. Here q takes body axes to world "
+      "axes.",
+      "Conventions",
+      [](const Vec3& axis, double angle) { return reference::from_axis_angle(axis, -angle); }},
+     {"scalar stored last",
+      "The numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
+      "Conventions", [](const Vec3& axis, double angle) {
+        return reference::store_scalar_last(reference::from_axis_angle(axis, angle));
+      }}}};

@@ -1,0 +1,54 @@
+#include "judge/build/diagnostics.hpp"
+
+#include <sstream>
+#include <string_view>
+
+namespace tumble::judge {
+
+namespace {
+
+constexpr int most_lines = 30;
+
+/// Does a message start here? "path:line:column: error: …"
+bool starts_message(std::string_view line) {
+  for (const char* kind : {": error: ", ": warning: ", ": note: ", ": fatal error: "})
+    if (line.find(kind) != std::string_view::npos && line.find(kind) < line.size()) return true;
+  return false;
+}
+
+bool is_error(std::string_view line) { return line.find("error: ") != std::string_view::npos; }
+
+std::string without(std::string text, const std::string& part) {
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at))
+    text.erase(at, part.size());
+  return text;
+}
+
+}  // namespace
+
+std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
+                           bool others) {
+  const std::string folder = source.parent_path().string() + "/";
+  const std::string own = source.filename().string() + ":";
+  std::istringstream in(compiler_output);
+  std::string kept;
+  bool keep = false;
+  int lines = 0;
+  for (std::string line; std::getline(in, line) && lines < most_lines;) {
+    const bool about_source = line.starts_with(folder + own);
+    if (starts_message(line))
+      keep = about_source;
+    else if (!line.starts_with(' '))
+      keep = false;  // "In file included from", "required from", totals: not for a beginner
+    if (!keep && others && is_error(line) && starts_message(line)) {
+      kept += line.substr(line.find("error: ")) + "\n";
+      ++lines;
+    }
+    if (!keep && !about_source) continue;
+    kept += without(line, folder) + "\n";
+    ++lines;
+  }
+  return kept;
+}
+
+}  // namespace tumble::judge

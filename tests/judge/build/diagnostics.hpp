@@ -1,0 +1,15 @@
+#pragma once
+/// @file
+/// The part of a compiler's messages that is about the student's file.
+
+#include <filesystem>
+#include <string>
+
+namespace tumble::judge {
+
+/// Keeps the messages at places in `source` and, where `others`, the first line of errors
+/// elsewhere; shortens paths to file names. Nothing of a foreign file's text gets through.
+std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
+                           bool others);
+
+}  // namespace tumble::judge

@@ -1,0 +1,46 @@
+#pragma once
+/// @file
+/// From a student's file to a worker: preprocess, look what was included, compile, look for
+/// assembly, link. The compiler runs behind walls too: a source file can attack it, and what it can
+/// read.
+
+#include <filesystem>
+#include <string>
+
+#include "judge/conversation/student_worker.hpp"
+#include "judge/course/course.hpp"
+
+namespace tumble::judge {
+
+enum class BuildOutcome {
+  built,
+  refused,            ///< not a source file: missing, empty, a link, too large, no text
+  does_not_compile,   ///< errors of the compiler
+  forbidden_include,  ///< a header that an exercise may not see
+  assembly,           ///< assembler code
+  too_expensive,      ///< the compiler needed too much time or memory
+  wrong_signature,    ///< compiled, but the function of the contract is not there
+};
+
+std::string name_of(BuildOutcome outcome);
+
+struct WorkerBuild {
+  BuildOutcome outcome = BuildOutcome::built;
+  std::string detail;    ///< what the compiler said, about this file only
+  std::string warnings;  ///< of a file that compiles
+  WorkerProgram worker;  ///< if built
+};
+
+/// How the worker is to be built.
+enum class Instrumentation {
+  none,
+  sanitizers,  ///< AddressSanitizer and UndefinedBehaviorSanitizer: to find where it crashes
+};
+
+/// Builds the worker of `unit` from the file `source`, in `folder` (made here).
+/// @throws std::runtime_error if the judge itself is broken: no compiler, no walls
+WorkerBuild build_worker(const Course& course, const Unit& unit,
+                         const std::filesystem::path& source, const std::filesystem::path& folder,
+                         Instrumentation instrumentation = Instrumentation::none);
+
+}  // namespace tumble::judge

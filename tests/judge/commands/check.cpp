@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <random>
+
+#include "judge/commands/commands.hpp"
+#include "judge/course/progress.hpp"
+#include "judge/sandbox/confinement.hpp"
+#include "judge/verdict/console.hpp"
+#include "judge/verdict/json.hpp"
+#include "judge/verdict/judge_all.hpp"
+#include "tumble/core/require.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// What is to be judged: "4.1.3" is the third case of 4.1.
+struct Selection {
+  std::vector<Unit> units;
+  std::size_t only_case = 0;
+};
+
+std::size_t number_of(const std::string& text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  require(error == std::errc() && end == text.data() + text.size() && number > 0, "'", text,
+          "' is no number of a case");
+  return number;
+}
+
+Selection select(const Course& course, const Progress& progress, const std::string& what) {
+  if (what.empty()) {
+    for (const Unit& unit : course.units)
+      if (!progress.is_done(unit)) return {{unit}, 0};
+    return {};
+  }
+  const auto first_dot = what.find('.');
+  const auto second_dot = what.find('.', first_dot + 1);
+  if (first_dot == std::string::npos || second_dot == std::string::npos)
+    return {course.select(what), 0};
+  return {course.select(what.substr(0, second_dot)), number_of(what.substr(second_dot + 1))};
+}
+
+/// The file of a unit in a folder of files: DIR/04_quaternions/product.cpp or DIR/product.cpp.
+fs::path file_in(const fs::path& folder, const Unit& unit) {
+  const std::string name = unit.name + ".cpp";
+  const fs::path in_chapter = folder / unit.chapter / name;
+  const bool flat =
+      !fs::exists(fs::symlink_status(in_chapter)) && fs::exists(fs::symlink_status(folder / name));
+  return flat ? folder / name : in_chapter;
+}
+
+fs::path source_of(const Course& course, const CheckOptions& options, const Unit& unit) {
+  if (options.from) return file_in(*options.from, unit);
+  return options.solutions ? course.solution(unit) : course.exercise(unit);
+}
+
+/// Says which walls are missing.
+/// @return whether all of them stand
+bool report_missing_walls(bool strict) {
+  const std::vector<MissingLayer> missing = missing_layers();
+  for (const MissingLayer& each : missing)
+    if (strict || each.layer != Layer::other_user)  // a student judges their own code
+      std::cerr << "tumble: the sandbox lacks " << name_of(each.layer) << ": " << each.why << "\n";
+  return missing.empty();
+}
+
+std::uint64_t fresh_seed() { return std::random_device{}() % 1000000 + 1; }
+
+void remember(Progress& progress, const Course& course, const UnitResult& result) {
+  UnitProgress& unit = progress.of(result.unit);
+  unit.last = result.untouched() ? "" : result.summary();
+  unit.source = fingerprint(course.exercise(result.unit));
+  if (!result.untouched()) ++unit.tries;
+  progress.save();
+}
+
+void print_totals(const std::vector<UnitResult>& results) {
+  std::size_t passed = 0;
+  for (const UnitResult& result : results) passed += result.passed() ? 1u : 0u;
+  std::cout << passed << " of " << results.size() << " units pass\n";
+}
+
+void print_next(const Course& course, const Progress& progress) {
+  for (const Unit& unit : course.units) {
+    if (progress.is_done(unit)) continue;
+    std::cout << "  Next: " << unit.number << " " << unit.name << ", in "
+              << fs::relative(course.exercise(unit), course.root).string() << "\n";
+    return;
+  }
+  std::cout << "  Every unit passes. Well done.\n";
+}
+
+}  // namespace
+
+int check(const Course& course, const CheckOptions& options) {
+  Progress progress(course);
+  const Selection selection = select(course, progress, options.what);
+  if (selection.units.empty()) {
+    print_next(course, progress);
+    return 0;
+  }
+  if (!report_missing_walls(options.strict) && options.strict) {
+    std::cerr << "tumble: --strict: nothing is judged\n";
+    return 2;
+  }
+  Judgement judgement;
+  judgement.seed = options.seed.value_or(fresh_seed());
+  judgement.only_case = selection.only_case;
+  judgement.only_sanitized = options.sanitized;
+  // With sanitizers the walls are lower: not for a class's submissions.
+  judgement.locate_crashes = !options.strict && !options.sanitized;
+
+  ConsoleStyle style = style_of_terminal();
+  style.every_case = options.every_case;
+  const bool own_work = !options.from && !options.solutions && selection.only_case == 0;
+  std::vector<UnitResult> results;
+  judge_all(
+      course, selection.units, [&](const Unit& unit) { return source_of(course, options, unit); },
+      judgement,
+      [&](const UnitResult& result) {
+        const bool brief = selection.units.size() > 1 && result.untouched();
+        if (brief)
+          print_line(std::cout, result, style);
+        else
+          print_result(std::cout, course, result, style);
+        std::cout << std::flush;
+        results.push_back(result);
+        if (options.json) write_json(*options.json, results);
+        if (own_work) remember(progress, course, result);
+      });
+  const bool all_passed = std::all_of(results.begin(), results.end(),
+                                      [](const UnitResult& result) { return result.passed(); });
+  if (results.size() > 1) print_totals(results);
+  if (own_work && all_passed) print_next(course, progress);
+  return all_passed ? 0 : 1;
+}
+
+}  // namespace tumble::judge

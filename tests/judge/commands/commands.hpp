@@ -1,0 +1,44 @@
+#pragma once
+/// @file
+/// What a student, an instructor or a test can ask of the judge. Each command returns the exit
+/// status: 0 if what it is for was achieved.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "judge/course/course.hpp"
+
+namespace tumble::judge {
+
+struct CheckOptions {
+  std::string what;  ///< unit, chapter, "4.1.3" for one case, empty for the next open unit
+  std::optional<std::uint64_t> seed;  ///< of the inputs; another one each time if not given
+  std::optional<fs::path> from;       ///< folder with the files, instead of exercises/
+  std::optional<fs::path> json;       ///< where to write the results
+  bool solutions = false;             ///< judge the solutions
+  bool every_case = false;            ///< explain every case that fails
+  bool strict = false;                ///< refuse to judge if a wall of the sandbox is missing
+  bool sanitized = false;             ///< run everything with sanitizers
+};
+
+/// Judges what was asked for, explains, and remembers.
+int check(const Course& course, const CheckOptions& options);
+/// Judges each file when it is saved, until interrupted.
+int watch(const Course& course);
+/// All units with what is known about them.
+int list(const Course& course);
+/// Shows the next hint, or the one with this number.
+int hint(const Course& course, const std::string& unit, int number);
+/// Puts the untouched stub back, and keeps what was there.
+int reset(const Course& course, const std::string& unit);
+/// Shows the solution of a unit that passes.
+int solution(const Course& course, const std::string& unit, bool anyway);
+/// Which walls of the sandbox stand here.
+int sandbox();
+/// Every misconception is killed and named: a table.
+int matrix(const Course& course, const std::string& what, std::uint64_t seed);
+/// Every exercise in the tree is the untouched stub, and fails every case of its spec.
+int stubs(const Course& course);
+
+}  // namespace tumble::judge

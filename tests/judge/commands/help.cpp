@@ -1,0 +1,94 @@
+/// @file
+/// What helps a student on: hint, reset, solution.
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+
+#include "judge/commands/commands.hpp"
+#include "judge/course/contract.hpp"
+#include "judge/course/hints.hpp"
+#include "judge/course/progress.hpp"
+#include "tumble/core/require.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+Unit one_unit(const Course& course, const std::string& what) {
+  const std::vector<Unit> units = course.select(what);
+  require(units.size() == 1, "'", what, "' means ", units.size(),
+          " units; this command takes one, such as ", units.front().number);
+  return units.front();
+}
+
+/// "2026-11-21-083055"
+std::string time_stamp() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d-%H%M%S", std::localtime(&now));
+  return text;
+}
+
+std::string read_text(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+int hint(const Course& course, const std::string& what, int number) {
+  const Unit unit = one_unit(course, what);
+  const std::vector<std::string> hints = read_hints(course, unit);
+  Progress progress(course);
+  int& shown = progress.of(unit).hints;
+  if (number == 0) number = std::min(shown + 1, static_cast<int>(hints.size()));
+  require(number >= 1 && number <= static_cast<int>(hints.size()), "there are hints 1 to ",
+          hints.size(), ", not ", number);
+  shown = std::max(shown, number);
+  progress.save();
+  std::cout << unit.number << " " << unit.name << ", hint " << number << " of " << hints.size()
+            << "\n\n"
+            << hints[static_cast<std::size_t>(number) - 1];
+  if (number < static_cast<int>(hints.size()))
+    std::cout << "\nFurther: ./tumble hint " << unit.number << "\n";
+  return 0;
+}
+
+int reset(const Course& course, const std::string& what) {
+  const Unit unit = one_unit(course, what);
+  const fs::path file = course.exercise(unit);
+  const std::string stub = stub_of(course, unit);
+  if (fs::exists(file) && read_text(file) != stub) {
+    const fs::path attempts = course.state / "attempts" / unit.chapter;
+    fs::create_directories(attempts);
+    const fs::path kept = attempts / (unit.name + "." + time_stamp() + ".cpp");
+    fs::copy_file(file, kept, fs::copy_options::overwrite_existing);
+    std::cout << "Your file is kept: " << fs::relative(kept).string() << "\n";
+  }
+  std::ofstream out(file);
+  out << stub;
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + file.string());
+  std::cout << unit.number << " " << unit.name << " is as it was handed out.\n";
+  return 0;
+}
+
+int solution(const Course& course, const std::string& what, bool anyway) {
+  const Unit unit = one_unit(course, what);
+  const Progress progress(course);
+  if (!anyway && !progress.is_done(unit)) {
+    std::cerr << "tumble: " << unit.number << " " << unit.name
+              << " does not pass yet. A hint: ./tumble hint " << unit.number
+              << "   The solution all the same: ./tumble solution " << unit.number << " --anyway\n";
+    return 1;
+  }
+  std::cout << read_text(course.solution(unit));
+  return 0;
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,62 @@
+/// @file
+/// Proofs that the course is sound: the misconceptions and the stubs.
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "judge/commands/commands.hpp"
+#include "judge/commands/matrix.hpp"
+#include "judge/course/contract.hpp"
+#include "judge/course/hints.hpp"
+#include "judge/sandbox/confinement.hpp"
+#include "judge/verdict/judge_all.hpp"
+
+namespace tumble::judge {
+
+int matrix(const Course& course, const std::string& what, std::uint64_t seed) {
+  return print_kill_matrix(std::cout, course.select(what), seed) ? 0 : 1;
+}
+
+namespace {
+
+bool is_stub(const Course& course, const Unit& unit) {
+  std::ifstream in(course.exercise(unit), std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return text == stub_of(course, unit);
+}
+
+}  // namespace
+
+int stubs(const Course& course) {
+  bool sound = true;
+  const auto complain = [&](const Unit& unit, const std::string& what) {
+    std::cout << unit.number << " " << unit.name << ": " << what << "\n";
+    sound = false;
+  };
+  for (const Unit& unit : course.units) {
+    if (!is_stub(course, unit)) complain(unit, "is not the stub that its contract gives");
+    read_hints(course, unit);
+  }
+  judge_all(
+      course, course.units, [&](const Unit& unit) { return course.exercise(unit); }, {},
+      [&](const UnitResult& result) {
+        if (!result.untouched()) complain(result.unit, "its stub is judged " + result.summary());
+      });
+  std::cout << course.units.size() << " stubs, " << (sound ? "each fails every case" : "not sound")
+            << "\n";
+  return sound ? 0 : 1;
+}
+
+int sandbox() {
+  const std::vector<MissingLayer> missing = missing_layers();
+  for (const Layer layer : {Layer::limits, Layer::other_user, Layer::files, Layer::system_calls}) {
+    std::string why;
+    for (const MissingLayer& each : missing)
+      if (each.layer == layer) why = each.why;
+    std::cout << (why.empty() ? "stands   " : "missing  ") << name_of(layer)
+              << (why.empty() ? "" : ": " + why) << "\n";
+  }
+  return missing.empty() ? 0 : 1;
+}
+
+}  // namespace tumble::judge

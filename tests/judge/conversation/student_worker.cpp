@@ -1,0 +1,190 @@
+#include "judge/conversation/student_worker.hpp"
+
+#include <signal.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+#include "judge/protocol/convert.hpp"
+#include "judge/sandbox/system_calls.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+constexpr std::size_t most_printed = 1 << 16;     // kept to be shown
+constexpr std::size_t flood = 1 << 20;            // printed in one case: enough
+constexpr std::size_t most_evaluations = 100000;  // of functions, for one answer
+constexpr int most_hung_cases = 2;                // each costs seconds
+
+std::string signal_text(int number) {
+  switch (number) {
+    case SIGSEGV:
+      return "SIGSEGV: it used memory that is not its own (an index out of range, or endless "
+             "recursion)";
+    case SIGFPE:
+      return "SIGFPE: an integer was divided by zero";
+    case SIGABRT:
+      return "SIGABRT: an assertion failed, or an exception was caught by nobody";
+    case SIGBUS:
+      return "SIGBUS: it used memory that is not there";
+    case SIGILL:
+      return "SIGILL: it ran into no instruction (a function without return?)";
+    case SIGTRAP:
+      return "SIGTRAP: it ran into a trap (a function without return?)";
+    default:
+      return std::string("signal ") + std::to_string(number) + ": " + strsignal(number);
+  }
+}
+
+}  // namespace
+
+struct StudentWorker::Running {
+  Pipe questions = make_pipe(), answers = make_pipe(), text = make_pipe();
+  ConfinedProcess process;
+  std::string received;
+  std::size_t printed = 0;
+
+  explicit Running(const WorkerProgram& program)
+      : process({program.file.string()}, program.environment, program.confinement,
+                {questions.read.number(), text.write.number(), text.write.number(),
+                 answers.write.number()}) {
+    questions.read.reset();
+    answers.write.reset();
+    text.write.reset();
+  }
+};
+
+StudentWorker::StudentWorker(WorkerProgram program) : program_(std::move(program)) {
+  signal(SIGPIPE, SIG_IGN);  // a worker that is gone is noticed when it does not answer
+}
+
+StudentWorker::~StudentWorker() = default;
+
+void StudentWorker::start_case() {
+  running_.reset();
+  printed_.clear();
+}
+
+std::string StudentWorker::printed() { return printed_; }
+
+void StudentWorker::stop(Outcome outcome, const std::string& detail) {
+  if (outcome == Outcome::hung) ++hung_cases_;
+  running_.reset();
+  throw NoAnswer(outcome, detail);
+}
+
+void StudentWorker::send(Kind kind, const List& content, Clock::time_point deadline) {
+  const std::string body = encode({kind, token_, content});
+  // If the worker does not read, or is gone, receive() will say why.
+  write_all(running_->questions.write.number(), frame_head(body.size()) + body, deadline);
+}
+
+std::optional<Message> StudentWorker::take_message() {
+  std::string& bytes = running_->received;
+  if (bytes.size() < 4) return std::nullopt;
+  const std::size_t size = frame_size(reinterpret_cast<const unsigned char*>(bytes.data()));
+  if (bytes.size() < 4 + size) return std::nullopt;
+  Message message = decode(bytes.substr(4, size));
+  bytes.erase(0, 4 + size);
+  return message;
+}
+
+Message StudentWorker::receive(Clock::time_point deadline) {
+  Running& run = *running_;
+  while (true) {
+    if (std::optional<Message> message = take_message()) return *std::move(message);
+    const Ready ready = wait_readable(run.answers.read.number(), run.text.read.number(), deadline);
+    if (ready.second) {
+      std::string text;
+      if (!read_some(run.text.read.number(), text)) run.text.read.reset();
+      run.printed += text.size();
+      if (printed_.size() < most_printed) printed_ += text;
+      if (run.printed > flood) stop(Outcome::flooded, "more than a megabyte of text");
+    }
+    if (ready.first && !read_some(run.answers.read.number(), run.received)) no_answer_came();
+    if (Clock::now() >= deadline)
+      stop(Outcome::hung,
+           "no answer after " +
+               std::to_string(static_cast<int>(program_.confinement.limits.wall_seconds)) + " s");
+  }
+}
+
+void StudentWorker::no_answer_came() {
+  Running& run = *running_;
+  // What it printed last may say why.
+  while (printed_.size() < most_printed &&
+         wait_readable(run.text.read.number(), -1, after(0.01)).first &&
+         read_some(run.text.read.number(), printed_)) {
+  }
+  const std::optional<Ending> ending = run.process.wait(2);
+  if (!ending) stop(Outcome::malformed, "it closed the pipe for answers");
+  if (!ending->by_signal) stop(Outcome::exited, "with status " + std::to_string(ending->number));
+  if (ending->number == SIGXCPU || ending->number == SIGKILL)
+    stop(Outcome::hung, "no answer after " +
+                            std::to_string(program_.confinement.limits.cpu_seconds) +
+                            " s of computing");
+  if (ending->number == SIGSYS)
+    stop(Outcome::forbidden, "asked the operating system for something");
+  stop(Outcome::crashed, signal_text(ending->number));
+}
+
+Value StudentWorker::answer_of(const Message& message) {
+  const List& content = message.content;
+  const auto first_text = [&] {
+    const std::string* text = content.empty() ? nullptr : content[0].as<std::string>();
+    return text ? *text : std::string();
+  };
+  switch (message.kind) {
+    case Kind::answer:
+      if (content.size() == 1) return content[0];
+      stop(Outcome::malformed, "an answer is one value");
+    case Kind::not_implemented:
+      stop(Outcome::not_implemented, "");
+    case Kind::threw:
+      stop(Outcome::threw, first_text());
+    case Kind::out_of_memory:
+      stop(Outcome::out_of_memory,
+           "more than " + std::to_string(program_.confinement.limits.memory_bytes >> 20) + " MB");
+    case Kind::forbidden: {
+      const std::int64_t* call = content.empty() ? nullptr : content[0].as<std::int64_t>();
+      const int number = call ? static_cast<int>(*call) : -1;
+      if (is_abort(number)) stop(Outcome::crashed, signal_text(SIGABRT));
+      stop(Outcome::forbidden,
+           "tried to " + purpose_of_call(number) + " (" + name_of_call(number) + ")");
+    }
+    default:
+      stop(Outcome::malformed, "a message that no worker sends");
+  }
+}
+
+Value StudentWorker::ask(const Call& question, const CallBack& call_back) {
+  if (hung_cases_ >= most_hung_cases)
+    throw NoAnswer(Outcome::not_run, "two cases before this one had no answer in time");
+  if (!running_) running_ = std::make_unique<Running>(program_);
+  token_ = static_cast<std::int64_t>(tokens_() >> 1);
+  const Clock::time_point deadline = after(program_.confinement.limits.wall_seconds);
+  try {
+    send(Kind::question, question.arguments, deadline);
+    for (std::size_t evaluations = 0;; ++evaluations) {
+      const Message message = receive(deadline);
+      if (message.kind != Kind::forbidden && message.token != token_)
+        stop(Outcome::malformed, "a message that belongs to no question");
+      if (message.kind != Kind::call_back) return answer_of(message);
+      if (evaluations == most_evaluations)
+        stop(Outcome::hung, "it called a function that it was given 100000 times");
+      const FunctionId* function =
+          message.content.size() == 2 ? message.content[0].as<FunctionId>() : nullptr;
+      if (!function) stop(Outcome::malformed, "a call of no function");
+      send(Kind::result, {call_back(*function, list_of(message.content[1]))}, deadline);
+    }
+  } catch (const BadMessage& why) {
+    stop(Outcome::malformed, why.what());
+  } catch (const Malformed& why) {
+    stop(Outcome::malformed, why.what());
+  }
+}
+
+}  // namespace tumble::judge

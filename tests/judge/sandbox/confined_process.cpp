@@ -1,0 +1,246 @@
+#include "judge/sandbox/confined_process.hpp"
+
+#include <fcntl.h>
+#include <grp.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "judge/sandbox/open_files.hpp"
+#include "judge/sandbox/pipe.hpp"
+#include "judge/sandbox/system_calls.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// What a child does before it becomes the program; its number tells the parent which step failed.
+enum class Step : int { rules, files, folder, limits, user, calls, start };
+
+constexpr std::array<const char*, 7> step_names = {"its open files",
+                                                   "its folder",
+                                                   "limits (setrlimit)",
+                                                   "another user",
+                                                   "file rules (Landlock)",
+                                                   "system calls (seccomp)",
+                                                   "the program"};
+
+struct Failure {
+  Step step;
+  int error;
+};
+
+/// All that the child needs, put together before fork: after it nothing may be allocated.
+struct Plan {
+  const Confinement& confinement;
+  const FileRules& rules;
+  const CallFilter& filter;
+  std::vector<const char*> argv, environment;
+  std::vector<int> descriptors;
+  int null, report;
+};
+
+std::vector<const char*> pointers(const std::vector<std::string>& strings) {
+  std::vector<const char*> list;
+  for (const std::string& text : strings) list.push_back(text.c_str());
+  list.push_back(nullptr);
+  return list;
+}
+
+/// Moves the given descriptors to 0, 1, 2, …, and the report's behind them; closes all others.
+int arrange_files(const Plan& plan) {
+  constexpr int out_of_the_way = 100;
+  const int count = static_cast<int>(plan.descriptors.size());
+  for (int i = 0; i < count; ++i) {
+    const int from = plan.descriptors[static_cast<std::size_t>(i)];
+    if (dup2(from >= 0 ? from : plan.null, out_of_the_way + i) < 0) return -1;
+  }
+  const int report = out_of_the_way + count;
+  if (dup2(plan.report, report) < 0) return -1;
+  for (int i = 0; i <= count; ++i)
+    if (dup2(out_of_the_way + i, i) < 0) return -1;
+  fcntl(count, F_SETFD, FD_CLOEXEC);
+  rlimit limit = {};
+  getrlimit(RLIMIT_NOFILE, &limit);
+#ifdef __linux__
+  if (close_range(static_cast<unsigned>(count) + 1, ~0u, 0) == 0) return count;
+#endif
+  for (int i = count + 1; i < static_cast<int>(limit.rlim_cur); ++i) close(i);
+  return count;
+}
+
+bool limit_resource(int resource, std::uint64_t soft, std::uint64_t hard) {
+  const rlimit limit = {static_cast<rlim_t>(soft), static_cast<rlim_t>(hard)};
+#ifdef __linux__
+  return setrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0;
+#else
+  return setrlimit(resource, &limit) == 0;
+#endif
+}
+
+bool set_limits(const Limits& limits) {
+  const auto cpu = static_cast<std::uint64_t>(limits.cpu_seconds);
+  return limit_resource(RLIMIT_CPU, cpu, cpu + 1) &&  // SIGXCPU first, SIGKILL a second later
+         limit_resource(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes) &&
+         limit_resource(RLIMIT_FSIZE, limits.file_bytes, limits.file_bytes) &&
+         limit_resource(RLIMIT_CORE, 0, 0) && limit_resource(RLIMIT_NOFILE, 64, 64);
+}
+
+/// Where the judge is root, nobody; the count of processes is that user's, so it comes after.
+bool change_user(const Confinement& confinement) {
+  if (geteuid() != 0 || !confinement.other_user) return true;
+  return setgroups(0, nullptr) == 0 && setregid(unprivileged_id, unprivileged_id) == 0 &&
+         setreuid(unprivileged_id, unprivileged_id) == 0 &&
+         limit_resource(RLIMIT_NPROC, confinement.limits.processes, confinement.limits.processes);
+}
+
+/// Nothing that is started from here on gains rights: no program with set-user-ID, say.
+bool give_up_rights() {
+#ifdef __linux__
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
+#else
+  return true;
+#endif
+}
+
+/// It does not outlive the judge. A change of user undoes this, so it comes after.
+bool die_with_the_judge() {
+#ifdef __linux__
+  return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
+#else
+  return true;
+#endif
+}
+
+[[noreturn]] void become_program(const Plan& plan) {
+  int report = plan.report;
+  const auto stop = [&](Step step) {
+    const Failure failure = {step, errno};
+    [[maybe_unused]] const ssize_t written = write(report, &failure, sizeof failure);
+    _exit(127);
+  };
+  setpgid(0, 0);
+  umask(077);
+  if (!give_up_rights() || !plan.rules.install()) stop(Step::rules);
+  const int moved = arrange_files(plan);
+  if (moved < 0) stop(Step::files);
+  report = moved;
+  if (chdir(plan.confinement.folder.c_str()) != 0) stop(Step::folder);
+  if (!set_limits(plan.confinement.limits)) stop(Step::limits);
+  if (!change_user(plan.confinement) || !die_with_the_judge()) stop(Step::user);
+  if (plan.confinement.system_calls && !plan.filter.empty()) {
+    if (!install_call_filter(plan.filter)) stop(Step::calls);
+    execute_behind_filter(plan.argv.data());
+  } else {
+    execve(plan.argv[0], const_cast<char* const*>(plan.argv.data()),
+           const_cast<char* const*>(plan.environment.data()));
+  }
+  stop(Step::start);
+  _exit(127);  // not reached: the compiler does not know that stop() never returns
+}
+
+void throw_on_failure(int report, const std::string& program) {
+  Failure failure = {};
+  ssize_t got;
+  do got = read(report, &failure, sizeof failure);
+  while (got < 0 && errno == EINTR);
+  if (got != sizeof failure) return;  // closed by exec: the program runs
+  throw std::runtime_error("cannot confine " + program + ": " +
+                           step_names.at(static_cast<std::size_t>(failure.step)) + ": " +
+                           std::strerror(failure.error));
+}
+
+}  // namespace
+
+ConfinedProcess::ConfinedProcess(const std::vector<std::string>& command,
+                                 const std::vector<std::string>& environment,
+                                 const Confinement& confinement,
+                                 const std::vector<int>& descriptors) {
+  static const CallFilter no_filter;
+  const FileRules rules(confinement.files);
+  const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
+  Pipe report = make_pipe();
+  const Plan plan = {confinement,
+                     rules,
+                     confinement.system_calls ? worker_call_filter() : no_filter,
+                     pointers(command),
+                     pointers(environment),
+                     descriptors,
+                     null.number(),
+                     report.write.number()};
+  if (confinement.system_calls) prepare_path(command.at(0));
+  pid_ = fork();
+  if (pid_ < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
+  if (pid_ == 0) become_program(plan);
+  setpgid(pid_, pid_);  // here as well: whoever comes first
+  report.write.reset();
+  try {
+    throw_on_failure(report.read.number(), command.at(0));
+  } catch (...) {
+    kill();
+    throw;
+  }
+}
+
+ConfinedProcess::~ConfinedProcess() { kill(); }
+
+void ConfinedProcess::kill() {
+  if (ending_ || pid_ < 0) return;
+  ::kill(-pid_, SIGKILL);
+  ::kill(pid_, SIGKILL);
+  wait(60);
+}
+
+std::optional<Ending> ConfinedProcess::wait(double seconds) {
+  const Clock::time_point deadline = after(seconds);
+  for (useconds_t pause = 50; !ending_; pause = pause < 5000 ? pause * 2 : pause) {
+    siginfo_t info = {};
+    const auto id = static_cast<id_t>(pid_);
+    if (waitid(P_PID, id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_) {
+      ::kill(-pid_, SIGKILL);  // what it has started, while its number cannot be anybody else's
+      waitid(P_PID, id, &info, WEXITED);
+      ending_ = Ending{info.si_code != CLD_EXITED, info.si_status};
+    } else if (Clock::now() >= deadline) {
+      break;
+    } else {
+      usleep(pause);
+    }
+  }
+  return ending_;
+}
+
+Finished run_confined(const std::vector<std::string>& command,
+                      const std::vector<std::string>& environment, const Confinement& confinement,
+                      std::size_t most_output) {
+  Pipe text = make_pipe();
+  const int out = text.write.number();
+  ConfinedProcess process(command, environment, confinement, {-1, out, out});
+  text.write.reset();
+  const Clock::time_point deadline = after(confinement.limits.wall_seconds);
+  Finished finished;
+  bool open = true;
+  while (open && Clock::now() < deadline) {
+    if (!wait_readable(text.read.number(), -1, deadline).first) continue;
+    std::string more;
+    open = read_some(text.read.number(), more);
+    if (finished.output.size() < most_output)
+      finished.output += more.substr(0, most_output - finished.output.size());
+  }
+  const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
+  const std::optional<Ending> ending = process.wait(open ? 0 : left);
+  finished.timed_out = !ending;
+  finished.ending = ending.value_or(Ending{true, SIGKILL});
+  return finished;
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,56 @@
+#pragma once
+/// @file
+/// A program behind walls: started with nothing but what it is given, and ended for sure.
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "judge/sandbox/confinement.hpp"
+
+namespace tumble::judge {
+
+/// How a process has ended.
+struct Ending {
+  bool by_signal = false;
+  int number = 0;  ///< the signal, or the exit status
+  bool operator==(const Ending&) const = default;
+};
+
+class ConfinedProcess {
+ public:
+  /// Starts `command` (an absolute path and arguments). File descriptor i of the process is
+  /// descriptors[i] of this one, −1 for /dev/null; it has no others.
+  /// @throws std::runtime_error naming the wall that could not be built, or the program
+  ConfinedProcess(const std::vector<std::string>& command,
+                  const std::vector<std::string>& environment, const Confinement& confinement,
+                  const std::vector<int>& descriptors);
+  ConfinedProcess(const ConfinedProcess&) = delete;
+  ConfinedProcess& operator=(const ConfinedProcess&) = delete;
+  /// Kills the process and all that it has started.
+  ~ConfinedProcess();
+
+  /// How it has ended, or nothing if it still runs after `seconds`.
+  std::optional<Ending> wait(double seconds);
+  void kill();
+
+ private:
+  pid_t pid_ = -1;
+  std::optional<Ending> ending_;
+};
+
+/// What a program that ran to its end has printed.
+struct Finished {
+  Ending ending;
+  std::string output;  ///< standard output and error, the first `most_output` bytes
+  bool timed_out = false;
+};
+
+/// Runs a program to its end, or to the limit of time.
+Finished run_confined(const std::vector<std::string>& command,
+                      const std::vector<std::string>& environment, const Confinement& confinement,
+                      std::size_t most_output = 1 << 16);
+
+}  // namespace tumble::judge

@@ -1,0 +1,59 @@
+#pragma once
+/// @file
+/// What a program is allowed, and which of the walls around it this machine can build.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tumble::judge {
+
+namespace fs = std::filesystem;
+
+struct Limits {
+  int cpu_seconds = 2;
+  double wall_seconds = 10;  ///< kept by the one who waits: Conversation, run()
+  std::uint64_t memory_bytes = 512ull << 20;
+  std::uint64_t file_bytes = 0;  ///< largest file it may write
+  std::uint64_t processes =
+      0;  ///< it may start; counted per user, so only where it has one for itself
+};
+
+/// A wall. A worker stands behind all of them, the compiler behind all but the system calls.
+enum class Layer {
+  limits,        ///< setrlimit: processor time, memory, file size
+  other_user,    ///< neither the files nor the processes of the one who judges (needs root)
+  files,         ///< Landlock: no file but those that are listed
+  system_calls,  ///< seccomp: no system call but those that arithmetic and printing need
+};
+
+/// The user that confined programs run as when the judge is root: "nobody".
+inline constexpr unsigned unprivileged_id = 65534;
+
+/// Files and folders that may be opened; everything else is refused by Layer::files.
+struct OpenFiles {
+  std::vector<fs::path> read;  ///< and execute
+  std::vector<fs::path> write;
+};
+
+struct Confinement {
+  Limits limits;
+  OpenFiles files;
+  fs::path folder;            ///< where it starts
+  bool other_user = true;     ///< where the judge is root
+  bool system_calls = false;  ///< behind Layer::system_calls too
+};
+
+/// A layer that cannot be built here, and why.
+struct MissingLayer {
+  Layer layer;
+  std::string why;
+};
+
+std::string name_of(Layer layer);
+
+/// Tries every layer in a child of its own.
+std::vector<MissingLayer> missing_layers();
+
+}  // namespace tumble::judge

@@ -1,0 +1,186 @@
+#include <seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "judge/sandbox/system_calls.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// A page at an address that no worker can have: its memory limit ends long before, and the filter
+/// refuses mappings at addresses of its own choice.
+constexpr std::uintptr_t path_address = 1ull << 40;
+constexpr std::size_t path_capacity = 4096;
+
+char* path_page() {
+  static char* const page = [] {
+    void* const wanted = reinterpret_cast<void*>(path_address);
+    void* const got = mmap(wanted, path_capacity, PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+    if (got != wanted) throw std::runtime_error("no page at the address for paths");
+    return static_cast<char*>(got);
+  }();
+  return page;
+}
+
+struct Release {
+  void operator()(scmp_filter_ctx context) const { seccomp_release(context); }
+};
+using Context = std::unique_ptr<void, Release>;
+
+void check(int status, const char* what) {
+  if (status < 0)
+    throw std::runtime_error(std::string("seccomp: ") + what + ": " + std::strerror(-status));
+}
+
+void allow(const Context& context, std::initializer_list<int> calls) {
+  for (const int call : calls)
+    check(seccomp_rule_add(context.get(), SCMP_ACT_ALLOW, call, 0), "allow");
+}
+
+template <class... Conditions>
+void allow_if(const Context& context, int call, Conditions... conditions) {
+  check(seccomp_rule_add(context.get(), SCMP_ACT_ALLOW, call, sizeof...(conditions), conditions...),
+        "allow with a condition");
+}
+
+/// Fails as on a system that lacks the call: for questions the C library asks and can do without.
+void deny_quietly(const Context& context, std::initializer_list<int> calls, int error) {
+  for (const int call : calls)
+    check(seccomp_rule_add(context.get(), SCMP_ACT_ERRNO(static_cast<unsigned>(error)), call, 0),
+          "deny");
+}
+
+CallFilter exported(const Context& context) {
+  const int file = memfd_create("filter", MFD_CLOEXEC);
+  if (file < 0) throw std::runtime_error("seccomp: no memory file for the filter");
+  const int status = seccomp_export_bpf(context.get(), file);
+  CallFilter filter(static_cast<std::size_t>(lseek(file, 0, SEEK_END)) / sizeof(sock_filter));
+  const auto bytes = static_cast<ssize_t>(filter.size() * sizeof(sock_filter));
+  const bool complete = pread(file, filter.data(), filter.size() * sizeof(sock_filter), 0) == bytes;
+  close(file);
+  check(status, "export");
+  if (!complete) throw std::runtime_error("seccomp: the filter could not be read back");
+  return filter;
+}
+
+CallFilter build_filter() {
+  static_assert(sizeof(sock_filter) == sizeof(CallFilter::value_type));
+  const Context context(seccomp_init(SCMP_ACT_TRAP));
+  if (!context) throw std::runtime_error("seccomp: no filter");
+  // Computing, printing, ending.
+  allow(context, {SCMP_SYS(read),         SCMP_SYS(write),        SCMP_SYS(writev),
+                  SCMP_SYS(brk),          SCMP_SYS(munmap),       SCMP_SYS(madvise),
+                  SCMP_SYS(exit),         SCMP_SYS(exit_group),   SCMP_SYS(clock_gettime),
+                  SCMP_SYS(gettimeofday), SCMP_SYS(time),         SCMP_SYS(getrandom),
+                  SCMP_SYS(futex),        SCMP_SYS(fstat),        SCMP_SYS(getpid),
+                  SCMP_SYS(gettid),       SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask),
+                  SCMP_SYS(rt_sigreturn), SCMP_SYS(sched_yield)});
+  // What a static program does before main.
+  allow(context, {SCMP_SYS(set_tid_address), SCMP_SYS(set_robust_list), SCMP_SYS(rseq)});
+#ifdef __x86_64__
+  allow(context, {SCMP_SYS(arch_prctl)});
+#endif
+  allow_if(context, SCMP_SYS(prlimit64), SCMP_A2(SCMP_CMP_EQ, 0));  // ask for limits, not set them
+  allow_if(context, SCMP_SYS(newfstatat), SCMP_A3(SCMP_CMP_EQ, 0x1000));  // an open file, no path
+  deny_quietly(context, {SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(uname)}, ENOSYS);
+  deny_quietly(context, {SCMP_SYS(ioctl)}, ENOTTY);
+  deny_quietly(context, {SCMP_SYS(lseek)}, ESPIPE);
+  // Memory: never executable, never at an address of the program's choice.
+  allow_if(context, SCMP_SYS(mmap), SCMP_A0(SCMP_CMP_EQ, 0),
+           SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0));
+  allow_if(context, SCMP_SYS(mprotect), SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0));
+  allow_if(context, SCMP_SYS(mremap), SCMP_A3(SCMP_CMP_MASKED_EQ, MREMAP_FIXED, 0));
+  // Being started: see execute_behind_filter.
+  allow_if(context, SCMP_SYS(execve), SCMP_A0(SCMP_CMP_EQ, path_address));
+  return exported(context);
+}
+
+}  // namespace
+
+const CallFilter& worker_call_filter() {
+  static const CallFilter filter = build_filter();
+  return filter;
+}
+
+bool install_call_filter(const CallFilter& filter) {
+  // The kernel only reads the program, whatever the type of the pointer says.
+  const sock_fprog program = {
+      static_cast<unsigned short>(filter.size()),
+      reinterpret_cast<sock_filter*>(const_cast<std::uint64_t*>(filter.data()))};
+  return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+void prepare_path(const std::string& path) {
+  if (path.size() + 1 > path_capacity) throw std::runtime_error("this path is too long: " + path);
+  std::memcpy(path_page(), path.c_str(), path.size() + 1);
+}
+
+void execute_behind_filter(const char* const argv[]) {
+  static const char* const no_environment[] = {nullptr};
+  syscall(SYS_execve, path_address, argv, no_environment);
+}
+
+std::string name_of_call(int number) {
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, number), std::free);
+  return name ? name.get() : "system call " + std::to_string(number);
+}
+
+bool is_abort(int number) { return number == SYS_tgkill; }
+
+std::string purpose_of_call(int number) {
+  static const std::map<std::string, std::string> purposes{
+      {"open", "open a file"},
+      {"openat", "open a file"},
+      {"openat2", "open a file"},
+      {"creat", "open a file"},
+      {"unlink", "delete a file"},
+      {"unlinkat", "delete a file"},
+      {"access", "look for a file"},
+      {"faccessat2", "look for a file"},
+      {"newfstatat", "look for a file"},
+      {"stat", "look for a file"},
+      {"getcwd", "look for a file"},
+      {"socket", "open a network connection"},
+      {"socketpair", "open a network connection"},
+      {"connect", "open a network connection"},
+      {"clone", "start a thread or a process"},
+      {"clone3", "start a thread or a process"},
+      {"fork", "start a process"},
+      {"vfork", "start a process"},
+      {"execve", "start another program"},
+      {"execveat", "start another program"},
+      {"ptrace", "look into another process"},
+      {"process_vm_readv", "look into another process"},
+      {"process_vm_writev", "look into another process"},
+      {"pidfd_open", "look into another process"},
+      {"kill", "send a signal to a process"},
+      {"tkill", "send a signal to a process"},
+      {"nanosleep", "sleep"},
+      {"clock_nanosleep", "sleep"},
+      {"pause", "sleep"},
+      {"close", "close a file that is not its own"},
+      {"dup", "copy an open file"},
+      {"dup2", "copy an open file"},
+      {"dup3", "copy an open file"},
+      {"mmap", "map memory that can be executed or at an address of its choice"},
+      {"mprotect", "make memory executable"}};
+  const auto known = purposes.find(name_of_call(number));
+  return known != purposes.end() ? known->second : "ask the operating system";
+}
+
+}  // namespace tumble::judge

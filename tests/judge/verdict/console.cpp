@@ -1,0 +1,289 @@
+#include "judge/verdict/console.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ostream>
+#include <sstream>
+
+#include "judge/course/contract.hpp"
+#include "judge/spec/demand.hpp"
+#include "judge/verdict/number_text.hpp"
+
+namespace tumble::judge {
+
+ConsoleStyle style_of_terminal() {
+  const char* no_colour = std::getenv("NO_COLOR");
+  return {.colour = isatty(STDOUT_FILENO) == 1 && !(no_colour && *no_colour)};
+}
+
+namespace {
+
+enum class Colour { green = 32, red = 31, yellow = 33, bold = 1, dim = 2 };
+
+/// What a terminal would take for commands is shown as a question mark.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(),
+      [](unsigned char c) { return (c < 0x20 && c != '\n' && c != '\t') || c == 0x7f; }, '?');
+  return text;
+}
+
+std::string indented(const std::string& text, const std::string& by, std::size_t most_lines) {
+  std::istringstream in(printable(text));
+  std::string result;
+  std::size_t lines = 0;
+  for (std::string line; std::getline(in, line); ++lines) {
+    if (lines == most_lines) return result + by + "…\n";
+    result += by + line + "\n";
+  }
+  return result;
+}
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", x);
+  return text;
+}
+
+/// Prints the verdict on one unit.
+class Printer {
+ public:
+  Printer(std::ostream& out, const Course& course, const UnitResult& result,
+          const ConsoleStyle& style)
+      : out_(out),
+        course_(course),
+        result_(result),
+        style_(style),
+        declaration_(read_declaration(course, result.unit)) {}
+
+  void print() {
+    print_line(out_, result_, style_);
+    if (result_.build != BuildOutcome::built)
+      explain_build();
+    else if (result_.untouched())
+      explain_untouched();
+    else if (!result_.passed())
+      explain_cases();
+    print_warnings();
+  }
+
+ private:
+  std::string exercise() const {
+    return fs::relative(course_.exercise(result_.unit), course_.root).string();
+  }
+  std::string paint(const std::string& text, Colour colour) const {
+    if (!style_.colour) return text;
+    return "\033[" + std::to_string(static_cast<int>(colour)) + "m" + text + "\033[0m";
+  }
+
+  // ── Not built ──
+
+  void explain_build() {
+    out_ << "\n";
+    switch (result_.build) {
+      case BuildOutcome::refused:
+        out_ << "  " << printable(result_.build_detail) << ".\n";
+        break;
+      case BuildOutcome::does_not_compile:
+        out_ << "  The compiler does not accept " << exercise() << ":\n\n"
+             << indented(result_.build_detail, "    ", 30);
+        break;
+      case BuildOutcome::forbidden_include:
+        out_ << "  " << exercise() << " includes what an exercise may not see:\n\n"
+             << indented(result_.build_detail, "    ", 8)
+             << "\n  It has its contract, Eigen/Core and the standard library; nothing else is "
+                "needed.\n";
+        break;
+      case BuildOutcome::assembly:
+        out_ << "  " << exercise() << " contains assembler code. Plain C++ is what is asked for.\n";
+        break;
+      case BuildOutcome::too_expensive:
+        out_ << "  The compiler did not finish with " << exercise()
+             << " within its limits of time and memory.\n"
+             << indented(result_.build_detail, "    ", 8);
+        break;
+      case BuildOutcome::wrong_signature:
+        out_ << "  " << exercise()
+             << " compiles, but does not define the function that is asked for:\n\n"
+             << indented(result_.build_detail, "    ", 8)
+             << "\n  Its name, the types of its arguments (with const and &) and the namespace "
+                "have to be\n"
+                "  those of "
+             << relative(course_.contract(result_.unit)) << ".\n";
+        break;
+      case BuildOutcome::built:
+        break;
+    }
+    out_ << "\n";
+  }
+
+  std::string relative(const fs::path& path) const {
+    return fs::relative(path, course_.root).string();
+  }
+
+  void explain_untouched() {
+    out_ << "\n  Nothing is written yet. Asked for is " << declaration_.title << ":\n\n"
+         << indented(declaration_.signature, "    ", 8) << "\n  Write it in  " << exercise()
+         << "   (what is demanded: " << relative(course_.contract(result_.unit)) << ")\n"
+         << "  A hint:      ./tumble hint " << result_.unit.number << "\n\n";
+  }
+
+  // ── Cases ──
+
+  void explain_cases() {
+    out_ << "\n";
+    bool explained = false;
+    for (const CaseResult& result : result_.cases) {
+      out_ << "  " << (result.passed() ? paint("✓", Colour::green) : paint("✗", Colour::red)) << " "
+           << result.law;
+      if (!result.passed() && result.finding->outcome != Outcome::wrong)
+        out_ << paint("  [" + name_of(result.finding->outcome) + "]", Colour::red);
+      out_ << "\n";
+      if (result.passed() || (explained && !style_.every_case)) continue;
+      explain(result);
+      explained = true;
+    }
+    out_ << "\n";
+  }
+
+  void explain(const CaseResult& result) {
+    const Finding& finding = *result.finding;
+    out_ << "\n";
+    if (finding.question) explain_question(*finding.question);
+    if (finding.outcome == Outcome::wrong)
+      explain_wrong_answer(finding);
+    else
+      out_ << sentence_about(finding) << "\n";
+    if (!finding.place.empty())
+      out_ << label("It happens at") << paint(finding.place, Colour::bold) << "\n";
+    for (const NamedMistake& mistake : finding.mistakes) explain_mistake(mistake);
+    if (!finding.printed.empty())
+      out_ << "\n      It printed:\n" << indented(finding.printed, "        ", 12);
+    out_ << "\n      Again, this case alone:  "
+         << paint("./tumble check " + result_.unit.number + "." + std::to_string(result.number) +
+                      " --seed " + std::to_string(result_.seed),
+                  Colour::bold)
+         << "\n\n";
+  }
+
+  static constexpr std::size_t label_width = 24;
+  static std::string label(const std::string& text) {
+    return "      " + text +
+           std::string(std::max<std::size_t>(label_width, text.size() + 7) - 6 - text.size(), ' ');
+  }
+
+  void explain_question(const Question& question) {
+    std::string names;
+    for (const std::string& name : declaration_.parameters)
+      names += (names.empty() ? "" : ", ") + name;
+    out_ << "      Asked was " << result_.unit.name << "(" << names << ") with\n";
+    for (std::size_t i = 0; i < question.arguments.size(); ++i) {
+      const std::string name =
+          i < declaration_.parameters.size() ? declaration_.parameters[i] : "argument";
+      out_ << "        " << name << " = " << text_of(question.arguments[i], 17, name.size() + 11)
+           << "\n";
+    }
+    if (question.evaluations > 0)
+      out_ << "      Your code called the function that it was given " << question.evaluations
+           << " times.\n";
+  }
+
+  void explain_wrong_answer(const Finding& finding) {
+    if (!finding.answer) {
+      out_ << "      " << printable(finding.detail) << "\n";
+      return;
+    }
+    int digits = 9;
+    if (finding.demanded && text_of(*finding.answer, 9) == text_of(*finding.demanded, 9))
+      digits = 17;
+    out_ << label("Your answer") << text_of(*finding.answer, digits, label_width) << "\n";
+    if (finding.demanded) {
+      out_ << label("Demanded") << text_of(*finding.demanded, digits, label_width) << "\n";
+      const double apart = largest_difference(*finding.answer, *finding.demanded);
+      if (apart >= 0)
+        out_ << label("Furthest apart by") << short_number(apart) << " where "
+             << short_number(finding.tolerance) << " is allowed\n";
+    }
+    if (!finding.detail.empty()) out_ << label("Demanded") << printable(finding.detail) << "\n";
+  }
+
+  std::string sentence_about(const Finding& finding) const {
+    const std::string detail = printable(finding.detail);
+    switch (finding.outcome) {
+      case Outcome::not_implemented:
+        return "      Your code throws NotImplemented here.";
+      case Outcome::threw:
+        return "      Your code threw an exception: " + detail;
+      case Outcome::crashed:
+        return "      Your code crashed: " + detail + ".";
+      case Outcome::hung:
+        return "      Your code did not answer: " + detail + ". A loop that never ends?";
+      case Outcome::out_of_memory:
+        return "      Your code asked for too much memory: " + detail + " are not given.";
+      case Outcome::flooded:
+        return "      Your code prints without end: " + detail + ".";
+      case Outcome::exited:
+        return "      Your code ended the program (" + detail + ") instead of returning an answer.";
+      case Outcome::forbidden:
+        return "      Your code " + detail +
+               ".\n      An exercise computes: it has no files, no network, no other processes.";
+      case Outcome::malformed:
+        return "      What came back is no answer: " + detail +
+               ".\n      Only the value that your function returns counts.";
+      case Outcome::not_run:
+        return "      Not tried: " + detail + ".";
+      case Outcome::wrong:
+      case Outcome::passed:
+        break;
+    }
+    return detail;
+  }
+
+  void explain_mistake(const NamedMistake& mistake) {
+    out_ << "\n      " << paint("This is what “" + mistake.name + "” gives.", Colour::yellow) << " "
+         << mistake.sentence << "\n";
+    const fs::path page = course_.page(result_.unit);
+    if (!mistake.section.empty() && fs::exists(page))
+      out_ << "      Read " << relative(page) << ", “" << mistake.section << "”.\n";
+  }
+
+  void print_warnings() {
+    if (result_.warnings.empty()) return;
+    out_ << "  The compiler warns:\n\n" << indented(result_.warnings, "    ", 12) << "\n";
+  }
+
+  std::ostream& out_;
+  const Course& course_;
+  const UnitResult& result_;
+  const ConsoleStyle& style_;
+  Declaration declaration_;
+};
+
+}  // namespace
+
+void print_line(std::ostream& out, const UnitResult& result, const ConsoleStyle& style) {
+  const bool passed = result.passed();
+  const std::string mark = passed ? "✓" : result.untouched() ? "·" : "✗";
+  const char* colour = passed ? "\033[32m" : result.untouched() ? "\033[2m" : "\033[31m";
+  std::string words = result.summary();
+  if (passed)
+    words += ", all " + std::to_string(result.cases.size()) + " laws hold";
+  else if (!result.cases.empty() && !result.untouched())
+    words += ", " + std::to_string(result.passed_cases()) + " of " +
+             std::to_string(result.cases.size()) + " laws hold";
+  out << (style.colour ? colour : "") << mark << " " << result.unit.number << " "
+      << result.unit.name << (style.colour ? "\033[0m" : "") << "  " << words;
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "  (%.2f s)", result.seconds);
+  out << seconds << "\n";
+}
+
+void print_result(std::ostream& out, const Course& course, const UnitResult& result,
+                  const ConsoleStyle& style) {
+  Printer(out, course, result, style).print();
+}
+
+}  // namespace tumble::judge

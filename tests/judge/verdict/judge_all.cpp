@@ -1,0 +1,63 @@
+#include "judge/verdict/judge_all.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <future>
+#include <thread>
+
+#include "judge/build/work_folder.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+struct TimedBuild {
+  WorkerBuild build;
+  double seconds = 0;
+};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+void judge_all(const Course& course, const std::vector<Unit>& units,
+               const std::function<fs::path(const Unit&)>& source, const Judgement& judgement,
+               const std::function<void(const UnitResult&)>& done) {
+  const WorkFolder work;
+  const auto folder_of = [&](const Unit& unit) {
+    return work.path() / (unit.chapter + "-" + unit.name);
+  };
+  const auto instrumentation =
+      judgement.only_sanitized ? Instrumentation::sanitizers : Instrumentation::none;
+  const auto start_build = [&](const Unit& unit) {
+    return std::async(std::launch::async, [&, file = source(unit)] {
+      const auto start = Clock::now();
+      TimedBuild timed;
+      timed.build = build_worker(course, unit, file, folder_of(unit), instrumentation);
+      timed.seconds = seconds_since(start);
+      return timed;
+    });
+  };
+
+  const std::size_t at_once = std::max(1u, std::thread::hardware_concurrency());
+  std::deque<std::future<TimedBuild>> builds;
+  std::size_t next = 0;
+  for (const Unit& unit : units) {
+    while (next < units.size() && builds.size() < at_once)
+      builds.push_back(start_build(units[next++]));
+    const TimedBuild built = builds.front().get();
+    builds.pop_front();
+    const auto start = Clock::now();
+    UnitResult result =
+        judge_build(course, unit, source(unit), folder_of(unit), judgement, built.build);
+    result.seconds = built.seconds + seconds_since(start);
+    done(result);
+    std::error_code ignored;
+    fs::remove_all(folder_of(unit), ignored);  // a class of students would fill the disk
+  }
+}
+
+}  // namespace tumble::judge

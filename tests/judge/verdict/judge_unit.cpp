@@ -1,0 +1,42 @@
+#include "judge/verdict/judge_unit.hpp"
+
+#include <algorithm>
+
+#include "judge/conversation/student_worker.hpp"
+#include "judge/spec/run.hpp"
+#include "judge/verdict/crash_place.hpp"
+
+namespace tumble::judge {
+
+UnitResult judge_build(const Course& course, const Unit& unit, const std::filesystem::path& source,
+                       const std::filesystem::path& folder, const Judgement& judgement,
+                       const WorkerBuild& build) {
+  UnitResult result;
+  result.unit = unit;
+  result.seed = judgement.seed;
+  result.build = build.outcome;
+  result.build_detail = build.detail;
+  result.warnings = build.warnings;
+  if (build.outcome != BuildOutcome::built) return result;
+
+  StudentWorker worker(build.worker);
+  result.cases = run_spec({unit.id(), judgement.seed, judgement.only_case}, worker);
+  if (!judgement.locate_crashes) return result;
+  const auto crashed = std::find_if(
+      result.cases.begin(), result.cases.end(),
+      [](const CaseResult& c) { return c.finding && c.finding->outcome == Outcome::crashed; });
+  if (crashed != result.cases.end())
+    crashed->finding->place = crash_place(course, {unit.id(), judgement.seed, crashed->number},
+                                          unit, source, folder / "sanitized");
+  return result;
+}
+
+UnitResult judge_unit(const Course& course, const Unit& unit, const std::filesystem::path& source,
+                      const std::filesystem::path& folder, const Judgement& judgement) {
+  const auto instrumentation =
+      judgement.only_sanitized ? Instrumentation::sanitizers : Instrumentation::none;
+  return judge_build(course, unit, source, folder, judgement,
+                     build_worker(course, unit, source, folder, instrumentation));
+}
+
+}  // namespace tumble::judge

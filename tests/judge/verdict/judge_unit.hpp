@@ -1,0 +1,30 @@
+#pragma once
+/// @file
+/// From a student's file to the verdict on it.
+
+#include <cstdint>
+#include <filesystem>
+
+#include "judge/course/course.hpp"
+#include "judge/verdict/unit_result.hpp"
+
+namespace tumble::judge {
+
+/// What is wanted of a judgement.
+struct Judgement {
+  std::uint64_t seed = 1;
+  std::size_t only_case = 0;    ///< 0: all of them
+  bool locate_crashes = true;   ///< build a crashed unit again with sanitizers, to name the line
+  bool only_sanitized = false;  ///< everything with sanitizers from the start
+};
+
+/// Compiles `source` in `folder` and holds it against the spec of its unit.
+UnitResult judge_unit(const Course& course, const Unit& unit, const std::filesystem::path& source,
+                      const std::filesystem::path& folder, const Judgement& judgement);
+
+/// The same for a worker that was built before.
+UnitResult judge_build(const Course& course, const Unit& unit, const std::filesystem::path& source,
+                       const std::filesystem::path& folder, const Judgement& judgement,
+                       const WorkerBuild& build);
+
+}  // namespace tumble::judge

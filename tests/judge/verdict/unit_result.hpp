@@ -1,0 +1,32 @@
+#pragma once
+/// @file
+/// The verdict on one unit.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "judge/build/worker_build.hpp"
+#include "judge/course/course.hpp"
+#include "judge/verdict/finding.hpp"
+
+namespace tumble::judge {
+
+struct UnitResult {
+  Unit unit;
+  std::uint64_t seed = 1;
+  BuildOutcome build = BuildOutcome::built;
+  std::string build_detail, warnings;
+  std::vector<CaseResult> cases;  ///< empty if it was not built
+  double seconds = 0;             ///< from the file to the verdict
+
+  std::size_t passed_cases() const;
+  /// Built, and every law of the spec holds.
+  bool passed() const;
+  /// The stub as it was handed out: nobody has started.
+  bool untouched() const;
+  /// In one or two words: "passed", "wrong", "does not compile", "crashed", …
+  std::string summary() const;
+};
+
+}  // namespace tumble::judge
