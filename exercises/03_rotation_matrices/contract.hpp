@@ -17,7 +17,7 @@ namespace rotation_matrices {
 /// axis j as the first turn has left it, then by γ about axis k as the two before have left it.
 /// A positive angle turns by the right hand: about x from y to z, about y from z to x, about z from
 /// x to y.
-/// @param angles (α, β, γ) [rad], in the order of the turns: of any sign, zero, tiny, or more than a
+/// @param angles (α, β, γ) [rad], in the order of the turns: of any sign, zero, tiny, or beyond a
 ///               full turn
 /// @param axes   (i, j, k), 0 for x, 1 for y, 2 for z: any of the twelve sequences where no axis
 ///               follows itself, such as (2, 1, 0) or (2, 0, 2)

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "03_rotation_matrices/contract.hpp"
 #include "judge/spec/spec.hpp"

@@ -2,6 +2,8 @@
 /// 3.4 gram_schmidt: its laws, and what goes wrong.
 #include "tumble/rotation/gram_schmidt.hpp"
 
+#include <cmath>
+
 #include "03_rotation_matrices/contract.hpp"
 #include "03_rotation_matrices/inputs.hpp"
 #include "judge/spec/spec.hpp"

@@ -25,7 +25,7 @@ namespace {
 Mat3 reference(const Mat3& M) { return tumble::nearest_rotation(M); }
 
 /// What rounding may do to a number of the answer: some 30 eps, enlarged by the condition number
-/// where M is inverted and by its square where the way leads through MᵀM. Higham (1986), §3 and §6.
+/// where M is inverted and by its square where the way leads through MᵀM.
 double rounding(const Mat3& M) { return 32 * eps * condition(M) * condition(M); }
 
 /// The symmetric matrix that stretches along three orthogonal directions.

@@ -1,6 +1,8 @@
 /// @file
 /// 3.2 skew: its laws, and what goes wrong.
 #include "tumble/rotation/skew.hpp"
+#include <tuple>
+
 #include "03_rotation_matrices/contract.hpp"
 #include "judge/spec/spec.hpp"
 
@@ -73,9 +75,13 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
       "in each row one of the two numbers has a minus.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 {
-        const Mat3 below = tumble::skew(a).triangularView<Eigen::StrictlyLower>();
-        return Vec3(1, -1, 1).asDiagonal() * (below + below.transpose()) *
-               Vec3(1, -1, 1).asDiagonal();
+        Mat3 S;
+        // clang-format off
+        S <<   0.,  a.z(), a.y(),
+            a.z(),     0., a.x(),
+            a.y(),  a.x(),    0.;
+        // clang-format on
+        return S;
       }},
      {"sign of y",
       "The two places of a's y component have the wrong sign. The second component of a cross "

@@ -55,9 +55,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (const double length : {1e-100, 1e-8, 0.5, 1e8, 1e100}) {
       const Vec3 axis = length * any_direction();
       const double angle = any_number(-6, 6);
-      const auto answer = student::from_axis_angle(axis, angle);
-      REQUIRE(answer == obeys("|q| = 1", std::abs(answer->norm() - 1), 2 * rounding(angle)));
-      REQUIRE(answer == same_rotation(reference::from_axis_angle(axis, angle), rounding(angle)));
+      REQUIRE(student::from_axis_angle(axis, angle) ==
+              same_rotation(reference::from_axis_angle(axis, angle), rounding(angle)));
     }
   }
 
@@ -71,19 +70,18 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("minus the angle is the turn about the opposite axis") {
     const Vec3 axis = any_vector(3);
     const double angle = any_number(-3, 3);
-    const auto opposite = student::from_axis_angle(-axis, angle);
-    REQUIRE(student::from_axis_angle(axis, -angle) ==
-            same_rotation(opposite.value(), 2 * rounding(angle)));
+    const Quaternion opposite = reference::from_axis_angle(-axis, angle);
+    REQUIRE(student::from_axis_angle(axis, -angle) == same_rotation(opposite, rounding(angle)));
   }
 
   TEST_CASE("two turns about one axis add their angles") {
     for (int n = 0; n < 20; ++n) {
       const Vec3 axis = any_vector(3);
       const double first = any_number(-3, 3), second = any_number(-3, 3);
-      const Quaternion both = reference::product(student::from_axis_angle(axis, second),
-                                                 student::from_axis_angle(axis, first));
+      const Quaternion both = reference::product(reference::from_axis_angle(axis, second),
+                                                 reference::from_axis_angle(axis, first));
       REQUIRE(student::from_axis_angle(axis, first + second) ==
-              same_rotation(both, 4 * rounding(6)));
+              same_rotation(both, 2 * rounding(6)));
     }
   }
 

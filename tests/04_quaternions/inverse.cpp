@@ -42,6 +42,13 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
+  TEST_CASE("a little drift from length 1 counts") {
+    for (const double drift : {1e-12, 1e-9, 1e-6, 1e-3}) {
+      const Quaternion q = (1 + drift) * any_unit_quaternion();
+      REQUIRE(student::inverse(q) == close_to(reference::inverse(q), rounding(q)));
+    }
+  }
+
   TEST_CASE("the inverse of a turn is the same turn backwards") {
     for (int n = 0; n < 20; ++n) {
       const tumble::Vec3 axis = any_direction();

@@ -7,6 +7,13 @@
 set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -g1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE -fno-pie
   -Wall -Wextra -Wno-unused-parameter)
 
+# Workers are linked statically, which sanitizers cannot be: where the judge is built with them, its
+# workers are not.
+set(TUMBLE_UNSANITIZED)
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  set(TUMBLE_UNSANITIZED -fno-sanitize=all)
+endif()
+
 # The units of one contract, as a list of "4.1 product".
 function(tumble_units_of contract out)
   file(STRINGS ${contract} headings REGEX "^// == [0-9]+\\.[0-9]+ [a-z0-9_]+: ")
@@ -25,12 +32,20 @@ function(tumble_require_file file what)
   endif()
 endfunction()
 
-# Objects that are linked into workers: compiled as the student's file is.
+# An object that is linked into workers, compiled as the student's file is. All share the precompiled
+# header of the first.
 function(tumble_student_object target source)
   add_library(${target} OBJECT ${source})
-  target_compile_options(${target} PRIVATE ${TUMBLE_STUDENT_FLAGS})
+  target_compile_options(${target} PRIVATE ${TUMBLE_STUDENT_FLAGS} ${TUMBLE_UNSANITIZED})
   target_include_directories(${target} PRIVATE ${ARGN})
   target_include_directories(${target} SYSTEM PRIVATE ${TUMBLE_EIGEN})
+  get_property(first GLOBAL PROPERTY tumble_first_student_object)
+  if(first)
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  else()
+    set_property(GLOBAL PROPERTY tumble_first_student_object ${target})
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/judge/worker/serve.hpp)
+  endif()
 endfunction()
 
 # Adds the course under `root` to the judge `target`: its specs, and for each unit its worker's objects.
@@ -38,7 +53,8 @@ endfunction()
 function(tumble_add_course target root)
   set(json)
   set(earlier)
-  file(GLOB contracts CONFIGURE_DEPENDS ${root}/exercises/[0-9]*/contract.hpp)
+  file(GLOB contracts ${root}/exercises/[0-9]*/contract.hpp)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/exercises)
   list(SORT contracts)
   foreach(contract IN LISTS contracts)
     cmake_path(GET contract PARENT_PATH exercises)

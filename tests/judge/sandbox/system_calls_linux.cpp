@@ -20,9 +20,10 @@ namespace tumble::judge {
 
 namespace {
 
-/// A page at an address that no worker can have: its memory limit ends long before, and the filter
-/// refuses mappings at addresses of its own choice.
-constexpr std::uintptr_t path_address = 1ull << 40;
+/// A page at an address that no worker can have: its heap, which starts near 0, ends at its memory
+/// limit long before, and the filter refuses mappings at addresses of its own choice. (Below 2 GB, where
+/// a judge with AddressSanitizer has room too.)
+constexpr std::uintptr_t path_address = 0x7ffe0000;
 constexpr std::size_t path_capacity = 4096;
 
 char* path_page() {

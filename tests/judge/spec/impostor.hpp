@@ -3,6 +3,7 @@
 /// Answers as a misconception would, in the judge's own process: for the kill matrix.
 
 #include <cstddef>
+#include <exception>
 #include <string>
 
 #include "judge/spec/answerer.hpp"
@@ -16,7 +17,11 @@ class Impostor : public Answerer {
   explicit Impostor(std::size_t misconception) : misconception_(misconception) {}
   void start_case() override {}
   Value ask(const Call& question, const CallBack& call_back) override {
-    return question.misconception(misconception_, call_back);
+    try {
+      return question.misconception(misconception_, call_back);
+    } catch (const std::exception& e) {
+      throw NoAnswer(Outcome::threw, e.what());
+    }
   }
   std::string printed() override { return {}; }
 

@@ -74,6 +74,7 @@ std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
   }
   context.run();
   results = nullptr;
+  session.rethrow_judge_failure();
   require(!collected.empty(), "the spec of ", run.unit, " has no test case",
           run.only_case > 0 ? " number " + std::to_string(run.only_case) : std::string());
   return collected;

@@ -61,6 +61,10 @@ void Session::found(Finding finding) {
   finding_ = std::move(finding);
 }
 
+void Session::rethrow_judge_failure() const {
+  if (judge_failure_) std::rethrow_exception(judge_failure_);
+}
+
 std::size_t Session::ask(Call call) {
   const auto record = [&call](FunctionId id, const List& arguments) {
     Value result = call.functions(id, arguments);
@@ -75,6 +79,9 @@ std::size_t Session::ask(Call call) {
     finding.detail = why.what();
     finding.question = Question{call.arguments, call.evaluations.size()};
     found(std::move(finding));
+    throw;
+  } catch (...) {
+    judge_failure_ = std::current_exception();
     throw;
   }
   calls_.push_back(std::move(call));

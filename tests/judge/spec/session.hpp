@@ -4,6 +4,7 @@
 /// doctest case is a plain function, so there is one current session.
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -56,6 +57,8 @@ class Session {
   /// What ended the case that ran last; the first finding counts.
   std::optional<Finding> take_finding();
   void found(Finding finding);
+  /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong answer.
+  void rethrow_judge_failure() const;
 
   // ── For a spec ──
   /// The inputs of this case: they depend on the seed, the unit and the case, nothing else.
@@ -81,6 +84,7 @@ class Session {
   std::optional<test::Random> random_;
   std::vector<Call> calls_;
   std::optional<Finding> finding_;
+  std::exception_ptr judge_failure_;
   Session* previous_;
 };
 
