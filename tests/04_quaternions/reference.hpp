@@ -43,7 +43,7 @@ inline Quaternion quaternion_dot(const Quaternion& q, const Vec3& omega) {
   return coefficients(tumble::quaternion_dot(from_coefficients(q), omega));
 }
 
-/// What someone takes q for who believes that the scalar is stored last, and how he stores it.
+/// How a quaternion is read, and stored, by someone who believes that the scalar comes last.
 inline Quaternion read_scalar_last(const Quaternion& q) { return {q[3], q[0], q[1], q[2]}; }
 inline Quaternion store_scalar_last(const Quaternion& q) { return {q[1], q[2], q[3], q[0]}; }
 

@@ -112,8 +112,8 @@ const Misconceptions<decltype(quaternions::to_matrix)> misconceptions{
       "Conventions",
       [](const Quaternion& q) -> Mat3 { return reference::to_matrix(q).transpose(); }},
      {"length ignored",
-      "This is right for unit quaternions only. Here q has drifted, and the matrix shears and "
-      "stretches with it.",
+      "This is right for unit quaternions only. Here q may have drifted, and then the columns of "
+      "this matrix have neither length 1 nor right angles between them.",
       "Drift", [](const Quaternion& q) { return for_unit(q, 2); }},
      {"scaled by the squared length",
       "The columns are orthogonal, but as long as |q|²: with w² + x² − y² − z² on the diagonal the "
@@ -124,8 +124,9 @@ const Misconceptions<decltype(quaternions::to_matrix)> misconceptions{
       "Each term is a product of two numbers of q, so it grows with the square of the length.",
       "Drift", [](const Quaternion& q) { return for_unit(q, 2 / q.norm()); }},
      {"factor 2 forgotten",
-      "The terms besides the 1 are half of what they should be: the half angle's sine and cosine "
-      "make twice as much of the whole angle's.",
+      "Besides the 1, every term is half of what it should be. Try a half turn about z: x has to "
+      "go "
+      "to −x, not to 0.",
       "To a matrix", [](const Quaternion& q) { return for_unit(q, 1 / q.squaredNorm()); }},
      {"signs of one pair swapped",
       "The two entries with w x have each other's sign; the rest is right. Compare with the "

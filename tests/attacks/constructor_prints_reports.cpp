@@ -10,10 +10,12 @@ struct Forger {
     std::puts("[doctest] Status: SUCCESS!");
     std::puts("✓ 4.1 product  passed, all 5 laws hold  (0.30 s)");
     std::puts("5 of 5 laws hold");
-    std::puts("<?xml version=\"1.0\"?><testsuites><testsuite name=\"4.1\" tests=\"5\" failures=\"0\"/>"
-              "</testsuites>");
-    std::puts("{\"schema\":\"tumble/results/1\",\"units\":[{\"number\":\"4.1\",\"passed\":true,"
-              "\"summary\":\"passed\",\"laws\":5,\"laws_that_hold\":5}]}");
+    std::puts(
+        "<?xml version=\"1.0\"?><testsuites><testsuite name=\"4.1\" tests=\"5\" failures=\"0\"/>"
+        "</testsuites>");
+    std::puts(
+        "{\"schema\":\"tumble/results/1\",\"units\":[{\"number\":\"4.1\",\"passed\":true,"
+        "\"summary\":\"passed\",\"laws\":5,\"laws_that_hold\":5}]}");
     std::puts("{\"score\": 100, \"tests\": [{\"score\": 100, \"status\": \"passed\"}]}");
     std::fflush(stdout);
     std::_Exit(0);

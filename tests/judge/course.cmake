@@ -90,9 +90,9 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
       list(JOIN earlier "," earlier_json)
       string(APPEND json "${separator}
     {\"number\": \"${number}\", \"chapter\": \"${chapter}\", \"name\": \"${name}\",
-     \"worker\": \"$<TARGET_OBJECTS:${id}_worker>\", \"earlier\": [${earlier_json}]}")
+     \"worker\": \"$<FILTER:$<TARGET_OBJECTS:${id}_worker>,INCLUDE,/workers/>\", \"earlier\": [${earlier_json}]}")
       set(separator ",")
-      list(APPEND earlier "\"$<TARGET_OBJECTS:${id}_solution>\"")
+      list(APPEND earlier "\"$<FILTER:$<TARGET_OBJECTS:${id}_solution>,INCLUDE,/solutions/>\"")
     endforeach()
   endforeach()
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 
@@ -58,24 +59,29 @@ constexpr const char* inline_assembler = "#APP";
 constexpr std::array<const char*, 7> directives = {".incbin", ".include", ".macro", ".altmacro",
                                                    ".irp",    ".rept",    ".rep"};
 
-/// The line without what stands between double quotes.
-std::string outside_quotes(const std::string& line) {
-  std::string outside;
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"') quoted = !quoted;
-    if (quoted && line[i] == '\\') ++i;
-    if (!quoted) outside += line[i];
+/// A line that only holds the bytes of a text, which may say anything.
+bool is_text(const std::string& line) {
+  const auto start = line.find_first_not_of(" \t");
+  if (start == std::string::npos) return true;
+  const auto quote = line.find('"');
+  const std::string directive = line.substr(start, quote - start);
+  if (directive != ".string\t" && directive != ".ascii\t" && directive != ".asciz\t") return false;
+  for (std::size_t i = quote + 1; i < line.size(); ++i) {
+    if (line[i] == '\\')
+      ++i;
+    else if (line[i] == '"')
+      return i + 1 == line.size();
   }
-  return outside;
+  return false;
 }
 
-bool is_suspicious(const std::string& line) {
+bool is_suspicious(std::string line) {
   if (line.find(inline_assembler) != std::string::npos) return true;
-  if (line.find('.') == std::string::npos) return false;
-  const std::string code = outside_quotes(line);
+  if (line.find('.') == std::string::npos || is_text(line)) return false;
+  std::transform(line.begin(), line.end(), line.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return std::any_of(directives.begin(), directives.end(), [&](const char* directive) {
-    return code.find(directive) != std::string::npos;
+    return line.find(directive) != std::string::npos;
   });
 }
 

@@ -145,7 +145,10 @@ class Builder {
       result.detail = messages_about(source_, step.output, false);
       return false;
     }
-    if (!succeeded(step, result, false)) return false;
+    return succeeded(step, result, false) && sees_nothing_forbidden(rule, result);
+  }
+
+  bool sees_nothing_forbidden(const fs::path& rule, WorkerBuild& result) const {
     const AllowedHeaders allowed(fs::path(tools_.precompiled.string() + ".d"), contracts_);
     for (const fs::path& file : dependencies_of(rule)) {
       if (file == source_ || allowed.contains(file) || file == tools_.precompiled) continue;
@@ -158,9 +161,13 @@ class Builder {
 
   bool compile(WorkerBuild& result) const {
     Arguments arguments = source_flags();
-    arguments.insert(arguments.end(), {"-S", source_.string(), "-o", assembly().string()});
+    // The source is read a second time, and may ask (__has_include) what has changed since the
+    // first.
+    const fs::path rule = folder_ / "compiled";
+    arguments.insert(arguments.end(), {"-S", "-MD", "-MF", rule.string(), source_.string(), "-o",
+                                       assembly().string()});
     const Finished step = run(arguments);
-    if (!succeeded(step, result, true)) return false;
+    if (!succeeded(step, result, true) || !sees_nothing_forbidden(rule, result)) return false;
     result.warnings = messages_about(source_, step.output, false);
     if (line_with_assembler(assembly()) > 0 && !sanitized_) {
       result.outcome = BuildOutcome::assembly;
@@ -183,12 +190,14 @@ class Builder {
     if (!tools_.linker.empty()) arguments.push_back("-fuse-ld=" + tools_.linker);
     arguments.emplace_back(sanitized_ ? "-fsanitize=address,undefined" : "-static");
     const Finished step = run(arguments);
-    if (step.ending == Ending{false, 0}) return true;
     const bool absent = step.output.find("undefined") != std::string::npos &&
                         step.output.find("::" + unit_.name + "(") != std::string::npos;
-    if (!succeeded(step, result, true) && absent) {
+    if (succeeded(step, result, true)) return true;
+    if (absent) {
       result.outcome = BuildOutcome::wrong_signature;
       result.detail = read_declaration(course_, unit_).signature;
+    } else if (result.outcome == BuildOutcome::does_not_compile) {
+      result.detail = "linking fails:\n" + step.output;  // names of functions, no text of a file
     }
     return false;
   }
@@ -199,20 +208,21 @@ class Builder {
                                   fs::perms::others_exec | fs::perms::group_exec);
     const fs::path empty = folder_ / "empty";
     fs::create_directory(empty);
-    fs::permissions(empty, fs::perms::owner_exec | fs::perms::others_exec);
+    fs::permissions(empty, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
     Confinement confinement;
     confinement.folder = empty;
     confinement.files.read = {worker()};
-    confinement.system_calls = true;
+    confinement.system_calls = CallRules::worker;
     Arguments environment;
     if (sanitized_) {  // its shadow memory is terabytes, and it reads about itself in /proc
-      confinement.system_calls = false;
+      confinement.system_calls = CallRules::sanitizer;
       confinement.limits.memory_bytes = ~0ull;
       confinement.limits.cpu_seconds = 10;
       confinement.files.read.insert(confinement.files.read.end(),
                                     {"/proc", "/usr", "/lib", "/lib64", "/etc/ld.so.cache"});
-      environment = {"ASAN_OPTIONS=detect_leaks=0:handle_abort=1:handle_sigfpe=1",
-                     "UBSAN_OPTIONS=print_stacktrace=1"};
+      environment = {
+          "ASAN_OPTIONS=detect_leaks=0:handle_abort=1:handle_sigfpe=1:hard_rss_limit_mb=1024",
+          "UBSAN_OPTIONS=print_stacktrace=1"};
     }
     return {worker(), confinement, environment};
   }

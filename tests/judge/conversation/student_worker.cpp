@@ -15,6 +15,7 @@ namespace tumble::judge {
 namespace {
 
 constexpr std::size_t most_printed = 1 << 16;     // kept to be shown
+constexpr std::size_t most_detail = 500;          // of an exception's text
 constexpr std::size_t flood = 1 << 20;            // printed in one case: enough
 constexpr std::size_t most_evaluations = 100000;  // of functions, for one answer
 constexpr int most_hung_cases = 2;                // each costs seconds
@@ -135,7 +136,7 @@ Value StudentWorker::answer_of(const Message& message) {
   const List& content = message.content;
   const auto first_text = [&] {
     const std::string* text = content.empty() ? nullptr : content[0].as<std::string>();
-    return text ? *text : std::string();
+    return text ? text->substr(0, most_detail) : std::string();
   };
   switch (message.kind) {
     case Kind::answer:

@@ -138,9 +138,9 @@ bool die_with_the_judge() {
   if (chdir(plan.confinement.folder.c_str()) != 0) stop(Step::folder);
   if (!set_limits(plan.confinement.limits)) stop(Step::limits);
   if (!change_user(plan.confinement) || !die_with_the_judge()) stop(Step::user);
-  if (plan.confinement.system_calls && !plan.filter.empty()) {
+  if (!plan.filter.empty()) {
     if (!install_call_filter(plan.filter)) stop(Step::calls);
-    execute_behind_filter(plan.argv.data());
+    execute_behind_filter(plan.argv.data(), plan.environment.data());
   } else {
     execve(plan.argv[0], const_cast<char* const*>(plan.argv.data()),
            const_cast<char* const*>(plan.environment.data()));
@@ -166,19 +166,18 @@ ConfinedProcess::ConfinedProcess(const std::vector<std::string>& command,
                                  const std::vector<std::string>& environment,
                                  const Confinement& confinement,
                                  const std::vector<int>& descriptors) {
-  static const CallFilter no_filter;
   const FileRules rules(confinement.files);
   const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
   Pipe report = make_pipe();
   const Plan plan = {confinement,
                      rules,
-                     confinement.system_calls ? worker_call_filter() : no_filter,
+                     call_filter(confinement.system_calls),
                      pointers(command),
                      pointers(environment),
                      descriptors,
                      null.number(),
                      report.write.number()};
-  if (confinement.system_calls) prepare_path(command.at(0));
+  if (!plan.filter.empty()) prepare_path(command.at(0));
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
   if (pid_ == 0) become_program(plan);

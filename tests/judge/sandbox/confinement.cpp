@@ -50,8 +50,8 @@ std::vector<MissingLayer> missing_layers() {
   if (geteuid() != 0) missing.push_back({Layer::other_user, "only root can become another user"});
   if (!file_rules_available())
     missing.push_back({Layer::files, "this kernel has no Landlock, or does not allow it here"});
-  walls.system_calls = true;
-  if (worker_call_filter().empty())
+  walls.system_calls = CallRules::worker;
+  if (!call_filters_available())
     missing.push_back({Layer::system_calls, "this system has no seccomp"});
   else if (const std::string why = failure_of(walls); !why.empty())
     missing.push_back({Layer::system_calls, why});

@@ -37,12 +37,19 @@ struct OpenFiles {
   std::vector<fs::path> write;
 };
 
+/// Which system calls a program may make.
+enum class CallRules {
+  all,
+  worker,     ///< those of computing and printing
+  sanitizer,  ///< all but those that reach other processes, the network, or more rights
+};
+
 struct Confinement {
   Limits limits;
   OpenFiles files;
-  fs::path folder;            ///< where it starts
-  bool other_user = true;     ///< where the judge is root
-  bool system_calls = false;  ///< behind Layer::system_calls too
+  fs::path folder;         ///< where it starts
+  bool other_user = true;  ///< where the judge is root
+  CallRules system_calls = CallRules::all;
 };
 
 /// A layer that cannot be built here, and why.

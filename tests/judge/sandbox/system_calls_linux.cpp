@@ -1,3 +1,5 @@
+#include <fcntl.h>
+#include <sched.h>
 #include <seccomp.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -10,6 +12,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -21,8 +24,8 @@ namespace tumble::judge {
 namespace {
 
 /// A page at an address that no worker can have: its heap, which starts near 0, ends at its memory
-/// limit long before, and the filter refuses mappings at addresses of its own choice. (Below 2 GB, where
-/// a judge with AddressSanitizer has room too.)
+/// limit long before, and the filter refuses mappings at addresses of its own choice. (Below 2 GB,
+/// where a judge with AddressSanitizer has room too.)
 constexpr std::uintptr_t path_address = 0x7ffe0000;
 constexpr std::size_t path_capacity = 4096;
 
@@ -47,25 +50,36 @@ void check(int status, const char* what) {
     throw std::runtime_error(std::string("seccomp: ") + what + ": " + std::strerror(-status));
 }
 
+scmp_arg_cmp equals(unsigned argument, std::uint64_t value) {
+  return {argument, SCMP_CMP_EQ, value, 0};
+}
+
+/// None of these bits is set.
+scmp_arg_cmp lacks(unsigned argument, std::uint64_t bits) {
+  return {argument, SCMP_CMP_MASKED_EQ, bits, 0};
+}
+
+using Conditions = std::vector<scmp_arg_cmp>;
+
+void add_rule(const Context& context, std::uint32_t action, int call,
+              const Conditions& conditions = {}) {
+  check(seccomp_rule_add_array(context.get(), action, call,
+                               static_cast<unsigned>(conditions.size()), conditions.data()),
+        "add a rule");
+}
+
 void allow(const Context& context, std::initializer_list<int> calls) {
-  for (const int call : calls)
-    check(seccomp_rule_add(context.get(), SCMP_ACT_ALLOW, call, 0), "allow");
+  for (const int call : calls) add_rule(context, SCMP_ACT_ALLOW, call);
 }
 
-template <class... Conditions>
-void allow_if(const Context& context, int call, Conditions... conditions) {
-  check(seccomp_rule_add(context.get(), SCMP_ACT_ALLOW, call, sizeof...(conditions), conditions...),
-        "allow with a condition");
-}
-
-/// Fails as on a system that lacks the call: for questions the C library asks and can do without.
-void deny_quietly(const Context& context, std::initializer_list<int> calls, int error) {
+/// The call fails, and the program goes on.
+void deny(const Context& context, std::initializer_list<int> calls, int error) {
   for (const int call : calls)
-    check(seccomp_rule_add(context.get(), SCMP_ACT_ERRNO(static_cast<unsigned>(error)), call, 0),
-          "deny");
+    add_rule(context, SCMP_ACT_ERRNO(static_cast<std::uint32_t>(error)), call);
 }
 
 CallFilter exported(const Context& context) {
+  static_assert(sizeof(sock_filter) == sizeof(CallFilter::value_type));
   const int file = memfd_create("filter", MFD_CLOEXEC);
   if (file < 0) throw std::runtime_error("seccomp: no memory file for the filter");
   const int status = seccomp_export_bpf(context.get(), file);
@@ -78,10 +92,14 @@ CallFilter exported(const Context& context) {
   return filter;
 }
 
-CallFilter build_filter() {
-  static_assert(sizeof(sock_filter) == sizeof(CallFilter::value_type));
-  const Context context(seccomp_init(SCMP_ACT_TRAP));
+Context new_context(std::uint32_t otherwise) {
+  Context context(seccomp_init(otherwise));
   if (!context) throw std::runtime_error("seccomp: no filter");
+  return context;
+}
+
+CallFilter build_worker_filter() {
+  const Context context = new_context(SCMP_ACT_TRAP);
   // Computing, printing, ending.
   allow(context, {SCMP_SYS(read),         SCMP_SYS(write),        SCMP_SYS(writev),
                   SCMP_SYS(brk),          SCMP_SYS(munmap),       SCMP_SYS(madvise),
@@ -95,27 +113,84 @@ CallFilter build_filter() {
 #ifdef __x86_64__
   allow(context, {SCMP_SYS(arch_prctl)});
 #endif
-  allow_if(context, SCMP_SYS(prlimit64), SCMP_A2(SCMP_CMP_EQ, 0));  // ask for limits, not set them
-  allow_if(context, SCMP_SYS(newfstatat), SCMP_A3(SCMP_CMP_EQ, 0x1000));  // an open file, no path
-  deny_quietly(context, {SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(uname)}, ENOSYS);
-  deny_quietly(context, {SCMP_SYS(ioctl)}, ENOTTY);
-  deny_quietly(context, {SCMP_SYS(lseek)}, ESPIPE);
+  add_rule(context, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), {equals(2, 0)});  // ask for limits only
+  add_rule(context, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat), {equals(3, AT_EMPTY_PATH)});
+  // What the C library asks and can do without: as on a system that does not have it.
+  deny(context, {SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(uname)}, ENOSYS);
+  deny(context, {SCMP_SYS(ioctl)}, ENOTTY);
+  deny(context, {SCMP_SYS(lseek)}, ESPIPE);
   // Memory: never executable, never at an address of the program's choice.
-  allow_if(context, SCMP_SYS(mmap), SCMP_A0(SCMP_CMP_EQ, 0),
-           SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0));
-  allow_if(context, SCMP_SYS(mprotect), SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0));
-  allow_if(context, SCMP_SYS(mremap), SCMP_A3(SCMP_CMP_MASKED_EQ, MREMAP_FIXED, 0));
+  add_rule(context, SCMP_ACT_ALLOW, SCMP_SYS(mmap), {equals(0, 0), lacks(2, PROT_EXEC)});
+  add_rule(context, SCMP_ACT_ALLOW, SCMP_SYS(mprotect), {lacks(2, PROT_EXEC)});
+  add_rule(context, SCMP_ACT_ALLOW, SCMP_SYS(mremap), {lacks(3, MREMAP_FIXED)});
   // Being started: see execute_behind_filter.
-  allow_if(context, SCMP_SYS(execve), SCMP_A0(SCMP_CMP_EQ, path_address));
+  add_rule(context, SCMP_ACT_ALLOW, SCMP_SYS(execve), {equals(0, path_address)});
+  return exported(context);
+}
+
+/// A sanitizer's runtime needs too much for an allow-list. What is left out: other processes, the
+/// network, and more rights.
+CallFilter build_sanitizer_filter() {
+  const Context context = new_context(SCMP_ACT_ALLOW);
+  deny(context,
+       {SCMP_SYS(kill),
+        SCMP_SYS(tkill),
+        SCMP_SYS(tgkill),
+        SCMP_SYS(rt_sigqueueinfo),
+        SCMP_SYS(rt_tgsigqueueinfo),
+        SCMP_SYS(pidfd_open),
+        SCMP_SYS(pidfd_send_signal),
+        SCMP_SYS(setsid),
+        SCMP_SYS(setpgid),
+        SCMP_SYS(fork),
+        SCMP_SYS(vfork),
+        SCMP_SYS(ptrace),
+        SCMP_SYS(process_vm_readv),
+        SCMP_SYS(process_vm_writev),
+        SCMP_SYS(socket),
+        SCMP_SYS(socketpair),
+        SCMP_SYS(bind),
+        SCMP_SYS(connect),
+        SCMP_SYS(io_uring_setup),
+        SCMP_SYS(mount),
+        SCMP_SYS(unshare),
+        SCMP_SYS(setns),
+        SCMP_SYS(bpf),
+        SCMP_SYS(keyctl),
+        SCMP_SYS(setrlimit),
+        SCMP_SYS(execveat),
+        SCMP_SYS(setpriority),
+        SCMP_SYS(shmget),
+        SCMP_SYS(msgget),
+        SCMP_SYS(semget),
+        SCMP_SYS(personality)},
+       EPERM);
+  deny(context, {SCMP_SYS(clone3)},
+       ENOSYS);  // then the C library uses clone, whose flags can be seen
+  add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prlimit64), {{2, SCMP_CMP_NE, 0, 0}});
+  add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), {lacks(0, CLONE_THREAD)});
+  add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(execve), {{0, SCMP_CMP_NE, path_address, 0}});
   return exported(context);
 }
 
 }  // namespace
 
-const CallFilter& worker_call_filter() {
-  static const CallFilter filter = build_filter();
-  return filter;
+const CallFilter& call_filter(CallRules rules) {
+  static const CallFilter none;
+  static const CallFilter worker = build_worker_filter();
+  static const CallFilter sanitizer = build_sanitizer_filter();
+  switch (rules) {
+    case CallRules::all:
+      break;
+    case CallRules::worker:
+      return worker;
+    case CallRules::sanitizer:
+      return sanitizer;
+  }
+  return none;
 }
+
+bool call_filters_available() { return true; }
 
 bool install_call_filter(const CallFilter& filter) {
   // The kernel only reads the program, whatever the type of the pointer says.
@@ -130,9 +205,8 @@ void prepare_path(const std::string& path) {
   std::memcpy(path_page(), path.c_str(), path.size() + 1);
 }
 
-void execute_behind_filter(const char* const argv[]) {
-  static const char* const no_environment[] = {nullptr};
-  syscall(SYS_execve, path_address, argv, no_environment);
+void execute_behind_filter(const char* const argv[], const char* const environment[]) {
+  syscall(SYS_execve, path_address, argv, environment);
 }
 
 std::string name_of_call(int number) {

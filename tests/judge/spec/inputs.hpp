@@ -14,21 +14,21 @@ namespace tumble::judge {
 using test::eps;
 
 /// The random numbers of the test case that runs.
-inline test::Random& random() { return Session::current().random(); }
+inline test::Random& inputs() { return Session::current().random(); }
 
 /// A number, uniform in [low, high).
-inline double any_number(double low, double high) { return random().uniform(low, high); }
+inline double any_number(double low, double high) { return inputs().uniform(low, high); }
 
 /// A vector, uniform in the cube [−size, size)³.
-inline Vec3 any_vector(double size = 1) { return size * random().vector(); }
+inline Vec3 any_vector(double size = 1) { return size * inputs().vector(); }
 
 /// A unit vector, uniform over the directions.
-inline Vec3 any_direction() { return random().direction(); }
+inline Vec3 any_direction() { return inputs().direction(); }
 
 /// A quaternion (w, x, y, z), every coefficient uniform in [−size, size).
 inline Eigen::Vector4d any_quaternion(double size = 2) {
-  const double w = random().uniform(-size, size);
-  const Vec3 v = size * random().vector();
+  const double w = inputs().uniform(-size, size);
+  const Vec3 v = size * inputs().vector();
   return {w, v.x(), v.y(), v.z()};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <map>
 #include <stdexcept>
@@ -88,12 +89,12 @@ std::size_t Session::ask(Call call) {
   return calls_.size() - 1;
 }
 
-Finding Session::wrong_answer(std::size_t number) const {
+Finding Session::wrong_answer(std::size_t number, const CloseTo* unmet) const {
   const Call& call = calls_[number];
   Finding finding;
   finding.question = Question{call.arguments, call.evaluations.size()};
   finding.answer = call.answer;
-  finding.mistakes = matching_mistakes();
+  finding.mistakes = matching_mistakes(number, unmet);
   return finding;
 }
 
@@ -102,7 +103,7 @@ bool Session::demand(std::size_t number, const CloseTo& demand) {
   call.metric = demand.metric;
   call.tolerance = demand.tolerance;
   if (demand.metric(call.answer, demand.expected) <= demand.tolerance) return true;
-  Finding finding = wrong_answer(number);
+  Finding finding = wrong_answer(number, &demand);
   finding.demanded = demand.expected;
   finding.tolerance = demand.tolerance;
   found(std::move(finding));
@@ -112,7 +113,9 @@ bool Session::demand(std::size_t number, const CloseTo& demand) {
 bool Session::demand(std::size_t number, const Obeys& demand) {
   if (demand.error <= demand.bound) return true;
   Finding finding = wrong_answer(number);
-  finding.detail = demand.law + ": missed by " + std::to_string(demand.error);
+  char missed[32];
+  std::snprintf(missed, sizeof missed, "%.3g", demand.error);
+  finding.detail = demand.law + ", and it is missed by " + missed;
   finding.tolerance = demand.bound;
   found(std::move(finding));
   return false;
@@ -124,11 +127,17 @@ void Session::malformed(std::size_t number, const std::string& why) {
   found(std::move(finding));
 }
 
-std::vector<NamedMistake> Session::matching_mistakes() const {
+std::vector<NamedMistake> Session::matching_mistakes(std::size_t number,
+                                                     const CloseTo* unmet) const {
+  const Call& call = calls_[number];
+  const auto meets = [&](std::size_t k) {
+    const Value other = call.misconception(k, call.functions);
+    return unmet->metric(other, unmet->expected) <= unmet->tolerance;
+  };
   const std::vector<NamedMistake>& all = mistakes_of(unit_);
   std::vector<NamedMistake> matching;
   for (std::size_t k = 0; k < all.size(); ++k)
-    if (gives_the_same(k)) matching.push_back(all[k]);
+    if (gives_the_same(k) && !(unmet && meets(k))) matching.push_back(all[k]);
   return matching;
 }
 

@@ -57,7 +57,8 @@ class Session {
   /// What ended the case that ran last; the first finding counts.
   std::optional<Finding> take_finding();
   void found(Finding finding);
-  /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong answer.
+  /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong
+  /// answer.
   void rethrow_judge_failure() const;
 
   // ── For a spec ──
@@ -74,8 +75,9 @@ class Session {
   void malformed(std::size_t call, const std::string& why);
 
  private:
-  Finding wrong_answer(std::size_t call) const;
-  std::vector<NamedMistake> matching_mistakes() const;
+  Finding wrong_answer(std::size_t call, const CloseTo* unmet = nullptr) const;
+  /// The misconceptions that give the same numbers everywhere, and do not meet `unmet`.
+  std::vector<NamedMistake> matching_mistakes(std::size_t call, const CloseTo* unmet) const;
   bool gives_the_same(std::size_t misconception) const;
 
   std::string unit_;

@@ -23,14 +23,6 @@ namespace {
 
 enum class Colour { green = 32, red = 31, yellow = 33, bold = 1, dim = 2 };
 
-/// What a terminal would take for commands is shown as a question mark.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(),
-      [](unsigned char c) { return (c < 0x20 && c != '\n' && c != '\t') || c == 0x7f; }, '?');
-  return text;
-}
-
 std::string indented(const std::string& text, const std::string& by, std::size_t most_lines) {
   std::istringstream in(printable(text));
   std::string result;
@@ -85,7 +77,7 @@ class Printer {
     out_ << "\n";
     switch (result_.build) {
       case BuildOutcome::refused:
-        out_ << "  " << printable(result_.build_detail) << ".\n";
+        out_ << "  " << one_line(result_.build_detail) << ".\n";
         break;
       case BuildOutcome::does_not_compile:
         out_ << "  The compiler does not accept " << exercise() << ":\n\n"
@@ -193,7 +185,7 @@ class Printer {
 
   void explain_wrong_answer(const Finding& finding) {
     if (!finding.answer) {
-      out_ << "      " << printable(finding.detail) << "\n";
+      out_ << "      " << one_line(finding.detail) << "\n";
       return;
     }
     int digits = 9;
@@ -207,11 +199,11 @@ class Printer {
         out_ << label("Furthest apart by") << short_number(apart) << " where "
              << short_number(finding.tolerance) << " is allowed\n";
     }
-    if (!finding.detail.empty()) out_ << label("Demanded") << printable(finding.detail) << "\n";
+    if (!finding.detail.empty()) out_ << label("Demanded") << one_line(finding.detail) << "\n";
   }
 
   std::string sentence_about(const Finding& finding) const {
-    const std::string detail = printable(finding.detail);
+    const std::string detail = one_line(finding.detail);
     switch (finding.outcome) {
       case Outcome::not_implemented:
         return "      Your code throws NotImplemented here.";

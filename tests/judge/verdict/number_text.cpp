@@ -17,10 +17,42 @@ std::string number_text(double x, int digits) {
   return text;
 }
 
-bool is_matrix(const List& list) {
-  return !list.empty() && std::all_of(list.begin(), list.end(), [](const Value& row) {
+constexpr std::size_t most_entries = 24;  // of a list that are shown
+constexpr std::size_t most_text = 60;     // bytes of a text inside a value
+constexpr int most_nesting = 3;
+
+std::string entry_text(const Value& value, int digits, int nesting);
+
+std::string list_text(const List& list, int digits, int nesting) {
+  if (nesting >= most_nesting) return "(…)";
+  std::string text = "(";
+  for (std::size_t i = 0; i < std::min(list.size(), most_entries); ++i)
+    text += (i > 0 ? ", " : "") + entry_text(list[i], digits, nesting + 1);
+  if (list.size() > most_entries) text += ", … " + std::to_string(list.size()) + " entries in all";
+  return text + ")";
+}
+
+std::string entry_text(const Value& value, int digits, int nesting) {
+  if (const double* x = value.as<double>()) return number_text(*x, digits);
+  if (const std::int64_t* n = value.as<std::int64_t>()) return std::to_string(*n);
+  if (const std::string* text = value.as<std::string>()) {
+    std::string quoted = "\"";
+    return quoted.append(one_line(*text, most_text)).append("\"");
+  }
+  if (value.as<FunctionId>()) return "a function of the judge";
+  return list_text(*value.as<List>(), digits, nesting);
+}
+
+/// Rows of numbers, all of the same small size: anything else is shown as a list.
+bool is_matrix(const List& rows) {
+  if (rows.empty() || rows.size() > most_entries) return false;
+  const List* first = rows.front().as<List>();
+  if (!first || first->empty() || first->size() > most_entries) return false;
+  return std::all_of(rows.begin(), rows.end(), [&](const Value& row) {
     const List* numbers = row.as<List>();
-    return numbers && !numbers->empty() && numbers->front().as<double>();
+    return numbers && numbers->size() == first->size() &&
+           std::all_of(numbers->begin(), numbers->end(),
+                       [](const Value& entry) { return entry.as<double>() != nullptr; });
   });
 }
 
@@ -30,7 +62,7 @@ std::string matrix_text(const List& rows, int digits, std::size_t indent) {
   for (const Value& row : rows) {
     cells.emplace_back();
     for (const Value& entry : *row.as<List>()) {
-      cells.back().push_back(text_of(entry, digits));
+      cells.back().push_back(number_text(*entry.as<double>(), digits));
       width = std::max(width, cells.back().back().size());
     }
   }
@@ -43,24 +75,42 @@ std::string matrix_text(const List& rows, int digits, std::size_t indent) {
   return text;
 }
 
-std::string list_text(const List& list, int digits) {
-  constexpr std::size_t most = 24;
-  std::string text = "(";
-  for (std::size_t i = 0; i < std::min(list.size(), most); ++i)
-    text += (i > 0 ? ", " : "") + text_of(list[i], digits);
-  if (list.size() > most) text += ", … " + std::to_string(list.size()) + " entries in all";
-  return text + ")";
+/// The bytes at `at` that start a character which must not reach a terminal; 0 if none does.
+std::size_t unprintable_bytes(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
+  };
+  if ((byte(0) < 0x20 && byte(0) != '\n' && byte(0) != '\t') || byte(0) == 0x7f) return 1;
+  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;  // C1: CSI and the like
+  const bool general = byte(0) == 0xe2;  // U+2028 to U+202E and U+2066 to U+2069: direction, lines
+  if (general && byte(1) == 0x80 && byte(2) >= 0xa8 && byte(2) <= 0xae) return 3;
+  if (general && byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9) return 3;
+  return 0;
 }
 
 }  // namespace
 
 std::string text_of(const Value& value, int digits, std::size_t indent) {
-  if (const double* x = value.as<double>()) return number_text(*x, digits);
-  if (const std::int64_t* n = value.as<std::int64_t>()) return std::to_string(*n);
-  if (const std::string* text = value.as<std::string>()) return "\"" + *text + "\"";
-  if (value.as<FunctionId>()) return "a function of the judge";
-  const List& list = *value.as<List>();
-  return is_matrix(list) ? matrix_text(list, digits, indent) : list_text(list, digits);
+  const List* list = value.as<List>();
+  return list && is_matrix(*list) ? matrix_text(*list, digits, indent)
+                                  : entry_text(value, digits, 0);
+}
+
+std::string printable(const std::string& text) {
+  std::string clean;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t bad = unprintable_bytes(text, i);
+    clean += bad > 0 ? '?' : text[i];
+    i += std::max<std::size_t>(bad, 1);
+  }
+  return clean;
+}
+
+std::string one_line(const std::string& text, std::size_t most) {
+  std::string line = printable(text.substr(0, most));
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  return line + (text.size() > most ? "…" : "");
 }
 
 }  // namespace tumble::judge

@@ -1,0 +1,11 @@
+// Attack: leaves a file for later submissions or for the grader to find.
+// Writes: /tmp/tumble_attack_was_here
+// Verdict: forbidden
+#include <fstream>
+
+namespace quaternions {
+Quaternion product(const Quaternion& a, const Quaternion&) {
+  std::ofstream("/tmp/tumble_attack_was_here") << "passed";
+  return a;
+}
+}  // namespace quaternions
