@@ -157,7 +157,7 @@ CallFilter build_sanitizer_filter() {
         SCMP_SYS(setns),
         SCMP_SYS(bpf),
         SCMP_SYS(keyctl),
-        SCMP_SYS(setrlimit),
+
         SCMP_SYS(execveat),
         SCMP_SYS(setpriority),
         SCMP_SYS(shmget),
@@ -167,7 +167,7 @@ CallFilter build_sanitizer_filter() {
        EPERM);
   deny(context, {SCMP_SYS(clone3)},
        ENOSYS);  // then the C library uses clone, whose flags can be seen
-  add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prlimit64), {{2, SCMP_CMP_NE, 0, 0}});
+  add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prlimit64), {{0, SCMP_CMP_NE, 0, 0}});
   add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), {lacks(0, CLONE_THREAD)});
   add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(execve), {{0, SCMP_CMP_NE, path_address, 0}});
   return exported(context);
