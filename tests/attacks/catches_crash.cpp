@@ -1,5 +1,5 @@
-// Attack: turns its own segmentation fault into an answer; a grader that waits for the signal
-//         never sees it.
+// Attack: turns its own segmentation fault into an answer; a grader that waits for the signal never
+//         sees it.
 // Verdict: wrong
 #include <csetjmp>
 #include <csignal>

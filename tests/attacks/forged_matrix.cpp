@@ -1,5 +1,6 @@
 // Attack: answers with a matrix of one very wide and many narrow cells: shown as a table, 110 kB
-// become 100 MB. Verdict: wrong | malformed
+//         become 100 MB.
+// Verdict: wrong | malformed
 #include <unistd.h>
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // Attack: promises a list of four thousand million entries, and sends none: a decoder that reserves
-// runs out of memory. Verdict: malformed
+//         runs out of memory.
+// Verdict: malformed
 #include <unistd.h>
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // Attack: answers with texts instead of numbers: good news on lines of their own, commands for the
-// terminal, and 900 kB. Verdict: wrong | malformed
+//         terminal, and 900 kB.
+// Verdict: wrong | malformed
 #include <unistd.h>
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Attack: leaves a file for later submissions or for the grader to find.
-// Writes: /tmp/tumble_attack_was_here
 // Verdict: forbidden
+// Writes: /tmp/tumble_attack_was_here
 #include <fstream>
 
 namespace quaternions {

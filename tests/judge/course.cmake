@@ -3,9 +3,23 @@
 #   exercises/04_quaternions/product.cpp   the stub            tests/04_quaternions/product.cpp   the spec
 #   solutions/04_quaternions/product.cpp   the answer          <build>/workers/…   who asks the student's code
 
+set(tumble_judge_folder ${CMAKE_CURRENT_LIST_DIR})
+
 # What a student's file is compiled with, by the judge and by the build alike.
+get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -g1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE -fno-pie
   -Wall -Wextra -Wno-unused-parameter)
+foreach(folder IN LISTS eigen_folders)
+  list(APPEND TUMBLE_STUDENT_FLAGS -isystem ${folder})
+endforeach()
+
+# What every student's file includes anyway, compiled once.
+set(TUMBLE_STUDENT_HEADER ${PROJECT_BINARY_DIR}/student/precompiled.hpp)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(TUMBLE_STUDENT_PCH ${TUMBLE_STUDENT_HEADER}.gch)
+else()
+  set(TUMBLE_STUDENT_PCH ${TUMBLE_STUDENT_HEADER}.pch)
+endif()
 
 # Workers are linked statically, which sanitizers cannot be: where the judge is built with them, its
 # workers are not.
@@ -38,7 +52,6 @@ function(tumble_student_object target source)
   add_library(${target} OBJECT ${source})
   target_compile_options(${target} PRIVATE ${TUMBLE_STUDENT_FLAGS} ${TUMBLE_UNSANITIZED})
   target_include_directories(${target} PRIVATE ${ARGN})
-  target_include_directories(${target} SYSTEM PRIVATE ${TUMBLE_EIGEN})
   get_property(first GLOBAL PROPERTY tumble_first_student_object)
   if(first)
     target_precompile_headers(${target} REUSE_FROM ${first})
@@ -48,9 +61,32 @@ function(tumble_student_object target source)
   endif()
 endfunction()
 
-# Adds the course under `root` to the judge `target`: its specs, and for each unit its worker's objects.
-# Writes ${target}.json, which tells the judge what there is.
-function(tumble_add_course target root)
+# The same check for those who live in an IDE: a target check.04.product, and a ctest with the labels
+# exercise and ch04. Presets leave these out: a stub that nobody has filled in is no defect.
+function(tumble_add_check target chapter name number)
+  if(NOT target STREQUAL "tumble_judge")
+    return()
+  endif()
+  string(SUBSTRING ${chapter} 0 2 digits)
+  add_custom_target(check.${digits}.${name} COMMAND ${target} check ${number} DEPENDS ${target}
+    USES_TERMINAL COMMENT "")
+  add_test(NAME exercise/${chapter}/${name} COMMAND ${target} check ${number})
+  set_tests_properties(exercise/${chapter}/${name} PROPERTIES LABELS "exercise;ch${digits}")
+endfunction()
+
+# Adds `target`, the judge of the course under `root`: its specs, and for each unit its worker's objects
+# and a target check.04.product. Writes ${target}.json, which tells the judge what there is.
+function(tumble_add_judge target root)
+  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/run.cpp)
+  set_source_files_properties(${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/run.cpp
+    PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  target_include_directories(${target} PRIVATE ${root}/exercises)
+  target_link_libraries(${target} PRIVATE tumble_judge_commands)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_precompile_headers(${target} PRIVATE ${tumble_judge_folder}/spec/spec.hpp
+    ${PROJECT_SOURCE_DIR}/lib/include/tumble/rotation.hpp)
+  add_dependencies(${target} tumble_worker tumble_student_pch)
+
   set(json)
   set(earlier)
   file(GLOB contracts ${root}/exercises/[0-9]*/contract.hpp)
@@ -83,9 +119,11 @@ function(tumble_add_course target root)
 int main() { return tumble::judge::serve(@namespace@::@name@); }
 ]] @ONLY)
       tumble_student_object(${id}_worker ${worker}
-        ${TUMBLE_JUDGE_INCLUDES} ${exercises} ${root}/exercises)
+        ${PROJECT_SOURCE_DIR}/tests ${exercises} ${root}/exercises)
       tumble_student_object(${id}_solution ${solution} ${exercises} ${root}/exercises)
       add_dependencies(${target} ${id}_worker ${id}_solution)
+
+      tumble_add_check(${target} ${chapter} ${name} ${number})
 
       list(JOIN earlier "," earlier_json)
       string(APPEND json "${separator}
@@ -96,7 +134,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
     endforeach()
   endforeach()
 
-  set(flags ${student_flags})
+  set(flags ${TUMBLE_STUDENT_FLAGS})
   list(TRANSFORM flags REPLACE "(.+)" "\"\\1\"")
   list(JOIN flags ", " flags)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.json CONTENT

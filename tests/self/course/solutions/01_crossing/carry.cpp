@@ -1,0 +1,7 @@
+#include "contract.hpp"
+
+namespace crossing {
+
+Luggage carry(const Luggage& luggage) { return luggage; }
+
+}  // namespace crossing
