@@ -1,16 +1,15 @@
 // Attack: the resolver of an indirect function runs while the program is being relocated, before
 //         anything else; it ends the process with success.
 // Verdict: exited
-#include <sys/syscall.h>
 #include <unistd.h>
 
-static void nothing() {}
 extern "C" {
-static void (*resolve())() {
+static void nothing() {}
+__attribute__((used)) static void (*resolve(void))(void) {
   _exit(0);
   return nothing;
 }
-void chosen() __attribute__((ifunc("_ZL7resolvev")));
+void chosen(void) __attribute__((ifunc("resolve")));
 }
 
 namespace quaternions {

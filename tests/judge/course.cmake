@@ -21,6 +21,16 @@ else()
   set(TUMBLE_STUDENT_PCH ${TUMBLE_STUDENT_HEADER}.pch)
 endif()
 
+# The quickest linker that is there.
+include(CheckLinkerFlag)
+set(TUMBLE_STUDENT_LINKER)
+foreach(linker IN ITEMS mold lld)
+  check_linker_flag(CXX -fuse-ld=${linker} TUMBLE_LINKS_WITH_${linker})
+  if(TUMBLE_LINKS_WITH_${linker} AND NOT TUMBLE_STUDENT_LINKER)
+    set(TUMBLE_STUDENT_LINKER ${linker})
+  endif()
+endforeach()
+
 # Workers are linked statically, which sanitizers cannot be: where the judge is built with them, its
 # workers are not.
 set(TUMBLE_UNSANITIZED)

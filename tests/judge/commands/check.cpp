@@ -107,6 +107,7 @@ int check(const Course& course, const CheckOptions& options) {
   }
   Judgement judgement;
   judgement.seed = options.seed.value_or(fresh_seed());
+  judgement.seeds = options.seeds;
   judgement.only_case = selection.only_case;
   judgement.only_sanitized = options.sanitized;
   // With sanitizers the walls are lower: not for a class's submissions.

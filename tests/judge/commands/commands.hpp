@@ -14,6 +14,7 @@ namespace tumble::judge {
 struct CheckOptions {
   std::string what;  ///< unit, chapter, "4.1.3" for one case, empty for the next open unit
   std::optional<std::uint64_t> seed;  ///< of the inputs; another one each time if not given
+  int seeds = 1;                      ///< how many, one after the other
   std::optional<fs::path> from;       ///< folder with the files, instead of exercises/
   std::optional<fs::path> json;       ///< where to write the results
   bool solutions = false;             ///< judge the solutions

@@ -16,6 +16,8 @@ void add_check(CLI::App& app, CheckOptions& options) {
                  "unit (4.1 or product), chapter (4), all; 4.1.3 is one case");
   app.add_option("--seed", options.seed,
                  "of the random inputs; another one each time if not given");
+  app.add_option("--seeds", options.seeds, "try this many, one after the other")
+      ->check(CLI::Range(1, 100000));
   app.add_option("--from", options.from, "folder with the files to judge, instead of exercises/");
   app.add_option("--json", options.json, "write the results here, again after each unit");
   app.add_flag("--every-case", options.every_case, "explain every case that fails");

@@ -40,6 +40,21 @@ std::string signal_text(int number) {
   }
 }
 
+/// What assert() and Eigen print before they end a program: "… Assertion `index < size()' failed."
+std::string failed_assertion(const std::string& printed) {
+  const auto start = printed.rfind("Assertion `");
+  const auto end = printed.find("' failed", start);
+  if (start == std::string::npos || end == std::string::npos) return {};
+  return printed.substr(start + 11, end - start - 11);
+}
+
+std::string abort_text(const std::string& printed) {
+  const std::string assertion = failed_assertion(printed);
+  if (assertion.empty()) return signal_text(SIGABRT);
+  return "an assertion failed, " + assertion.substr(0, most_detail) +
+         (assertion.find("index") != std::string::npos ? " (an index out of range)" : "");
+}
+
 }  // namespace
 
 struct StudentWorker::Running {
@@ -113,20 +128,23 @@ Message StudentWorker::receive(Clock::time_point deadline) {
   }
 }
 
-void StudentWorker::no_answer_came() {
-  Running& run = *running_;
-  // What it printed last may say why.
-  while (printed_.size() < most_printed &&
-         wait_readable(run.text.read.number(), -1, after(0.01)).first &&
-         read_some(run.text.read.number(), printed_)) {
+void StudentWorker::read_last_words() {
+  const int text = running_->text.read.number();
+  while (printed_.size() < most_printed && wait_readable(text, -1, after(0.01)).first &&
+         read_some(text, printed_)) {
   }
-  const std::optional<Ending> ending = run.process.wait(2);
+}
+
+void StudentWorker::no_answer_came() {
+  read_last_words();
+  const std::optional<Ending> ending = running_->process.wait(2);
   if (!ending) stop(Outcome::malformed, "it closed the pipe for answers");
   if (!ending->by_signal) stop(Outcome::exited, "with status " + std::to_string(ending->number));
   if (ending->number == SIGXCPU || ending->number == SIGKILL)
     stop(Outcome::hung, "no answer after " +
                             std::to_string(program_.confinement.limits.cpu_seconds) +
                             " s of computing");
+  if (ending->number == SIGABRT) stop(Outcome::crashed, abort_text(printed_));
   if (ending->number == SIGSYS)
     stop(Outcome::forbidden, "asked the operating system for something");
   stop(Outcome::crashed, signal_text(ending->number));
@@ -152,7 +170,8 @@ Value StudentWorker::answer_of(const Message& message) {
     case Kind::forbidden: {
       const std::int64_t* call = content.empty() ? nullptr : content[0].as<std::int64_t>();
       const int number = call ? static_cast<int>(*call) : -1;
-      if (is_abort(number)) stop(Outcome::crashed, signal_text(SIGABRT));
+      read_last_words();
+      if (is_abort(number)) stop(Outcome::crashed, abort_text(printed_));
       stop(Outcome::forbidden,
            "tried to " + purpose_of_call(number) + " (" + name_of_call(number) + ")");
     }

@@ -42,6 +42,8 @@ class StudentWorker : public Answerer {
   /// The message for which the judge has the bytes already, if it has all of them.
   std::optional<Message> take_message();
   Value answer_of(const Message& message);
+  /// What it printed before it ended may say why.
+  void read_last_words();
   /// The pipe for answers is at its end: says how the worker has ended.
   [[noreturn]] void no_answer_came();
   [[noreturn]] void stop(Outcome outcome, const std::string& detail);

@@ -63,8 +63,10 @@ class Printer {
   }
 
  private:
+  /// The file that was judged: as in the course, or as it was given.
   std::string exercise() const {
-    return fs::relative(course_.exercise(result_.unit), course_.root).string();
+    const fs::path inside = fs::relative(result_.source, course_.root);
+    return inside.string().starts_with("..") ? result_.source.string() : inside.string();
   }
   std::string paint(const std::string& text, Colour colour) const {
     if (!style_.colour) return text;

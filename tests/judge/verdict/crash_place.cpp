@@ -11,6 +11,7 @@ namespace {
 
 /// What the sanitizer calls it: "runtime error: division by zero", "stack-overflow", …
 std::string name_in(const std::string& report) {
+  if (report.find("Assertion `") != std::string::npos) return {};  // says more than what followed
   std::smatch found;
   if (std::regex_search(report, found, std::regex("runtime error: ([^\n]*)"))) return found[1];
   if (std::regex_search(report, found, std::regex("AddressSanitizer: ([a-zA-Z-]+)")))

@@ -13,30 +13,25 @@ UnitResult judge_build(const Course& course, const Unit& unit, const std::filesy
                        const WorkerBuild& build) {
   UnitResult result;
   result.unit = unit;
-  result.seed = judgement.seed;
+  result.source = source;
   result.build = build.outcome;
   result.build_detail = build.detail;
   result.warnings = build.warnings;
   if (build.outcome != BuildOutcome::built) return result;
 
   StudentWorker worker(build.worker);
-  result.cases = run_spec({unit.id(), judgement.seed, judgement.only_case}, worker);
+  for (int i = 0; i < judgement.seeds && (i == 0 || result.passed()); ++i) {
+    result.seed = judgement.seed + static_cast<std::uint64_t>(i);
+    result.cases = run_spec({unit.id(), result.seed, judgement.only_case}, worker);
+  }
   if (!judgement.locate_crashes) return result;
   const auto crashed = std::find_if(
       result.cases.begin(), result.cases.end(),
       [](const CaseResult& c) { return c.finding && c.finding->outcome == Outcome::crashed; });
   if (crashed != result.cases.end())
-    crashed->finding->place = crash_place(course, {unit.id(), judgement.seed, crashed->number},
-                                          unit, source, folder / "sanitized");
+    crashed->finding->place = crash_place(course, {unit.id(), result.seed, crashed->number}, unit,
+                                          source, folder / "sanitized");
   return result;
-}
-
-UnitResult judge_unit(const Course& course, const Unit& unit, const std::filesystem::path& source,
-                      const std::filesystem::path& folder, const Judgement& judgement) {
-  const auto instrumentation =
-      judgement.only_sanitized ? Instrumentation::sanitizers : Instrumentation::none;
-  return judge_build(course, unit, source, folder, judgement,
-                     build_worker(course, unit, source, folder, instrumentation));
 }
 
 }  // namespace tumble::judge

@@ -13,16 +13,14 @@ namespace tumble::judge {
 /// What is wanted of a judgement.
 struct Judgement {
   std::uint64_t seed = 1;
+  int seeds = 1;                ///< how many, from `seed` on; the first that fails is reported
   std::size_t only_case = 0;    ///< 0: all of them
   bool locate_crashes = true;   ///< build a crashed unit again with sanitizers, to name the line
   bool only_sanitized = false;  ///< everything with sanitizers from the start
 };
 
-/// Compiles `source` in `folder` and holds it against the spec of its unit.
-UnitResult judge_unit(const Course& course, const Unit& unit, const std::filesystem::path& source,
-                      const std::filesystem::path& folder, const Judgement& judgement);
-
-/// The same for a worker that was built before.
+/// Holds a worker, built from `source`, against the spec of its unit. What more has to be built,
+/// goes into `folder`.
 UnitResult judge_build(const Course& course, const Unit& unit, const std::filesystem::path& source,
                        const std::filesystem::path& folder, const Judgement& judgement,
                        const WorkerBuild& build);

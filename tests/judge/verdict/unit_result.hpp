@@ -3,6 +3,7 @@
 /// The verdict on one unit.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace tumble::judge {
 
 struct UnitResult {
   Unit unit;
-  std::uint64_t seed = 1;
+  std::filesystem::path source;
+  std::uint64_t seed = 1;  ///< of the inputs
   BuildOutcome build = BuildOutcome::built;
   std::string build_detail, warnings;
   std::vector<CaseResult> cases;  ///< empty if it was not built

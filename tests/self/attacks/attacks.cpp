@@ -36,10 +36,9 @@ void check(const Submission& submission, const Judgement& judgement) {
   CAPTURE(submission.name);
   CAPTURE(judgement.output.substr(0, 3000));
   show(submission, judgement);
-  const bool passed = judgement.product.is_object() && judgement.product.at("passed") == true;
   for (const fs::path& file : submission.writes) CHECK_FALSE(fs::exists(file));
   check_verdict(judgement, submission.verdicts, submission.laws);
-  check_the_judge_stood(judgement, submission.text, passed, submission.laws);
+  check_the_judge_stood(judgement, submission.text, passed(judgement.product), submission.laws);
 }
 
 /// Those that TUMBLE_ATTACKS names ("exit" for all with "exit" in their names), or all.

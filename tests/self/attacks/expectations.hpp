@@ -77,16 +77,15 @@ inline void check_the_judge_stood(const Judgement& judgement, const std::string&
   CHECK_FALSE(detail::commands_the_terminal(judgement.output));
   // One for 4.2; one for 4.1 if it passes, or else one for each law of it that holds.
   CHECK(detail::ticks(judgement.output) == (passed ? 2 : 1 + laws));
-  REQUIRE(judgement.inverse.is_object());
-  CHECK(judgement.inverse.at("summary") == "passed");
+  CHECK(summary_of(judgement.inverse) == "passed");
 }
 
 inline void check_verdict(const Judgement& judgement, const std::vector<std::string>& verdicts,
                           std::size_t laws) {
-  REQUIRE(judgement.product.is_object());
-  const std::string summary = judgement.product.at("summary");
+  const std::string summary = summary_of(judgement.product);
   CAPTURE(summary);
   CHECK(std::count(verdicts.begin(), verdicts.end(), summary) == 1);
+  if (!judgement.product.is_object()) return;
   CHECK(judgement.product.at("passed") == (summary == "passed"));
   CHECK(judgement.product.at("laws_that_hold") == laws);
 }

@@ -122,6 +122,15 @@ inline void hand_in_a_right_inverse(const Place& place) {
   fs::copy_file(root() / "solutions/04_quaternions/inverse.cpp", place.files() / "inverse.cpp");
 }
 
+/// The verdict in words; "no verdict" if the judge gave none.
+inline std::string summary_of(const nlohmann::json& unit) {
+  return unit.is_object() ? unit.value("summary", "no verdict") : "no verdict";
+}
+
+inline bool passed(const nlohmann::json& unit) {
+  return unit.is_object() && unit.value("passed", false);
+}
+
 inline Judgement judge(const Submission& submission) {
   const Place place;
   std::ofstream(place.files() / "product.cpp", std::ios::binary) << submission.text;

@@ -28,7 +28,7 @@ inline fs::path variable(const char* name) {
 inline fs::path root() { return variable("TUMBLE_ROOT"); }
 
 /// The first `most` bytes of a file: what an attack makes the judge write may be endless.
-inline std::string text_of(const fs::path& file, std::size_t most = 4 << 20) {
+inline std::string text_of(const fs::path& file, std::size_t most = 16 << 20) {
   std::ifstream in(file, std::ios::binary);
   std::string text(most, '\0');
   in.read(text.data(), static_cast<std::streamsize>(most));

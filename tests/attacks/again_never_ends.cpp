@@ -1,0 +1,21 @@
+// Attack: crashes, so that it is run again with sanitizers, behind lower walls; there it never
+//         ends.
+// Verdict: crashed
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+
+namespace quaternions {
+Quaternion product(const Quaternion& a, const Quaternion&) {
+#ifdef __SANITIZE_ADDRESS__
+  volatile bool forever = true;
+  while (forever) {
+  }
+#endif
+  volatile int* nowhere = nullptr;
+  *nowhere = 1;
+  return a;
+}
+}  // namespace quaternions

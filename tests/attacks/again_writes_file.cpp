@@ -1,0 +1,21 @@
+// Attack: crashes, so that it is run again with sanitizers, behind lower walls; there it leaves a
+//         file.
+// Verdict: crashed
+// Writes: /tmp/tumble_attack_was_here_again
+#include <fstream>
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+
+namespace quaternions {
+Quaternion product(const Quaternion& a, const Quaternion&) {
+#ifdef __SANITIZE_ADDRESS__
+  std::ofstream("/tmp/tumble_attack_was_here_again") << "passed";
+#endif
+  volatile int* nowhere = nullptr;
+  *nowhere = 1;
+  return a;
+}
+}  // namespace quaternions

@@ -1,0 +1,6 @@
+// Attack: never ends its comment.
+// Verdict: does not compile | wrong signature
+
+/* Here starts what never ends.
+
+ 

@@ -1,0 +1,2 @@
+// Attack: is nothing but comments.
+// Verdict: wrong signature Nothing else.
