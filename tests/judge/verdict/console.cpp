@@ -152,7 +152,7 @@ class Printer {
     else
       out_ << sentence_about(finding) << "\n";
     if (!finding.place.empty())
-      out_ << label("It happens at") << paint(finding.place, Colour::bold) << "\n";
+      out_ << label("It happens at") << paint(one_line(finding.place), Colour::bold) << "\n";
     for (const NamedMistake& mistake : finding.mistakes) explain_mistake(mistake);
     if (!finding.printed.empty())
       out_ << "\n      It printed:\n" << indented(finding.printed, "        ", 12);
