@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "support/command.hpp"
@@ -25,6 +27,15 @@ TEST_CASE("the kill matrix: every misconception is failed by its spec, and named
     const CommandResult matrix = judge(std::string("matrix all --seed ") + seed);
     CHECK_MESSAGE(matrix.status == 0, matrix.output);
   }
+}
+
+TEST_CASE("the table of misconceptions in the tree is the one that the specs give") {
+  const char* root = std::getenv("TUMBLE_ROOT");
+  REQUIRE(root != nullptr);
+  std::ifstream file(std::string(root) + "/tests/kill_matrix.md");
+  const std::string table{std::istreambuf_iterator<char>(file), {}};
+  const std::string now = judge("matrix all --seed 1").output;
+  CHECK_MESSAGE(table.ends_with(now), "write it anew: tumble_judge matrix all --seed 1");
 }
 
 TEST_CASE("every stub is untouched, has its hints, and fails every case of its spec") {
