@@ -114,10 +114,14 @@ inline bool operator<(const DoubleDouble& x, const DoubleDouble& y) {
 
 }  // namespace tumble
 
+namespace Eigen {
+
 /// Lets Eigen's small vectors and matrices hold double-doubles.
 template <>
-struct Eigen::NumTraits<tumble::DoubleDouble> : Eigen::GenericNumTraits<tumble::DoubleDouble> {
+struct NumTraits<tumble::DoubleDouble> : GenericNumTraits<tumble::DoubleDouble> {
   static tumble::DoubleDouble epsilon() { return 0x1p-104; }
   static tumble::DoubleDouble dummy_precision() { return 0x1p-96; }
   static int digits10() { return 31; }
 };
+
+}  // namespace Eigen

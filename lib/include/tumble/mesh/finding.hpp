@@ -2,8 +2,8 @@
 /// @file
 /// What can be wrong with a mesh, and how it is said.
 ///
-/// Fields are indices into the mesh, from 0. Numbers in the text are written #n and count from 1,
-/// as an OBJ file does: "face #1" is `mesh.face(0)`.
+/// Fields are indices into the mesh, from 0. Numbers in the text, behind a number sign, count from 1,
+/// as an OBJ file does: the first face is `mesh.face(0)`.
 
 #include <array>
 #include <ostream>

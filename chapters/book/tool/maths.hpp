@@ -1,0 +1,29 @@
+#pragma once
+/// @file
+/// Formulas: where they stand in a line, and whether they are sound.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tumble::book {
+
+/// A formula between dollars: `$x$`, or `` $`x`$ ``, which Markdown leaves alone.
+struct InlineFormula {
+  std::size_t begin = 0, end = 0;  ///< of the whole, with its dollars
+  std::string tex;
+};
+
+/// The formulas of a line that is outside of fences. A dollar followed by a blank or preceded by
+/// one is a dollar, and so is what stands in a code span.
+std::vector<InlineFormula> formulas_in(const std::string& line);
+
+/// What is wrong with a formula: braces that do not match, an environment that is not closed, a
+/// command that neither GitHub nor the site knows. Empty if nothing is.
+std::string mistake_in(const std::string& tex);
+
+/// What GitHub's Markdown would change in `$…$` before the formula is set, such as \, or \{: such a
+/// formula has to be written with backticks. Empty if nothing.
+std::string markdown_trap_in(const std::string& tex);
+
+}  // namespace tumble::book

@@ -1,0 +1,96 @@
+#include "book/tool/page.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace tumble::book {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Reads "<!-- snippet: path#region -->" into the fence that follows.
+bool read_directive(const std::string& line, Fence& fence) {
+  for (const std::string kind : {"snippet", "output"}) {
+    const std::string start = "<!-- " + kind + ": ";
+    if (!line.starts_with(start) || !line.ends_with(" -->")) continue;
+    const std::string what = line.substr(start.size(), line.size() - start.size() - 4);
+    const auto hash = what.find('#');
+    fence.source = kind;
+    fence.path = what.substr(0, hash);
+    fence.region = hash == std::string::npos ? "" : what.substr(hash + 1);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void fail(const Page& page, std::size_t line, const std::string& what) {
+  throw PageError(page.file.string() + ":" + std::to_string(line + 1) + ": " + what);
+}
+
+Page read_page(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw PageError(file.string() + ":1: cannot be read");
+  Page page{file, {}};
+  for (std::string line; std::getline(in, line);) page.lines.push_back(line);
+  return page;
+}
+
+void write_page(const Page& page) {
+  std::ofstream out(page.file);
+  for (const std::string& line : page.lines) out << line << "\n";
+  if (!out.flush()) throw PageError(page.file.string() + ":1: cannot be written");
+}
+
+std::vector<Fence> fences_of(const Page& page) {
+  std::vector<Fence> fences;
+  for (std::size_t i = 0; i < page.lines.size(); ++i) {
+    Fence fence;
+    const bool announced = read_directive(page.lines[i], fence);
+    if (announced) ++i;
+    const bool opens = i < page.lines.size() && page.lines[i].starts_with("```");
+    if (announced && !opens) fail(page, i, "this comment wants a fence in the line below");
+    if (!opens) continue;
+    fence.opening = i;
+    fence.language = trimmed(page.lines[i].substr(3));
+    while (++i < page.lines.size() && page.lines[i] != "```") {
+    }
+    if (i == page.lines.size()) fail(page, fence.opening, "this fence is not closed");
+    fence.closing = i;
+    fences.push_back(fence);
+  }
+  return fences;
+}
+
+std::string content_of(const Page& page, const Fence& fence) {
+  std::string text;
+  for (std::size_t i = fence.opening + 1; i < fence.closing; ++i) text += page.lines[i] + "\n";
+  return text;
+}
+
+bool is_inside(const std::vector<Fence>& fences, std::size_t line) {
+  return std::any_of(fences.begin(), fences.end(), [line](const Fence& fence) {
+    return fence.opening <= line && line <= fence.closing;
+  });
+}
+
+std::string without_code_spans(const std::string& line) {
+  std::string text;
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    // $`…`$ is a formula that Markdown leaves alone, not code.
+    const bool formula =
+        (i > 0 && line[i - 1] == '$') || (i + 1 < line.size() && line[i + 1] == '$');
+    if (line[i] == '`' && !formula) inside = !inside;
+    text += inside || line[i] == '`' ? ' ' : line[i];
+  }
+  return text;
+}
+
+}  // namespace tumble::book

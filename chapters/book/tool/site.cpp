@@ -1,0 +1,163 @@
+#include "book/tool/site.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "book/tool/links.hpp"
+#include "book/tool/maths.hpp"
+
+namespace tumble::book {
+
+namespace {
+
+/// One block of HTML in one line: Doxygen passes it on as it is.
+std::string html(const std::string& text) { return "\\htmlonly[block] " + text + " \\endhtmlonly"; }
+
+/// A file on one line.
+std::string flat(const fs::path& file) {
+  std::ifstream in(file);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+/// Doxygen shows the backticks in the text of a reference.
+std::string plain(std::string text) {
+  std::erase(text, '`');
+  return text;
+}
+
+/// The caption keeps its formulas: the page's script sets what stands between \( and \).
+std::string caption_html(const std::string& caption) {
+  std::string result;
+  std::size_t at = 0;
+  for (const InlineFormula& formula : formulas_in(caption)) {
+    result += caption.substr(at, formula.begin - at) + "\\(" + formula.tex + "\\)";
+    at = formula.end;
+  }
+  return result + caption.substr(at);
+}
+
+class Converter {
+ public:
+  Converter(const fs::path& root, const Page& page)
+      : root_(root), page_(page), fences_(fences_of(page)) {}
+
+  std::string convert() {
+    std::string text;
+    for (std::size_t i = 0; i < page_.lines.size(); ++i) text += line(i) + "\n";
+    return text;
+  }
+
+ private:
+  std::string line(std::size_t i) {
+    const auto fence = std::find_if(fences_.begin(), fences_.end(), [i](const Fence& f) {
+      return f.opening <= i && i <= f.closing;
+    });
+    if (fence != fences_.end()) return fenced_line(*fence, i);
+    const std::string& text = page_.lines[i];
+    if (text.starts_with("<!--")) return "";
+    if (const Heading heading = heading_in(text); heading.level > 0) return heading_line(heading);
+    if (text.starts_with("<details>") || text.starts_with("</details>") ||
+        text.starts_with("<summary>"))
+      return html(text);
+    if (text.starts_with("> [!")) return alert_line(text);
+    const std::vector<Link> links = links_in(text);
+    if (links.size() == 1 && links[0].image && links[0].begin == 0) return figure(links[0]);
+    return with_formulas(with_links(text, links));
+  }
+
+  std::string fenced_line(const Fence& fence, std::size_t i) const {
+    if (fence.language != "math") return page_.lines[i];
+    if (i == fence.opening) return "\\f[";
+    return i == fence.closing ? "\\f]" : page_.lines[i];
+  }
+
+  std::string heading_line(const Heading& heading) const {
+    const std::string id = page_id(root_, page_.file);
+    const std::string name = heading.level == 1 ? id : id + "-" + anchor_of(heading.text);
+    return std::string(heading.level, '#') + " " + heading.text + " {#" + name + "}";
+  }
+
+  static std::string alert_line(const std::string& text) {
+    static const std::map<std::string, std::string> commands{{"NOTE", "\\note"},
+                                                             {"TIP", "\\remark"},
+                                                             {"IMPORTANT", "\\attention"},
+                                                             {"WARNING", "\\warning"},
+                                                             {"CAUTION", "\\warning"}};
+    const std::string kind = text.substr(4, text.find(']') - 4);
+    const auto command = commands.find(kind);
+    return command == commands.end() ? text : command->second;
+  }
+
+  std::string figure(const Link& link) const {
+    const std::string svg = flat(page_.file.parent_path() / link.target);
+    return html("<figure>" + svg + "<figcaption>" + caption_html(link.text) +
+                "</figcaption></figure>");
+  }
+
+  std::string with_links(const std::string& text, const std::vector<Link>& links) const {
+    std::string result;
+    std::size_t at = 0;
+    for (const Link& link : links) {
+      result += text.substr(at, link.begin - at) + linked(link);
+      at = link.end;
+    }
+    return result + text.substr(at);
+  }
+
+  std::string linked(const Link& link) const {
+    if (link.target.find("://") != std::string::npos)
+      return "[" + link.text + "](" + link.target + ")";
+    const auto hash = link.target.find('#');
+    const std::string path = link.target.substr(0, hash);
+    const fs::path file = path.empty() ? page_.file : page_.file.parent_path() / path;
+    const fs::path page = fs::is_directory(file) ? file / "README.md" : file;
+    if (is_in_the_site(page)) {
+      const std::string anchor =
+          hash == std::string::npos ? "" : "-" + link.target.substr(hash + 1);
+      return "[" + plain(link.text) + "](@ref " + page_id(root_, page) + anchor + ")";
+    }
+    if (page.extension() == ".hpp" && link.target.find("include/") != std::string::npos)
+      return "[" + link.text + "](@ref " + link.target.substr(link.target.find("include/") + 8) +
+             ")";
+    return link.text;  // a source file that the site does not hold
+  }
+
+  bool is_in_the_site(const fs::path& file) const {
+    const fs::path relative = fs::relative(file, root_);
+    return relative == "README.md" ||
+           (file.filename() == "README.md" && *relative.begin() == "chapters");
+  }
+
+  static std::string with_formulas(const std::string& text) {
+    std::string result;
+    std::size_t at = 0;
+    for (const InlineFormula& formula : formulas_in(text)) {
+      result += text.substr(at, formula.begin - at) + "\\f$" + formula.tex + "\\f$";
+      at = formula.end;
+    }
+    return result + text.substr(at);
+  }
+
+  const fs::path& root_;
+  const Page& page_;
+  std::vector<Fence> fences_;
+};
+
+}  // namespace
+
+std::string page_id(const fs::path& root, const fs::path& file) {
+  std::string id = fs::relative(file.parent_path(), root).string();
+  if (id == ".") return "readme";
+  std::replace(id.begin(), id.end(), '/', '-');
+  return id;
+}
+
+std::string for_doxygen(const fs::path& root, const Page& page) {
+  return Converter(root, page).convert();
+}
+
+}  // namespace tumble::book

@@ -1,0 +1,17 @@
+#pragma once
+/// @file
+/// A page as Doxygen wants it, line by line: its warnings keep the line numbers of the page.
+
+#include <string>
+
+#include "book/tool/page.hpp"
+
+namespace tumble::book {
+
+/// The name by which the site knows a page: "chapters-04_quaternions"; "readme" for the front page.
+std::string page_id(const fs::path& root, const fs::path& file);
+
+/// The page with Doxygen's formulas, headings with names, links between pages, and figures inside.
+std::string for_doxygen(const fs::path& root, const Page& page);
+
+}  // namespace tumble::book

@@ -1,0 +1,15 @@
+#pragma once
+/// @file
+/// Code in a page is a definition of the compiled source, found by its name.
+
+#include <filesystem>
+#include <string>
+
+namespace tumble::book {
+
+/// The definition of `name` in a source file, without its documentation: a function, struct, class,
+/// concept or variable that starts in the first column; "Class::member" for a member.
+/// @throws std::invalid_argument naming the file if it is not there
+std::string snippet(const std::filesystem::path& file, const std::string& name);
+
+}  // namespace tumble::book
