@@ -202,7 +202,9 @@ class Builder {
     } else if (!undefined.empty()) {
       result.detail = "These functions are used, and are not there:\n";
       for (const std::string& name : undefined) result.detail += "  " + name + "\n";
-      result.detail += "(A later unit? A helper that is declared, but not defined?)\n";
+      const bool of_eigen = undefined.front().find("Eigen::") != std::string::npos;
+      result.detail += of_eigen ? "(Eigen/Core is all of Eigen that an exercise has.)\n"
+                                : "(A later unit? A helper that is declared, but not defined?)\n";
     } else {
       result.detail = "linking fails:\n" + step.output;  // names of functions, no text of a file
     }
