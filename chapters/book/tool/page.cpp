@@ -15,7 +15,7 @@ std::string trimmed(const std::string& text) {
 
 /// Reads "<!-- snippet: path#region -->" into the fence that follows.
 bool read_directive(const std::string& line, Fence& fence) {
-  for (const std::string kind : {"snippet", "output"}) {
+  for (const std::string kind : {"snippet", "signature", "output"}) {
     const std::string start = "<!-- " + kind + ": ";
     if (!line.starts_with(start) || !line.ends_with(" -->")) continue;
     const std::string what = line.substr(start.size(), line.size() - start.size() - 4);

@@ -24,11 +24,12 @@ struct Page {
 };
 
 /// A fenced block, and the comment in the line above that says what it shows:
-/// `<!-- snippet: lib/include/tumble/rotation/skew.hpp#skew -->` or `<!-- output: 03#drift -->`.
+/// `<!-- snippet: lib/include/tumble/rotation/skew.hpp#skew -->`, the same with `signature`, or
+/// `<!-- output: 03_rotation_matrices#drift -->`.
 struct Fence {
   std::size_t opening = 0, closing = 0;  ///< line numbers of the two fences, from 0
   std::string language;                  ///< "cpp", "text", "math", …
-  std::string source;                    ///< "snippet" or "output"; empty for a plain fence
+  std::string source;                    ///< "snippet", "signature", "output"; empty if plain
   std::string path, region;              ///< before and after the #
 };
 

@@ -106,4 +106,12 @@ std::string snippet(const std::filesystem::path& file, const std::string& name) 
   return text;
 }
 
+std::string signature(const std::filesystem::path& file, const std::string& name) {
+  const std::string text = snippet(file, name);
+  std::string head = text.substr(0, text.find('{'));
+  if (const auto equals = head.find(" = "); equals != std::string::npos) head.resize(equals);
+  head.erase(head.find_last_not_of(" \n;") + 1);
+  return head + ";\n";
+}
+
 }  // namespace tumble::book

@@ -12,4 +12,7 @@ namespace tumble::book {
 /// @throws std::invalid_argument naming the file if it is not there
 std::string snippet(const std::filesystem::path& file, const std::string& name);
 
+/// The same up to the body: what a page shows of a function that is an exercise.
+std::string signature(const std::filesystem::path& file, const std::string& name);
+
 }  // namespace tumble::book

@@ -30,6 +30,7 @@ std::string output_of(const std::string& command) {
 
 std::string wanted_content(const Places& places, const Fence& fence) {
   if (fence.source == "snippet") return snippet(places.root / fence.path, fence.region);
+  if (fence.source == "signature") return signature(places.root / fence.path, fence.region);
   const fs::path program = places.programs / fence.path;
   return output_of("'" + program.string() + "' --only '" + fence.region + "'");
 }

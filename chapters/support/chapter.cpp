@@ -1,0 +1,84 @@
+#include "support/chapter.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+namespace tumble::support {
+
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& content) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream out(file, std::ios::binary);
+  out << content;
+  out.close();
+  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+}  // namespace
+
+Chapter::Chapter(std::string folder, std::string title)
+    : folder_(std::move(folder)), title_(std::move(title)) {}
+
+void Chapter::table(const std::string& name, const std::string& heading,
+                    std::function<Table()> make) {
+  tables_.push_back({name, heading, std::move(make)});
+}
+
+void Chapter::figure(const std::string& name, std::function<std::string()> make) {
+  figures_.push_back({name, std::move(make)});
+}
+
+void Chapter::print_only(const std::string& name) const {
+  std::string known;
+  for (const NamedTable& each : tables_) {
+    if (each.name == name) {
+      std::cout << each.make().text();
+      return;
+    }
+    known += " " + each.name;
+  }
+  throw std::invalid_argument("there is no table '" + name + "'; there are:" + known);
+}
+
+void Chapter::write_figures(const std::string& folder) const {
+  for (const NamedFigure& each : figures_)
+    write(std::filesystem::path(folder) / (each.name + ".svg"), each.make());
+}
+
+void Chapter::show_all(const std::string& folder) const {
+  std::cout << title_ << "\n";
+  for (const NamedTable& each : tables_) {
+    const Table table = each.make();
+    std::cout << "\n" << each.heading << "\n\n" << table.text() << std::flush;
+    write(std::filesystem::path(folder) / (each.name + ".csv"), table.csv());
+  }
+  write_figures(folder);
+  std::cout << "\nFigures and tables: " << folder << "\n";
+}
+
+int Chapter::run(int argc, char** argv) const {
+  CLI::App app(title_);
+  std::string only, figures, out = "build/chapters/" + folder_;
+  app.add_option("--only", only, "print one table, by its name, and nothing else");
+  app.add_option("--figures", figures, "write the figures into this folder, and nothing else");
+  app.add_option("--out", out, "folder for figures (SVG) and tables (CSV)")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (!only.empty())
+      print_only(only);
+    else if (!figures.empty())
+      write_figures(figures);
+    else
+      show_all(out);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << folder_ << ": " << error.what() << "\n";
+    return 1;
+  }
+}
+
+}  // namespace tumble::support
