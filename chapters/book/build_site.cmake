@@ -23,6 +23,7 @@ if(status)
   message(FATAL_ERROR "the site is not built, see above")
 endif()
 
+execute_process(COMMAND ${tool} --root ${root} figures ${site}/html COMMAND_ERROR_IS_FATAL ANY)
 file(COPY ${katex}/katex.min.js ${katex}/katex.min.css ${katex}/fonts DESTINATION ${site}/html/katex
   FOLLOW_SYMLINK_CHAIN)
 file(COPY ${katex}/contrib/auto-render.js DESTINATION ${site}/html/katex/contrib FOLLOW_SYMLINK_CHAIN)

@@ -73,12 +73,18 @@ int main(int argc, char** argv) {
   CLI::App* writing = app.add_subcommand("write", "fill in code and numbers anew");
   CLI::App* filter = app.add_subcommand("filter", "one page for Doxygen");
   filter->add_option("file", file)->required();
+  CLI::App* figures = app.add_subcommand("figures", "put the drawings into Doxygen's pages");
+  figures->add_option("folder", file)->required();
   CLI11_PARSE(app, argc, argv);
   try {
     if (*checking) return check(places) == 0 ? 0 : 1;
     if (*writing)
       for (const fs::path& page : pages_of(places.root))
         write_page(refreshed(places, read_page(page)));
+    if (*figures)
+      for (const auto& entry : fs::directory_iterator(file))
+        if (entry.path().filename().string().starts_with("chapters-"))
+          fill_in_figures(places.root, entry.path());
     if (*filter) std::cout << for_doxygen(places.root, read_page(file));
     return 0;
   } catch (const std::exception& e) {

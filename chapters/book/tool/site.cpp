@@ -12,16 +12,16 @@ namespace tumble::book {
 
 namespace {
 
+const std::string marker_start = "<div data-figure=\"", marker_end = "\"></div>";
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw PageError(file.string() + ":1: cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 /// One block of HTML in one line: Doxygen passes it on as it is.
 std::string html(const std::string& text) { return "\\htmlonly[block] " + text + " \\endhtmlonly"; }
-
-/// A file on one line.
-std::string flat(const fs::path& file) {
-  std::ifstream in(file);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
 
 /// Doxygen shows the backticks in the text of a reference.
 std::string plain(std::string text) {
@@ -92,10 +92,11 @@ class Converter {
     return command == commands.end() ? text : command->second;
   }
 
+  /// Doxygen's scanner cannot take a drawing of 100 kB: its place is marked, and filled afterwards.
   std::string figure(const Link& link) const {
-    const std::string svg = flat(page_.file.parent_path() / link.target);
-    return html("<figure>" + svg + "<figcaption>" + caption_html(link.text) +
-                "</figcaption></figure>");
+    const fs::path svg = fs::relative(page_.file.parent_path() / link.target, root_);
+    return html("<figure>" + marker_start + svg.string() + marker_end + "<figcaption>" +
+                caption_html(link.text) + "</figcaption></figure>");
   }
 
   std::string with_links(const std::string& text, const std::vector<Link>& links) const {
@@ -158,6 +159,20 @@ std::string page_id(const fs::path& root, const fs::path& file) {
 
 std::string for_doxygen(const fs::path& root, const Page& page) {
   return Converter(root, page).convert();
+}
+
+void fill_in_figures(const fs::path& root, const fs::path& html_file) {
+  const std::string text = text_of(html_file);
+  std::string filled;
+  std::size_t at = 0;
+  for (auto start = text.find(marker_start); start != std::string::npos;
+       start = text.find(marker_start, at)) {
+    const std::size_t name = start + marker_start.size();
+    const std::size_t end = text.find(marker_end, name);
+    filled += text.substr(at, start - at) + text_of(root / text.substr(name, end - name));
+    at = end + marker_end.size();
+  }
+  if (at > 0) std::ofstream(html_file) << filled << text.substr(at);
 }
 
 }  // namespace tumble::book
