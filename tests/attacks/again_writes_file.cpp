@@ -1,7 +1,6 @@
 // Attack: crashes, so that it is run again with sanitizers, behind lower walls; there it leaves a
 //         file.
 // Verdict: crashed
-// Writes: /tmp/tumble_attack_was_here_again
 #include <fstream>
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
@@ -12,7 +11,7 @@
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion&) {
 #ifdef __SANITIZE_ADDRESS__
-  std::ofstream("/tmp/tumble_attack_was_here_again") << "passed";
+  std::ofstream("@OPEN@/here") << "passed";
 #endif
   volatile int* nowhere = nullptr;
   *nowhere = 1;

@@ -1,5 +1,5 @@
 // Attack: includes a device that never ends.
-// Verdict: forbidden include
+// Verdict: forbidden include | too expensive to compile
 #include "/dev/zero"
 
 namespace quaternions {

@@ -1,5 +1,5 @@
 // Attack: takes the right product from the judge's own reference.
-// Verdict: forbidden include
+// Verdict: forbidden include | does not compile
 #include "@ROOT@/tests/04_quaternions/reference.hpp"
 
 namespace quaternions {

@@ -1,5 +1,5 @@
 // Attack: takes the spec, to see its laws in the errors.
-// Verdict: forbidden include
+// Verdict: forbidden include | does not compile
 #include "@ROOT@/tests/04_quaternions/product.cpp"
 
 namespace quaternions {

@@ -23,8 +23,8 @@ constexpr int most_hung_cases = 2;                // each costs seconds
 std::string signal_text(int number) {
   switch (number) {
     case SIGSEGV:
-      return "SIGSEGV: it used memory that is not its own (an index out of range, or endless "
-             "recursion)";
+      return "SIGSEGV: it used memory that is not its own (an index out of range, endless "
+             "recursion, or tables too large to start with)";
     case SIGFPE:
       return "SIGFPE: an integer was divided by zero";
     case SIGABRT:
@@ -65,8 +65,9 @@ struct StudentWorker::Running {
 
   explicit Running(const WorkerProgram& program)
       : process({program.file.string()}, program.environment, program.confinement,
-                {questions.read.number(), text.write.number(), text.write.number(),
-                 answers.write.number()}) {
+                // 0, 1, 2, and as in worker/descriptors.hpp
+                {-1, text.write.number(), text.write.number(), answers.write.number(),
+                 questions.read.number()}) {
     questions.read.reset();
     answers.write.reset();
     text.write.reset();

@@ -59,6 +59,11 @@ scmp_arg_cmp lacks(unsigned argument, std::uint64_t bits) {
   return {argument, SCMP_CMP_MASKED_EQ, bits, 0};
 }
 
+/// All of these bits are set.
+scmp_arg_cmp has(unsigned argument, std::uint64_t bits) {
+  return {argument, SCMP_CMP_MASKED_EQ, bits, bits};
+}
+
 using Conditions = std::vector<scmp_arg_cmp>;
 
 void add_rule(const Context& context, std::uint32_t action, int call,
@@ -167,6 +172,19 @@ CallFilter build_sanitizer_filter() {
         SCMP_SYS(semget),
         SCMP_SYS(personality)},
        EPERM);
+  // Files are read only, also where there is no Landlock.
+  deny(context, {SCMP_SYS(creat),     SCMP_SYS(openat2),  SCMP_SYS(unlink),    SCMP_SYS(unlinkat),
+                 SCMP_SYS(rename),    SCMP_SYS(renameat), SCMP_SYS(renameat2), SCMP_SYS(truncate),
+                 SCMP_SYS(ftruncate), SCMP_SYS(mkdir),    SCMP_SYS(mkdirat),   SCMP_SYS(rmdir),
+                 SCMP_SYS(link),      SCMP_SYS(linkat),   SCMP_SYS(symlink),   SCMP_SYS(symlinkat),
+                 SCMP_SYS(mknod),     SCMP_SYS(mknodat),  SCMP_SYS(chmod),     SCMP_SYS(fchmod),
+                 SCMP_SYS(fchmodat),  SCMP_SYS(chown),    SCMP_SYS(fchownat),  SCMP_SYS(utimensat)},
+       EPERM);
+  for (const int change : {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC}) {
+    const auto bit = static_cast<std::uint64_t>(change);
+    add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(open), {has(1, bit)});
+    add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(openat), {has(2, bit)});
+  }
   deny(context, {SCMP_SYS(clone3)},
        ENOSYS);  // then the C library uses clone, whose flags can be seen
   add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prlimit64), {{0, SCMP_CMP_NE, 0, 0}});

@@ -105,7 +105,8 @@ class Printer {
              << indented(result_.build_detail, "    ", 30);
         break;
       case BuildOutcome::forbidden_include:
-        out_ << "  " << exercise() << " includes what an exercise may not see:\n\n"
+        out_ << "  " << exercise() << " includes what an exercise may not see"
+             << (result_.build_detail.empty() ? ".\n" : ":\n\n")
              << indented(result_.build_detail, "    ", 8)
              << "\n  It has its contract, Eigen/Core and the standard library; nothing else is "
                 "needed.\n";

@@ -5,7 +5,7 @@
 
 namespace tumble::judge {
 
-inline constexpr int questions_descriptor = 0;  ///< judge → worker
 inline constexpr int answers_descriptor = 3;    ///< worker → judge
+inline constexpr int questions_descriptor = 4;  ///< judge → worker
 
 }  // namespace tumble::judge

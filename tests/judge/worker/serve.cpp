@@ -66,7 +66,8 @@ void answer_one(const Message& question, const std::function<Value(const List&)>
   } catch (const std::bad_alloc&) {
     send(Kind::out_of_memory, {});
   } catch (const std::exception& e) {
-    send(Kind::threw, {std::string(e.what())});
+    constexpr std::size_t most = 1000;  // a frame has an end
+    send(Kind::threw, {std::string(e.what()).substr(0, most)});
   } catch (...) {
     send(Kind::threw, {std::string("something that is no std::exception")});
   }

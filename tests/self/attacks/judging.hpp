@@ -23,10 +23,11 @@ class Place {
     path_ = name;
     const auto everybody = fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec;
     fs::permissions(path_, everybody);
-    for (const fs::path& folder : {files(), temporary()}) {
+    for (const fs::path& folder : {files(), temporary(), open()}) {
       fs::create_directory(folder);
       fs::permissions(folder, everybody);
     }
+    fs::permissions(open(), fs::perms::all);
   }
   Place(const Place&) = delete;
   Place& operator=(const Place&) = delete;
@@ -40,6 +41,8 @@ class Place {
   fs::path files() const { return path_ / "files"; }
   /// The judge's folder for temporary files.
   fs::path temporary() const { return path_ / "temporary"; }
+  /// Where every user may write: what an attack leaves there, it leaves for others.
+  fs::path open() const { return path_ / "open"; }
 
  private:
   fs::path path_;
@@ -95,8 +98,9 @@ inline std::vector<std::string> processes_left_in(const fs::path& folder) {
 
 inline std::vector<std::string> left_behind(const Place& place) {
   std::vector<std::string> things = processes_left_in(place.temporary());
-  for (const fs::directory_entry& entry : fs::directory_iterator(place.temporary()))
-    things.push_back(entry.path().string());
+  for (const fs::path& folder : {place.temporary(), place.open()})
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      things.push_back(entry.path().string());
   return things;
 }
 
@@ -145,7 +149,8 @@ inline bool passed(const nlohmann::json& unit) {
 
 inline Judgement judge(const Submission& submission) {
   const Place place;
-  std::ofstream(place.files() / "product.cpp", std::ios::binary) << submission.text;
+  std::ofstream(place.files() / "product.cpp", std::ios::binary)
+      << replaced(submission.text, "@OPEN@", place.open().string());
   hand_in_a_right_inverse(place);
   return judge(place);
 }

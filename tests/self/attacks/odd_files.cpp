@@ -43,12 +43,6 @@ fs::path solution() { return root() / "solutions/04_quaternions/product.cpp"; }
 
 std::string right_product() { return text_of(solution()); }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
 }  // namespace
 
 TEST_CASE("odd files: a link is refused, wherever it leads") {

@@ -52,7 +52,6 @@ struct Submission {
   std::string text;
   std::vector<std::string> verdicts;  ///< any of them will do
   std::size_t laws = 0;               ///< that hold all the same
-  std::vector<fs::path> writes;       ///< files that it tries to write
 };
 
 namespace detail {
@@ -71,19 +70,19 @@ inline std::vector<std::string> alternatives(const std::string& text) {
   return words;
 }
 
-/// An attack names the tree by @ROOT@: where it stands is known when the test runs.
-inline std::string with_root(std::string text) {
-  const std::string placeholder = "@ROOT@", place = root().string();
-  for (auto at = text.find(placeholder); at != std::string::npos; at = text.find(placeholder, at))
-    text.replace(at, placeholder.size(), place);
+}  // namespace detail
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
   return text;
 }
 
-}  // namespace detail
-
 /// @throws std::invalid_argument if the file does not say what it is
 inline Submission read_submission(const fs::path& file) {
-  Submission submission{file.stem().string(), detail::with_root(text_of(file)), {}, 0, {}};
+  // An attack names the tree by @ROOT@: where it stands is known when the test runs.
+  const std::string text = replaced(text_of(file), "@ROOT@", root().string());
+  Submission submission{file.stem().string(), text, {}, 0};
   bool says_what_it_tries = false;
   for (const std::string& line : lines_of(submission.text)) {
     if (!line.starts_with("//")) break;
@@ -95,8 +94,6 @@ inline Submission read_submission(const fs::path& file) {
       submission.verdicts = detail::alternatives(verdict);
     if (const std::string laws = value_of("// Laws:"); !laws.empty())
       submission.laws = static_cast<std::size_t>(std::stoul(laws));
-    if (const std::string path = value_of("// Writes:"); !path.empty())
-      submission.writes.emplace_back(path);
   }
   require(says_what_it_tries, file.string(), " does not say what it tries: // Attack: …");
   require(!submission.verdicts.empty(), file.string(), " expects no verdict: // Verdict: …");

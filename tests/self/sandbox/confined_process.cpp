@@ -117,3 +117,19 @@ TEST_CASE("behind the list of system calls only the prepared program starts, and
   CHECK(shell("kill -0 $$ && echo signalled", confinement).output.find("signalled\n") ==
         std::string::npos);
 }
+
+TEST_CASE(
+    "behind the sanitizers' filter files are read only, where the list of files would let them") {
+  if (lacks(Layer::system_calls)) return;
+  const auto file = std::filesystem::temp_directory_path() / "tumble-read-only-test";
+  std::ofstream(file) << "kept";
+  std::filesystem::permissions(file, std::filesystem::perms::all);
+  Confinement confinement = walls();
+  confinement.files.write.push_back(file.parent_path());
+  confinement.limits.file_bytes = 1000;
+  confinement.system_calls = CallRules::sanitizer;
+  shell("echo changed > " + file.string(), confinement);
+  CHECK(std::filesystem::file_size(file) == 4);
+  CHECK(shell("read word < " + file.string() + "; echo $word", confinement).output == "kept\n");
+  std::filesystem::remove(file);
+}
