@@ -21,10 +21,10 @@ Vec3 reference(const Vec3& x, const Mat3& R, const Vec3& v, const Vec3& omega, c
 }
 
 /// Turning the point and the cross product round by 8 eps of |ω| |p_body|, the sum by one of |v|
-/// and of that; the way through the body's axes, with an R that is a rotation to rounding, takes up
-/// to 45. Both sides together, with room.
+/// and of that; the way through the body's axes and back, with an R that is a rotation to rounding,
+/// by up to 45 of either. Both sides together, with room.
 double rounding(const Vec3& v, const Vec3& omega, const Vec3& p_body) {
-  return eps * (64 * omega.norm() * p_body.norm() + 4 * v.norm());
+  return 64 * eps * (omega.norm() * p_body.norm() + v.norm());
 }
 
 /// A body somewhere, in motion.
