@@ -8,7 +8,7 @@ set(tumble_judge_folder ${CMAKE_CURRENT_LIST_DIR})
 # What a student's file is compiled with, by the judge and by the build alike.
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -g1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE -fno-pie
-  -Wall -Wextra -Wno-unused-parameter)
+  -Wall -Wextra -Wno-unused-parameter -Werror=return-type)
 foreach(folder IN LISTS eigen_folders)
   list(APPEND TUMBLE_STUDENT_FLAGS -isystem ${folder})
 endforeach()

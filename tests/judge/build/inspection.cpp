@@ -39,16 +39,18 @@ AllowedHeaders::AllowedHeaders(const fs::path& precompiled_rule,
     files_.insert(file);
     const bool of_eigen = file.string().find("/Eigen/") != std::string::npos;
     if (!of_eigen) folders_.insert(file.parent_path());
-    if (file.filename() == "cmath") standard_library_ = file.parent_path();
+    // All of the standard library, and what the compiler brings (with sanitizers, lists of its own).
+    if (file.filename() == "cmath") trees_.push_back(file.parent_path());
+    if (file.filename() == "stddef.h") trees_.push_back(file.parent_path().parent_path());
   }
 }
 
 bool AllowedHeaders::contains(const fs::path& header) const {
-  if (files_.contains(header) || folders_.contains(header.parent_path())) return true;
-  const auto [end, rest] = std::mismatch(standard_library_.begin(), standard_library_.end(),
-                                         header.begin(), header.end());
-  static_cast<void>(rest);
-  return !standard_library_.empty() && end == standard_library_.end();
+  return files_.contains(header) || folders_.contains(header.parent_path()) ||
+         std::any_of(trees_.begin(), trees_.end(), [&](const fs::path& tree) {
+           return std::mismatch(tree.begin(), tree.end(), header.begin(), header.end()).first ==
+                  tree.end();
+         });
 }
 
 namespace {

@@ -25,7 +25,7 @@ class AllowedHeaders {
 
  private:
   std::set<std::filesystem::path> files_, folders_;
-  std::filesystem::path standard_library_;
+  std::vector<std::filesystem::path> trees_;
 };
 
 /// The line number (of the assembly) of the first piece that the source wrote in assembler, or that

@@ -14,25 +14,31 @@ namespace tumble::judge {
 
 namespace {
 
-/// The number of continuation bytes after this first byte of a UTF-8 sequence, or −1.
-int continuation_bytes(unsigned char first) {
-  if (first < 0x80) return 0;
-  if (first >= 0xc2 && first < 0xe0) return 1;
-  if (first >= 0xe0 && first < 0xf0) return 2;
-  if (first >= 0xf0 && first < 0xf5) return 3;
-  return -1;
+/// The length of the UTF-8 character at `at`, 0 if there is none (Unicode 15, table 3-7: no
+/// overlong forms, no surrogates, nothing above U+10FFFF).
+std::size_t character_length(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
+  };
+  const auto continues = [&](std::size_t i) { return (byte(i) & 0xc0) == 0x80; };
+  const unsigned first = byte(0), second = byte(1);
+  if (first > 0 && first < 0x80) return 1;
+  if (first >= 0xc2 && first < 0xe0) return continues(1) ? 2 : 0;
+  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool no_character = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
+  if (overlong || no_character || !continues(1) || !continues(2)) return 0;
+  if (first >= 0xe0 && first < 0xf0) return 3;
+  return first >= 0xf0 && first < 0xf5 && continues(3) ? 4 : 0;
 }
 
 /// The line of the first byte that is not UTF-8 or is NUL; 0 if there is none.
 std::size_t line_that_is_no_text(const std::string& text) {
   std::size_t line = 1;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto first = static_cast<unsigned char>(text[i]);
-    const int more = continuation_bytes(first);
-    if (more < 0 || first == 0) return line;
-    for (int k = 0; k < more; ++k)
-      if (++i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return line;
-    if (first == '\n') ++line;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    if (length == 0) return line;
+    if (text[i] == '\n') ++line;
+    i += length;
   }
   return 0;
 }
@@ -41,9 +47,16 @@ std::size_t line_that_is_no_text(const std::string& text) {
 
 std::string read_submission(const std::filesystem::path& path) {
   const auto refuse = [&](const std::string& why) { throw Refused(path.string() + " " + why); };
-  // O_NOFOLLOW: a link could lead to another's work. O_NONBLOCK: a pipe would wait for its writer.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  if (file.number() < 0 && errno == ENOENT) refuse("does not exist");
+  // O_NOFOLLOW: a link, or a folder that is one, could lead to another's work.
+  // O_NONBLOCK: a pipe would wait for its writer.
+  const Descriptor folder(
+      ::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (folder.number() < 0 && std::filesystem::is_symlink(path.parent_path()))
+    refuse("is in a folder that is a symbolic link");
+  const Descriptor file(::openat(folder.number(), path.filename().c_str(),
+                                 O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (file.number() < 0 && !std::filesystem::exists(std::filesystem::symlink_status(path)))
+    refuse("does not exist");
   if (file.number() < 0 && errno == ELOOP) refuse("is a symbolic link, not a file");
   if (file.number() < 0) refuse(std::string("cannot be read: ") + std::strerror(errno));
   struct stat status = {};

@@ -52,7 +52,7 @@ fs::path file_in(const fs::path& folder, const Unit& unit) {
 }
 
 fs::path source_of(const Course& course, const CheckOptions& options, const Unit& unit) {
-  if (options.from) return file_in(*options.from, unit);
+  if (options.from) return file_in(fs::weakly_canonical(*options.from), unit);
   return options.solutions ? course.solution(unit) : course.exercise(unit);
 }
 

@@ -27,13 +27,9 @@ namespace {
 /// What a child does before it becomes the program; its number tells the parent which step failed.
 enum class Step : int { rules, files, folder, limits, user, calls, start };
 
-constexpr std::array<const char*, 7> step_names = {"its open files",
-                                                   "its folder",
-                                                   "limits (setrlimit)",
-                                                   "another user",
-                                                   "file rules (Landlock)",
-                                                   "system calls (seccomp)",
-                                                   "the program"};
+constexpr std::array<const char*, 7> step_names = {
+    "file rules (Landlock)", "its open files",         "its folder", "limits (setrlimit)",
+    "another user",          "system calls (seccomp)", "the program"};
 
 struct Failure {
   Step step;

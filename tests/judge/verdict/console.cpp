@@ -34,6 +34,23 @@ std::string indented(const std::string& text, const std::string& by, std::size_t
   return result;
 }
 
+/// The text in lines of at most 100 characters, all but the first indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  constexpr std::size_t width = 100;
+  std::istringstream in(text);
+  std::string result, word;
+  std::size_t column = indent;
+  while (in >> word) {
+    const auto length = static_cast<std::size_t>(std::count_if(
+        word.begin(), word.end(), [](char c) { return (c & '\xc0') != '\x80'; }));  // UTF-8
+    const bool fits = column + 1 + length <= width;
+    if (!result.empty()) result += fits ? " " : "\n" + std::string(indent, ' ');
+    column = fits ? column + 1 + length : indent + length;
+    result += word;
+  }
+  return result;
+}
+
 std::string short_number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", x);
@@ -80,6 +97,8 @@ class Printer {
     switch (result_.build) {
       case BuildOutcome::refused:
         out_ << "  " << one_line(result_.build_detail) << ".\n";
+        if (!fs::exists(fs::symlink_status(result_.source)))
+          out_ << "  The untouched exercise:  ./tumble reset " << result_.unit.number << "\n";
         break;
       case BuildOutcome::does_not_compile:
         out_ << "  The compiler does not accept " << exercise() << ":\n\n"
@@ -152,7 +171,7 @@ class Printer {
     else
       out_ << sentence_about(finding) << "\n";
     if (!finding.place.empty())
-      out_ << label("It happens at") << paint(finding.place, Colour::bold) << "\n";
+      out_ << label("It happens at") << paint(one_line(finding.place), Colour::bold) << "\n";
     for (const NamedMistake& mistake : finding.mistakes) explain_mistake(mistake);
     if (!finding.printed.empty())
       out_ << "\n      It printed:\n" << indented(finding.printed, "        ", 12);
@@ -198,8 +217,10 @@ class Printer {
       out_ << label("Demanded") << text_of(*finding.demanded, digits, label_width) << "\n";
       const double apart = largest_difference(*finding.answer, *finding.demanded);
       if (apart >= 0)
-        out_ << label("Furthest apart by") << short_number(apart) << " where "
-             << short_number(finding.tolerance) << " is allowed\n";
+        out_ << label("Furthest apart by") << short_number(apart) << ", where "
+             << (finding.tolerance > 0 ? short_number(finding.tolerance) + " is allowed"
+                                       : "no rounding is needed")
+             << "\n";
     }
     if (!finding.detail.empty()) out_ << label("Demanded") << one_line(finding.detail) << "\n";
   }
@@ -237,8 +258,8 @@ class Printer {
   }
 
   void explain_mistake(const NamedMistake& mistake) {
-    out_ << "\n      " << paint("This is what “" + mistake.name + "” gives.", Colour::yellow) << " "
-         << mistake.sentence << "\n";
+    out_ << "\n      " << paint("This is what “" + mistake.name + "” gives.", Colour::yellow)
+         << "\n      " << wrapped(mistake.sentence, 6) << "\n";
     const fs::path page = course_.page(result_.unit);
     if (!mistake.section.empty() && fs::exists(page))
       out_ << "      Read " << relative(page) << ", “" << mistake.section << "”.\n";

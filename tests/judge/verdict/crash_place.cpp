@@ -1,6 +1,7 @@
 #include "judge/verdict/crash_place.hpp"
 
-#include <regex>
+#include <string>
+#include <vector>
 
 #include "judge/build/worker_build.hpp"
 #include "judge/conversation/student_worker.hpp"
@@ -9,31 +10,62 @@ namespace tumble::judge {
 
 namespace {
 
-/// What the sanitizer calls it: "runtime error: division by zero", "stack-overflow", …
+// Whoever crashed may have printed anything: the report is searched by hand, because a regular
+// expression of the standard library recurses for every character.
+
+/// The characters from `start` on that `belongs` takes, at most `most`.
+template <class Predicate>
+std::string run_of(const std::string& text, std::size_t start, std::size_t most,
+                   Predicate belongs) {
+  std::string run;
+  for (std::size_t i = start; i < text.size() && run.size() < most && belongs(text[i]); ++i)
+    run += text[i];
+  return run;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_hexadecimal(char c) { return is_digit(c) || (c >= 'a' && c <= 'f'); }
+
+/// What the sanitizer calls it: "division by zero", "stack-overflow", …
 std::string name_in(const std::string& report) {
   if (report.find("Assertion `") != std::string::npos) return {};  // says more than what followed
-  std::smatch found;
-  if (std::regex_search(report, found, std::regex("runtime error: ([^\n]*)"))) return found[1];
-  if (std::regex_search(report, found, std::regex("AddressSanitizer: ([a-zA-Z-]+)")))
-    return found[1];
+  for (const std::string start : {"runtime error: ", "AddressSanitizer: "}) {
+    const auto at = report.find(start);
+    const bool one_word = start.front() == 'A';
+    if (at != std::string::npos)
+      return run_of(report, at + start.size(), 200,
+                    [&](char c) { return c != '\n' && !(one_word && c == ' '); });
+  }
   return {};
 }
 
-/// The first line of `file` that the report mentions.
+/// The first line number of `file` that the report mentions.
 std::string line_in(const std::string& report, const std::string& file) {
-  std::smatch found;
-  const std::regex place(file + ":([0-9]+)");
-  return std::regex_search(report, found, place) ? found[1].str() : std::string();
+  for (auto at = report.find(file + ":"); at != std::string::npos;
+       at = report.find(file + ":", at + 1))
+    if (const std::string line = run_of(report, at + file.size() + 1, 7, is_digit); !line.empty())
+      return line;
+  return {};
+}
+
+/// The addresses of the frames "#3 0x4c3b5e …" of a report.
+std::vector<std::string> addresses_in(const std::string& report) {
+  constexpr std::size_t most = 100;
+  std::vector<std::string> addresses;
+  for (auto at = report.find(" 0x"); at != std::string::npos && addresses.size() < most;
+       at = report.find(" 0x", at + 1))
+    if (at > 0 && is_digit(report[at - 1]))
+      addresses.push_back(run_of(report, at + 3, 16, is_hexadecimal));
+  return addresses;
 }
 
 /// clang's runtime leaves the addresses of a report to a program that may not be there: resolve
 /// them with the binutils, which a compiler needs anyway.
 std::string resolve_addresses(const std::string& report, const WorkerProgram& worker) {
+  const std::vector<std::string> addresses = addresses_in(report);
   std::vector<std::string> command{"/usr/bin/addr2line", "-e", worker.file.string()};
-  const std::regex frame("#[0-9]+ 0x([0-9a-f]+)");
-  for (std::sregex_iterator it(report.begin(), report.end(), frame), end; it != end; ++it)
-    command.push_back((*it)[1]);
-  if (command.size() == 3 || !std::filesystem::exists(command[0])) return {};
+  command.insert(command.end(), addresses.begin(), addresses.end());
+  if (addresses.empty() || !std::filesystem::exists(command[0])) return {};
   Confinement confinement = worker.confinement;
   confinement.limits.memory_bytes = 1ull << 30;
   return run_confined(command, {}, confinement).output;
