@@ -8,7 +8,8 @@
 /// while the body moves; everything else is in world axes.
 ///
 /// The cross product a × b is `rotation_matrices::skew(a) * b`, with 3.2; or write its three
-/// components out. "To rounding" means: off by some roundings of a double, not more.
+/// components out. Eigen's own `.cross()` is not among what an exercise has. "To rounding" means:
+/// off by some roundings of a double, not more.
 
 #include <Eigen/Core>
 #include <vector>
