@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -181,19 +180,6 @@ class Builder {
     return succeeded(run({"-c", assembly().string(), "-o", object().string()}), result, true);
   }
 
-  /// Does a line of the linker's say that the unit's function is undefined? It may also stand there
-  /// as the one that calls what is undefined, such as a function of Eigen that is not included.
-  bool misses_function(const std::string& output) const {
-    std::istringstream lines(output);
-    for (std::string line; std::getline(lines, line);) {
-      const auto undefined = line.find("undefined");
-      if (undefined != std::string::npos &&
-          line.find("::" + unit_.name + "(", undefined) != std::string::npos)
-        return true;
-    }
-    return false;
-  }
-
   bool link(WorkerBuild& result) const {
     // A student may define what the course provides too; the first definition counts, and main is
     // ours.
@@ -204,7 +190,8 @@ class Builder {
     if (!tools_.linker.empty()) arguments.push_back("-fuse-ld=" + tools_.linker);
     arguments.emplace_back(sanitized_ ? "-fsanitize=address,undefined" : "-static");
     const Finished step = run(arguments);
-    const bool absent = misses_function(step.output);
+    const bool absent = step.output.find("undefined") != std::string::npos &&
+                        step.output.find("::" + unit_.name + "(") != std::string::npos;
     if (succeeded(step, result, true)) return true;
     if (absent) {
       result.outcome = BuildOutcome::wrong_signature;
