@@ -2,5 +2,3 @@
 // Verdict: does not compile | wrong signature
 
 /* Here starts what never ends.
-
- 

@@ -1,2 +1,4 @@
 // Attack: is nothing but comments.
-// Verdict: wrong signature Nothing else.
+// Verdict: wrong signature
+
+// Nothing else.

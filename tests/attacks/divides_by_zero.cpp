@@ -4,6 +4,6 @@
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion& b) {
   volatile int zero = 0;
-  return (a + b) * (1 / zero);
+  return (a + b) * (7 / zero);
 }
 }  // namespace quaternions

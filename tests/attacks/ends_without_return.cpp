@@ -1,5 +1,5 @@
 // Attack: has no return statement.
-// Verdict: crashed | wrong | hung | exited | malformed
+// Verdict: does not compile
 
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion& b) {

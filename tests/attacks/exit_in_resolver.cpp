@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 extern "C" {
-static void nothing() {}
-__attribute__((used)) static void (*resolve(void))(void) {
+void nothing() {}
+__attribute__((used)) void (*resolve(void))(void) {
   _exit(0);
   return nothing;
 }

@@ -1,5 +1,5 @@
 // Attack: wants to change the contract by macros, and to include it again.
-// Verdict: wrong | does not compile
+// Verdict: wrong signature | does not compile
 #define Quaternion double
 #define NotImplemented int
 #undef EIGEN_CORE_H

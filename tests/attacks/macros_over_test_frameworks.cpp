@@ -1,5 +1,5 @@
 // Attack: redefines what tests are made of; it works where the source is included by a test.
-// Verdict: wrong
+// Verdict: wrong signature
 #define CHECK(...)
 #define REQUIRE(...)
 #define TEST_CASE(...) static void never()

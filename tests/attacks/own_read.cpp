@@ -1,5 +1,5 @@
 // Attack: brings a read that gives the worker questions of the student's choice.
-// Verdict: malformed | exited | wrong | out of memory
+// Verdict: crashed | malformed | exited
 #include <unistd.h>
 
 #include <cstring>

@@ -1,6 +1,6 @@
 // Attack: execs the bare address that the sandbox uses, with nothing mapped there; then answers
 //         wrongly.
-// Verdict: wrong
+// Verdict: forbidden | wrong
 #include <sys/syscall.h>
 #include <unistd.h>
 

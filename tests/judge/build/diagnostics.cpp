@@ -1,5 +1,6 @@
 #include "judge/build/diagnostics.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 
@@ -49,6 +50,21 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
     ++lines;
   }
   return kept;
+}
+
+std::vector<std::string> undefined_functions(const std::string& linker_output) {
+  std::istringstream in(linker_output);
+  std::vector<std::string> names;
+  for (std::string line; std::getline(in, line);)
+    for (const std::string before :
+         {"undefined symbol: ", "undefined reference to `", "undefined reference to '"}) {
+      const auto at = line.find(before);
+      if (at == std::string::npos) continue;
+      const auto start = at + before.size();
+      const std::string name = line.substr(start, line.find_first_of("('", start) - start);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  return names;
 }
 
 }  // namespace tumble::judge

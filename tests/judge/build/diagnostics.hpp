@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace tumble::judge {
 
@@ -11,5 +12,8 @@ namespace tumble::judge {
 /// elsewhere; shortens paths to file names. Nothing of a foreign file's text gets through.
 std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
                            bool others);
+
+/// The functions that a linker misses, by name: "quaternions::inverse".
+std::vector<std::string> undefined_functions(const std::string& linker_output);
 
 }  // namespace tumble::judge

@@ -39,7 +39,8 @@ AllowedHeaders::AllowedHeaders(const fs::path& precompiled_rule,
     files_.insert(file);
     const bool of_eigen = file.string().find("/Eigen/") != std::string::npos;
     if (!of_eigen) folders_.insert(file.parent_path());
-    // All of the standard library, and what the compiler brings (with sanitizers, lists of its own).
+    // All of the standard library, and what the compiler brings (with sanitizers, lists of its
+    // own).
     if (file.filename() == "cmath") trees_.push_back(file.parent_path());
     if (file.filename() == "stddef.h") trees_.push_back(file.parent_path().parent_path());
   }

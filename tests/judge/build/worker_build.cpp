@@ -56,7 +56,7 @@ class Builder {
   void confine_compiler() {
     fs::create_directories(folder_);
     confinement_.folder = folder_;
-    confinement_.limits = {.cpu_seconds = 20,
+    confinement_.limits = {.cpu_seconds = 10,
                            .wall_seconds = 40,
                            .memory_bytes = 4ull << 30,
                            .file_bytes = 256ull << 20,
@@ -190,13 +190,22 @@ class Builder {
     if (!tools_.linker.empty()) arguments.push_back("-fuse-ld=" + tools_.linker);
     arguments.emplace_back(sanitized_ ? "-fsanitize=address,undefined" : "-static");
     const Finished step = run(arguments);
-    const bool absent = step.output.find("undefined") != std::string::npos &&
-                        step.output.find("::" + unit_.name + "(") != std::string::npos;
     if (succeeded(step, result, true)) return true;
+    if (result.outcome != BuildOutcome::does_not_compile) return false;
+    const std::vector<std::string> undefined = undefined_functions(step.output);
+    const bool absent = std::any_of(undefined.begin(), undefined.end(), [&](const auto& name) {
+      return name.ends_with("::" + unit_.name);
+    });
     if (absent) {
       result.outcome = BuildOutcome::wrong_signature;
       result.detail = read_declaration(course_, unit_).signature;
-    } else if (result.outcome == BuildOutcome::does_not_compile) {
+    } else if (!undefined.empty()) {
+      result.detail = "These functions are used, and are not there:\n";
+      for (const std::string& name : undefined) result.detail += "  " + name + "\n";
+      const bool of_eigen = undefined.front().find("Eigen::") != std::string::npos;
+      result.detail += of_eigen ? "(Eigen/Core is all of Eigen that an exercise has.)\n"
+                                : "(A later unit? A helper that is declared, but not defined?)\n";
+    } else {
       result.detail = "linking fails:\n" + step.output;  // names of functions, no text of a file
     }
     return false;

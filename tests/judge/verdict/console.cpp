@@ -174,7 +174,7 @@ class Printer {
       out_ << label("It happens at") << paint(one_line(finding.place), Colour::bold) << "\n";
     for (const NamedMistake& mistake : finding.mistakes) explain_mistake(mistake);
     if (!finding.printed.empty())
-      out_ << "\n      It printed:\n" << indented(finding.printed, "        ", 12);
+      out_ << "\n      It printed:\n" << indented(finding.printed, "        | ", 12);
     out_ << "\n      Again, this case alone:  "
          << paint("./tumble check " + result_.unit.number + "." + std::to_string(result.number) +
                       " --seed " + std::to_string(result_.seed),

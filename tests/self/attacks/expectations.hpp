@@ -53,6 +53,14 @@ inline bool commands_the_terminal(const std::string& text) {
   return false;
 }
 
+/// Would a continuous-integration runner take a line for a command? GitHub's looks for "::" at the
+/// start of a line, after spaces.
+inline bool commands_the_runner(const std::string& text) {
+  for (const std::string& line : lines_of(text))
+    if (trimmed(line).starts_with("::") || trimmed(line).starts_with("##[")) return true;
+  return false;
+}
+
 /// Lines that look like the judge's own good news. What a submission prints is indented deeper.
 inline std::size_t ticks(const std::string& output) {
   std::size_t count = 0;
@@ -65,16 +73,26 @@ inline std::size_t ticks(const std::string& output) {
 
 }  // namespace detail
 
+namespace detail {
+
+inline std::string in_lines(const std::vector<std::string>& all) {
+  std::string lines;
+  for (const std::string& each : all) lines += each + "\n";
+  return lines;
+}
+
+}  // namespace detail
+
 /// @param passed whether 4.1 is meant to pass
 inline void check_the_judge_stood(const Judgement& judgement, const std::string& submission,
                                   bool passed, std::size_t laws) {
   CHECK(judgement.seconds < most_seconds);
-  CHECK(judgement.left_behind == std::vector<std::string>());
+  CHECK(detail::in_lines(judgement.left_behind) == "");
   CHECK(judgement.printed < 100000);
   CHECK(judgement.json_text.size() < 100000);
-  CHECK(detail::leaks(judgement.output + judgement.json_text, submission) ==
-        std::vector<std::string>());
+  CHECK(detail::in_lines(detail::leaks(judgement.output + judgement.json_text, submission)) == "");
   CHECK_FALSE(detail::commands_the_terminal(judgement.output));
+  CHECK_FALSE(detail::commands_the_runner(judgement.output));
   // One for 4.2; one for 4.1 if it passes, or else one for each law of it that holds.
   CHECK(detail::ticks(judgement.output) == (passed ? 2 : 1 + laws));
   CHECK(summary_of(judgement.inverse) == "passed");

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "submission.hpp"
 
@@ -81,8 +82,19 @@ inline nlohmann::json unit_of(const nlohmann::json& results, const std::string& 
   return {};
 }
 
+/// A process that was killed still takes a moment to give gigabytes back; one that lives on does
+/// so for longer than that.
+inline std::vector<std::string> processes_left_in(const fs::path& folder) {
+  std::vector<std::string> found = processes_in(folder);
+  for (int tenths = 0; !found.empty() && tenths < 50; ++tenths) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    found = processes_in(folder);
+  }
+  return found;
+}
+
 inline std::vector<std::string> left_behind(const Place& place) {
-  std::vector<std::string> things = processes_in(place.temporary());
+  std::vector<std::string> things = processes_left_in(place.temporary());
   for (const fs::directory_entry& entry : fs::directory_iterator(place.temporary()))
     things.push_back(entry.path().string());
   return things;

@@ -4,6 +4,7 @@
 /// say what it tries and what the judge has to say to it.
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -30,9 +31,12 @@ inline fs::path root() { return variable("TUMBLE_ROOT"); }
 /// The first `most` bytes of a file: what an attack makes the judge write may be endless.
 inline std::string text_of(const fs::path& file, std::size_t most = 16 << 20) {
   std::ifstream in(file, std::ios::binary);
-  std::string text(most, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(most));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  std::string text;
+  std::array<char, 4096> part;
+  do {
+    in.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in && text.size() < most);
   return text;
 }
 

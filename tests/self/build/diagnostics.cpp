@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 using tumble::judge::messages_about;
 
@@ -30,4 +31,16 @@ TEST_CASE("a flood of messages is cut") {
   std::string output;
   for (int i = 0; i < 1000; ++i) output += "/tmp/w/a.cpp:1:1: error: again\n";
   CHECK(messages_about("/tmp/w/a.cpp", output, true).size() < 2000);
+}
+
+TEST_CASE("the functions that a linker misses, whichever linker it is") {
+  CHECK(tumble::judge::undefined_functions(
+            "ld.lld: error: undefined symbol: quaternions::inverse(Eigen::Matrix<double, 4, 1>)\n"
+            ">>> referenced by product.cpp:3\n>>> product.o:(quaternions::product(int))\n") ==
+        std::vector<std::string>{"quaternions::inverse"});
+  CHECK(tumble::judge::undefined_functions(
+            "/usr/bin/ld: product.o: in function `quaternions::product(int)':\n"
+            "product.cpp:3: undefined reference to `quaternions::inverse(int)'\n"
+            "product.cpp:4: undefined reference to `quaternions::inverse(int)'\n") ==
+        std::vector<std::string>{"quaternions::inverse"});
 }
