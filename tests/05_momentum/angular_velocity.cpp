@@ -142,7 +142,7 @@ const Misconceptions<decltype(momentum::angular_velocity)> misconceptions{
     {{"not turned",
       "The tensor in body axes was multiplied with L in world axes. A product needs both in the "
       "same axes: the orientation has to come in.",
-      "Angular momentum",
+      "Frames of reference",
       [](const Mat3&, const Mat3& I_body_inv, const Vec3& L) -> Vec3 { return I_body_inv * L; }},
      {"turned the wrong way",
       "L was turned by R, which takes body axes to world axes, and the result back by its "

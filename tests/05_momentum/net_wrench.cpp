@@ -187,34 +187,34 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
     TUMBLE_UNIT,
     {{"weight forgotten",
       "The forces of the list are all there, but not the body's weight, which is not one of them.",
-      "Force and torque",
+      "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3&, const Forces& forces) {
         return reference(mass, x, R, zero, forces);
       }},
      {"g taken for a force",
       "g was added as it is. It is an acceleration: a heavy body is pulled harder than a light "
       "one.",
-      "Force and torque",
+      "Weight",
       [](double, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         return reference(1, x, R, g, forces);
       }},
      {"weight upwards",
       "The weight has the wrong sign. g is a vector which already points to where things fall.",
-      "Force and torque",
+      "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         return reference(mass, x, R, -g, forces);
       }},
      {"weight once for each force",
       "The weight was added as often as there are other forces: look at what stands inside the "
       "loop.",
-      "Force and torque",
+      "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         return reference(mass, x, R, static_cast<double>(forces.size()) * g, forces);
       }},
      {"the weight turns",
       "The weight has a torque here, about the origin of the world. It acts at the centre of mass, "
       "and torques are asked for about the centre of mass.",
-      "Force and torque",
+      "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) -> Wrench {
         Wrench sum = reference(mass, x, R, g, forces);
         sum.torque += x.cross(mass * g);
