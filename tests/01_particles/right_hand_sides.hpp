@@ -3,6 +3,7 @@
 /// What the steps of this chapter are tried on, and how their evaluations are looked at.
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,12 +29,20 @@ inline VectorXd any_state(int count, double size = 2) {
 // A judge looks at old questions again when it searches for a name: a right-hand side must hold all
 // that it needs by value.
 
+/// How strongly the components of coupled() are driven by the next one, by the clock, and damped.
+struct Coupling {
+  double a, b, c;
+};
+inline Coupling any_coupling() {
+  return {any_number(0.5, 1), any_number(0.5, 1), any_number(0.5, 1)};
+}
+
 /// A right-hand side that gives every mistake away: it depends on the time, is not linear, and each
 /// component is driven by the next one. It is defined for states of any size; |f| ≤ 2 + |y|,
 /// |∂f/∂y| ≤ 3 and |∂f/∂t| ≤ 2.
-inline Rhs any_rhs() {
-  const double a = any_number(0.5, 1), b = any_number(0.5, 1), c = any_number(0.5, 1);
-  return [a, b, c](double t, const VectorXd& y) {
+inline Rhs coupled(const Coupling& coupling) {
+  return [coupling](double t, const VectorXd& y) {
+    const auto& [a, b, c] = coupling;
     VectorXd ydot(y.size());
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       const auto place = static_cast<double>(i);
@@ -44,6 +53,7 @@ inline Rhs any_rhs() {
     return ydot;
   };
 }
+inline Rhs any_rhs() { return coupled(any_coupling()); }
 
 /// What rounding may do to a number of a step of any_rhs() with |h| ≤ ½ and |t| ≤ 3. Every state on
 /// the way is at most 2 (1 + |y|). A stage is off by 3 roundings of that and by h times what the
@@ -61,13 +71,21 @@ inline Rhs constant_slope(const VectorXd& c) {
   return [c](double, const VectorXd&) { return c; };
 }
 
+/// f, which is defined for states of `count` numbers only, made safe: a student's code may ask with
+/// any other number of them.
+template <class F>
+auto of_size(Eigen::Index count, F f) {
+  return [count, f](double t, const VectorXd& y) {
+    if (y.size() != count)
+      throw Malformed("the right-hand side of a state of " + std::to_string(count) +
+                      " numbers was asked with " + std::to_string(y.size()));
+    return f(t, y);
+  };
+}
+
 /// y = (x, v) under the acceleration g.
 inline Rhs free_fall(double g) {
-  return [g](double, const VectorXd& y) {
-    VectorXd ydot = VectorXd::Constant(y.size(), g);
-    if (y.size() == 2) ydot[0] = y[1];
-    return ydot;
-  };
+  return of_size(2, [g](double, const VectorXd& y) { return Eigen::Vector2d(y[1], g); });
 }
 
 /// y' = −2 t y², which 1/(1 + t²) solves.
@@ -86,7 +104,7 @@ auto climb(const Step& step, double t, int count) {
   return answer;
 }
 
-/// The order seen from 1 step sizes h and h/2: log₂ of how much smaller the error has become.
+/// The order seen at h and h/2: log₂ of how much smaller the error has become.
 inline double order_from(double error, double error_of_half) {
   return std::log2(error / error_of_half);
 }

@@ -223,6 +223,13 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return reference(f, t, y, h) - y;
       }},
+     {"one sixth is zero",
+      "The state has not moved at all. In C++ the quotient of two whole numbers is a whole number: "
+      "one divided by six is 0 unless one of them has a point.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + 0 * reference(f, t, y, h);
+      }},
      {"midpoint method",
       "This is the midpoint method of the unit before: one slope halfway. Here four slopes are "
       "averaged.",
