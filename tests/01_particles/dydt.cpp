@@ -184,7 +184,7 @@ VectorXd positions_first_undone(const VectorXd& z) {
 
 TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("weight, both drags and springs act together on any particles") {
-    for (const int count : {2, 3, 5, 6}) {
+    for (const int count : {3, 2, 5, 6}) {
       for (int n = 0; n < 4; ++n) {
         const System system = any_system(count);
         const VectorXd y = any_state(count);

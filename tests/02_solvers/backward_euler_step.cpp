@@ -138,7 +138,7 @@ double rounding(const Problem& problem, double t, const VectorXd& y, double h, c
   const VectorXd of_f = problem.dfdy(t + h, y1).cwiseAbs() * y1.cwiseAbs();
   const double sizes = size_of(y) + size_of(y1) + std::abs(h) * (size_of(of_f) + terms);
   const double passed_on = inverse.cwiseAbs().rowwise().sum().maxCoeff();
-  return static_cast<double>(64 + 2 * y.size()) * eps * passed_on * sizes;
+  return static_cast<double>(64 + 2 * y.size()) * eps * (passed_on * sizes + size_of(y));
 }
 
 /// By how much a number of y₁ may be off.
