@@ -1,0 +1,11 @@
+#include "contract.hpp"
+
+namespace solvers {
+
+// 2.2 adaptive_step_size: how long the next step may be.
+// What is demanded stands in contract.hpp. Ask: ./tumble hint 2.2 · Be judged: ./tumble check 2.2
+double adaptive_step_size(double h, double error, int order) {
+  throw NotImplemented{};
+}
+
+}  // namespace solvers

@@ -1,0 +1,246 @@
+/// @file
+/// 1.5 rk4_step: its laws, and what goes wrong.
+#include "tumble/ode/rk4.hpp"
+
+#include <array>
+
+#include "01_particles/contract.hpp"
+#include "judge/spec/spec.hpp"
+#include "right_hand_sides.hpp"
+
+using namespace tumble::judge;
+using namespace right_hand_sides;
+
+namespace student {
+const Function<decltype(particles::rk4_step)> rk4_step{TUMBLE_UNIT};
+}
+
+namespace {
+
+VectorXd reference(const Rhs& f, double t, const VectorXd& y, double h) {
+  return tumble::rk4_step(f, t, y, h);
+}
+
+// ── Wrong methods ──
+
+using Four = std::array<double, 4>;
+
+/// Four slopes, each seen from y along `along[n]` h times the slope before, at t + at[n] h.
+struct Method {
+  Four at{0, 0.5, 0.5, 1}, along{0, 0.5, 0.5, 1}, weights{1 / 6., 1 / 3., 1 / 3., 1 / 6.};
+};
+
+VectorXd step(const Method& method, const Rhs& f, double t, const VectorXd& y, double h) {
+  VectorXd sum = VectorXd::Zero(y.size()), k = sum;
+  for (std::size_t n = 0; n < 4; ++n) {
+    k = f(t + method.at[n] * h, y + method.along[n] * h * k);
+    sum += method.weights[n] * k;
+  }
+  return y + h * sum;
+}
+
+auto with(Method method) {
+  return [method](const Rhs& f, double t, const VectorXd& y, double h) {
+    return step(method, f, t, y, h);
+  };
+}
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("four slopes, averaged as in Simpson's rule, for any right-hand side") {
+    for (int n = 0; n < 16; ++n) {
+      const Rhs f = any_rhs();
+      const VectorXd y = any_state(1 + n % 5);
+      const double t = any_number(-2, 2), h = any_number(0.1, 0.5);
+      REQUIRE(student::rk4_step(f, t, y, h) == close_to(reference(f, t, y, h), rounding(y)));
+    }
+  }
+
+  TEST_CASE(
+      "the right-hand side is evaluated four times: at the start, twice halfway, at the end") {
+    for (int n = 0; n < 5; ++n) {
+      const Rhs f = any_rhs();
+      const VectorXd y = any_state(3);
+      const double t = 1, half = 1.25, end = 1.5, h = 0.5;
+      const VectorXd second = y + h / 2 * f(t, y), third = y + h / 2 * f(half, second),
+                     last = y + h * f(half, third);
+      const auto answer = student::rk4_step(f, t, y, h);
+      REQUIRE(answer == evaluated(answer, 4, "four times"));
+      REQUIRE(answer == obeys("f is first evaluated at t and y", missed_by(answer, 0, {t, y}), 0));
+      REQUIRE(answer == obeys("f is then evaluated at t + h/2, where k₁ leads to",
+                              missed_by(answer, 1, {half, second}), rounding(y)));
+      REQUIRE(answer == obeys("f is evaluated at t + h/2 again, where k₂ leads to",
+                              missed_by(answer, 2, {half, third}), rounding(y)));
+      REQUIRE(answer == obeys("f is evaluated at t + h at last, where k₃ leads to",
+                              missed_by(answer, 3, {end, last}), rounding(y)));
+    }
+  }
+
+  TEST_CASE("where only the time counts it is Simpson's rule, exact for a cubic") {
+    for (int n = 0; n < 5; ++n) {
+      const double a = any_number(-2, 2), b = any_number(-2, 2);
+      const double t = any_number(-2, 2), h = any_number(0.1, 1), end = t + h;
+      const Rhs f = [a, b](double time, const VectorXd&) -> VectorXd {
+        return VectorXd::Constant(1, a * time * time * time + b * time);
+      };
+      const VectorXd y = any_state(1);
+      const double integral =
+          a * (std::pow(end, 4) - std::pow(t, 4)) / 4 + b * (end * end - t * t) / 2;
+      // All terms are at most 2 · 3⁴ / 4 + 2 · 3² / 2 and the state; some 20 roundings of that.
+      REQUIRE(
+          student::rk4_step(f, t, y, h) ==
+          close_to(VectorXd(y + VectorXd::Constant(1, integral)), 20 * eps * (50 + size_of(y))));
+    }
+  }
+
+  TEST_CASE("growth by the first five terms of exp(hλ) a step, also where the step is too long") {
+    for (const double z : {0.5, -0.5, -1., -2., -3., -1e6}) {
+      const double h = any_number(0.1, 0.5), size = std::abs(z);
+      const VectorXd y = any_state(2);
+      const auto five_terms = [](double x) {
+        return 1 + x * (1 + x / 2 * (1 + x / 3 * (1 + x / 4)));
+      };
+      REQUIRE(student::rk4_step(growth(z / h), any_number(-2, 2), y, h) ==
+              close_to(VectorXd(five_terms(z) * y), 32 * eps * five_terms(size) * size_of(y)));
+    }
+  }
+
+  TEST_CASE("half the step, a sixteenth of the error: the error of many steps falls as h⁴") {
+    const double start = any_number(1, 1.5);  // where the error does not change its sign
+    const auto error = [&](const auto& end) { return size_of(end.value() - hill(start + 1)); };
+    const auto coarse = climb(student::rk4_step, start, 8);
+    const auto fine = climb(student::rk4_step, start, 16);
+    // Nearer to 4 than to any other whole number.
+    REQUIRE(fine == obeys("the error falls as h⁴",
+                          std::abs(order_from(error(coarse), error(fine)) - 4), 0.5));
+  }
+
+  TEST_CASE("a negative step goes back in time, and no step goes nowhere") {
+    for (const double size : {-0.5, -0.1, 0.}) {
+      const Rhs f = any_rhs();
+      const VectorXd y = any_state(4);
+      const double t = any_number(-2, 2);
+      REQUIRE(student::rk4_step(f, t, y, size) == close_to(reference(f, t, y, size), rounding(y)));
+    }
+  }
+
+  TEST_CASE("states of any size, an empty one too; tiny and huge ones") {
+    for (const int count : {0, 1, 60}) {
+      const Rhs f = any_rhs();
+      const VectorXd y = any_state(count);
+      const double t = any_number(-2, 2), h = any_number(0.1, 0.5);
+      REQUIRE(student::rk4_step(f, t, y, h) == close_to(reference(f, t, y, h), rounding(y)));
+    }
+    for (const double size : {1e-200, 1e200}) {
+      const VectorXd y = any_state(3, size), slope = any_state(3, size);
+      REQUIRE(student::rk4_step(constant_slope(slope), 1, y, 0.5) ==
+              close_to(VectorXd(y + slope / 2), 8 * eps * size * 3));
+    }
+  }
+}
+
+const Misconceptions<decltype(particles::rk4_step)> misconceptions{
+    TUMBLE_UNIT,
+    {{"all slopes weigh the same",
+      "The four slopes were averaged with equal weights. As in Simpson's rule, the middle weighs "
+      "more than the ends.",
+      "Runge–Kutta", with({.weights = {1 / 4., 1 / 4., 1 / 4., 1 / 4.}})},
+     {"not divided by six",
+      "The slopes were added with their weights, which sum to 6. An average also divides by that.",
+      "Runge–Kutta", with({.weights = {1, 2, 2, 1}})},
+     {"weights of another method",
+      "The weights are 1, 3, 3, 1. They belong to the 3/8 rule, whose inner slopes are a third and "
+      "two thirds of the way; here both are in the middle.",
+      "Runge–Kutta", with({.weights = {1 / 8., 3 / 8., 3 / 8., 1 / 8.}})},
+     {"middle weighs once",
+      "The two slopes in the middle were given the weight of one slope together, and the ends "
+      "twice "
+      "theirs: the weights are the wrong way round.",
+      "Runge–Kutta", with({.weights = {1 / 3., 1 / 6., 1 / 6., 1 / 3.}})},
+     {"third slope from the first",
+      "The third slope was taken where the first one leads to, and is the second one again. Each "
+      "slope shows the way to the next.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd k1 = f(t, y), k2 = f(t + h / 2, y + h / 2 * k1),
+                       k3 = f(t + h / 2, y + h / 2 * k1), k4 = f(t + h, y + h * k3);
+        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      }},
+     {"fourth slope from the second",
+      "The fourth slope was taken where the second one leads to. Each slope shows the way to the "
+      "next: the third has come in between.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd k1 = f(t, y), k2 = f(t + h / 2, y + h / 2 * k1),
+                       k3 = f(t + h / 2, y + h / 2 * k2), k4 = f(t + h, y + h * k2);
+        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      }},
+     {"fourth slope halfway",
+      "The fourth slope was looked at halfway, in time and state. It belongs to the end of the "
+      "step.",
+      "Runge–Kutta", with({.at = {0, 0.5, 0.5, 0.5}, .along = {0, 0.5, 0.5, 0.5}})},
+     {"only half of the way to the end",
+      "The fourth slope was taken at the time of the end, but the state was moved only half of the "
+      "step. Time and state belong together.",
+      "Runge–Kutta", with({.along = {0, 0.5, 0.5, 0.5}})},
+     {"whole steps to look ahead",
+      "For the second and the third slope the state was moved a whole step. They are halfway.",
+      "Runge–Kutta", with({.along = {0, 1, 1, 1}})},
+     {"time stands still",
+      "All slopes were taken at the time t. When the state is moved on, the time is too.",
+      "Runge–Kutta", with({.at = {0, 0, 0, 0}})},
+     {"time of the middle too late",
+      "The second and the third slope were taken at the time t + h. They are halfway.",
+      "Runge–Kutta", with({.at = {0, 1, 1, 1}})},
+     {"stages piled up",
+      "Each slope was looked at from where the one before was. All of them are looked at from the "
+      "same y.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd k1 = f(t, y), y2 = y + h / 2 * k1, k2 = f(t + h / 2, y2);
+        const VectorXd y3 = y2 + h / 2 * k2, k3 = f(t + h / 2, y3);
+        const VectorXd y4 = y3 + h * k3, k4 = f(t + h, y4);
+        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      }},
+     {"h twice",
+      "The slopes were multiplied with h when they were taken, and their average once more.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + h * (reference(f, t, y, h) - y);
+      }},
+     {"h forgotten on the way",
+      "The slopes were added without the step when you looked ahead: h is missing in the states "
+      "between.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd k1 = f(t, y), k2 = f(t + h / 2, y + k1 / 2), k3 = f(t + h / 2, y + k2 / 2),
+                       k4 = f(t + h, y + k3);
+        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      }},
+     {"only the change",
+      "This is by how much y changes, without y itself. Asked for is the new state.", "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return reference(f, t, y, h) - y;
+      }},
+     {"one sixth is zero",
+      "The state has not moved at all. In C++ the quotient of two whole numbers is a whole number: "
+      "one divided by six is 0 unless one of them has a point.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + 0 * reference(f, t, y, h);
+      }},
+     {"midpoint method",
+      "This is the midpoint method of the unit before: one slope halfway. Here four slopes are "
+      "averaged.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + h * f(t + h / 2, y + h / 2 * f(t, y));
+      }},
+     {"evaluated too often",
+      "The result is right, but the right-hand side was evaluated more than four times. In a large "
+      "scene this is what costs time: keep what it returns.",
+      "Runge–Kutta", [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        f(t, y);
+        return reference(f, t, y, h);
+      }}}};

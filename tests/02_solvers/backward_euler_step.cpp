@@ -1,0 +1,404 @@
+/// @file
+/// 2.3 backward_euler_step: its laws, and what goes wrong.
+#include "tumble/ode/backward_euler.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "01_particles/right_hand_sides.hpp"
+#include "02_solvers/contract.hpp"
+#include "judge/spec/spec.hpp"
+
+using namespace tumble::judge;
+using namespace right_hand_sides;
+using Eigen::MatrixXd;
+using solvers::Jacobian;
+
+namespace student {
+const Function<decltype(solvers::backward_euler_step)> backward_euler_step{TUMBLE_UNIT};
+}
+
+namespace {
+
+/// A right-hand side and its Jacobian.
+struct Problem {
+  Rhs f;
+  Jacobian dfdy;
+};
+
+// ── Problems ──
+
+MatrixXd jacobian_of(const Coupling& coupling, double t, const VectorXd& y) {
+  const auto& [a, b, c] = coupling;
+  MatrixXd J = MatrixXd::Zero(y.size(), y.size());
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const auto place = static_cast<double>(i);
+    const Eigen::Index next = (i + 1) % y.size();
+    J(i, i) += -b * std::cos(2 * t + place) * std::sin(y[i]) - c;
+    J(i, next) += a * std::cos(y[next] + place);
+  }
+  return J;
+}
+
+/// Not linear, of any size; a step of 0.2 s is short for it.
+Problem any_problem() {
+  const Coupling coupling = any_coupling();
+  return {coupled(coupling),
+          [coupling](double t, const VectorXd& y) { return jacobian_of(coupling, t, y); }};
+}
+
+/// y' = A y.
+Problem linear(const MatrixXd& A) {
+  return {of_size(A.rows(), [A](double, const VectorXd& y) -> VectorXd { return A * y; }),
+          [A](double, const VectorXd&) { return A; }};
+}
+
+/// y' = λ (y − cos t) − sin t: falls towards cos t, and stays there.
+/// Source: Prothero & Robinson, Mathematics of Computation 28 (1974).
+Problem falls_to_cosine(double lambda) {
+  return {[lambda](double t, const VectorXd& y) -> VectorXd {
+            return lambda * (y.array() - std::cos(t)) - std::sin(t);
+          },
+          [lambda](double, const VectorXd& y) -> MatrixXd {
+            return lambda * MatrixXd::Identity(y.size(), y.size());
+          }};
+}
+
+/// y' = −y², component by component.
+Problem falls_by_its_square() {
+  return {[](double, const VectorXd& y) -> VectorXd { return -y.cwiseAbs2(); },
+          [](double, const VectorXd& y) -> MatrixXd { return (-2 * y).asDiagonal(); }};
+}
+
+/// y' = −2 t y²
+Problem hill_problem() {
+  return {hill_slope(),
+          [](double t, const VectorXd& y) -> MatrixXd { return (-4 * t * y).asDiagonal(); }};
+}
+
+/// Three substances that turn into one another, one of them in no time. Nothing gets lost.
+/// Source: Robertson (1966), as in Hairer & Wanner, "Solving Ordinary Differential Equations II",
+/// 2nd ed. (1996), eq. IV.1.4.
+Problem reaction() {
+  return {of_size(3,
+                  [](double, const VectorXd& y) -> VectorXd {
+                    const double slow = 0.04 * y[0], back = 1e4 * y[1] * y[2],
+                                 quick = 3e7 * y[1] * y[1];
+                    return Eigen::Vector3d(back - slow, slow - back - quick, quick);
+                  }),
+          of_size(3, [](double, const VectorXd& y) -> MatrixXd {
+            Eigen::Matrix3d J;
+            J.row(0) << -0.04, 1e4 * y[2], 1e4 * y[1];
+            J.row(2) << 0, 6e7 * y[1], 0;
+            J.row(1) = -J.row(0) - J.row(2);
+            return J;
+          })};
+}
+
+// ── The right answer ──
+
+MatrixXd matrix_of(const Problem& problem, double t, const VectorXd& y1, double h) {
+  return MatrixXd::Identity(y1.size(), y1.size()) - h * problem.dfdy(t + h, y1);
+}
+
+/// One more round of Newton's method from z.
+VectorXd improved(const Problem& problem, double t, const VectorXd& y, double h,
+                  const VectorXd& z) {
+  const VectorXd residual = y + h * problem.f(t + h, z) - z;
+  return z + matrix_of(problem, t, z, h).partialPivLu().solve(residual);
+}
+
+VectorXd reference(const Problem& problem, double t, const VectorXd& y, double h) {
+  if (y.size() == 0) return y;
+  const auto rhs = tumble::with_jacobian(problem.f, problem.dfdy);
+  // The library's rounds stop a little above rounding.
+  return improved(problem, t, y, h, tumble::backward_euler_step(rhs, t, y, h));
+}
+
+/// What is left of y₁ by who stops at a correction of 1e-8 of y: its square, by and large.
+double left_by_newton(const Problem& problem, double t, const VectorXd& y, double h,
+                      const VectorXd& y1) {
+  const double correction = 1e-8 * std::fmax(size_of(y), size_of(y1));
+  double left = 0;
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const VectorXd before = y1 + correction * VectorXd::Unit(y.size(), i);
+    left += size_of(improved(problem, t, y, h, before) - y1);
+  }
+  return left;
+}
+
+/// What rounding may do to a number of y₁: the terms of the equation are rounded, those of f some
+/// 20 times, and the inverse of the matrix passes that on.
+/// @param terms the largest term in f that is not part of its Jacobian times y₁
+double rounding(const Problem& problem, double t, const VectorXd& y, double h, const VectorXd& y1,
+                double terms = 4) {
+  if (y.size() == 0) return 0;
+  const MatrixXd inverse = matrix_of(problem, t, y1, h).inverse();
+  const VectorXd of_f = problem.dfdy(t + h, y1).cwiseAbs() * y1.cwiseAbs();
+  const double sizes = size_of(y) + size_of(y1) + std::abs(h) * (size_of(of_f) + terms);
+  const double passed_on = inverse.cwiseAbs().rowwise().sum().maxCoeff();
+  return static_cast<double>(64 + 2 * y.size()) * eps * (passed_on * sizes + size_of(y));
+}
+
+/// By how much a number of y₁ may be off.
+double allowed(const Problem& problem, double t, const VectorXd& y, double h, const VectorXd& y1,
+               double terms = 4) {
+  return rounding(problem, t, y, h, y1, terms) + left_by_newton(problem, t, y, h, y1);
+}
+
+// ── Wrong methods ──
+
+using Step = std::function<VectorXd(const Rhs&, const Jacobian&, double, const VectorXd&, double)>;
+
+constexpr int many = 25;
+
+/// The z where `residual(z)` is zero, by steps with `matrix(z)`.
+VectorXd newton(VectorXd z, const std::function<VectorXd(const VectorXd&)>& residual,
+                const std::function<MatrixXd(const VectorXd&)>& matrix, double enough = 1e-10) {
+  const double start = z.norm();
+  for (int round = 0; round < many; ++round) {
+    const VectorXd correction = solvers::solve(matrix(z), residual(z));
+    z += correction;
+    if (correction.norm() <= enough * std::fmax(start, z.norm())) break;
+  }
+  return z;
+}
+
+MatrixXd identity(const VectorXd& y) { return MatrixXd::Identity(y.size(), y.size()); }
+
+/// Newton's method for the right equation, with a wrong matrix made of h ∂f/∂y.
+Step with_matrix(const std::function<MatrixXd(const MatrixXd& hJ, double h)>& law,
+                 double enough = 1e-10) {
+  return [law, enough](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
+    return newton(
+        y, [&](const VectorXd& z) -> VectorXd { return y + h * f(t + h, z) - z; },
+        [&](const VectorXd& z) -> MatrixXd { return law(h * dfdy(t + h, z), h); }, enough);
+  };
+}
+
+MatrixXd right_matrix(const MatrixXd& hJ, double) {
+  return MatrixXd::Identity(hJ.rows(), hJ.cols()) - hJ;
+}
+
+/// How many evaluations there were of function number `function`.
+template <class Answer>
+double evaluations_of(const Answer& answer, std::int64_t function) {
+  const auto& all = answer.evaluations();
+  return static_cast<double>(std::count_if(all.begin(), all.end(), [&](const Evaluation& each) {
+    return each.function.number == function;
+  }));
+}
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("the slope at the end leads from y to the end, for any right-hand side") {
+    for (int n = 0; n < 16; ++n) {
+      const Problem problem = any_problem();
+      const VectorXd y = any_state(1 + n % 5, 1.5);
+      const double t = any_number(-2, 2), h = any_number(0.05, 0.2);
+      const VectorXd y1 = reference(problem, t, y, h);
+      REQUIRE(student::backward_euler_step(problem.f, problem.dfdy, t, y, h) ==
+              close_to(y1, allowed(problem, t, y, h, y1)));
+    }
+  }
+
+  TEST_CASE("y' = λy: growth by 1/(1 − hλ) a step, down to hλ = −10¹², and no explosion") {
+    for (const double z : {0.5, -0.5, -1., -3., -1e3, -1e6, -1e12}) {
+      const double h = any_number(0.1, 1);
+      const Problem problem = linear(z / h * MatrixXd::Identity(2, 2));
+      const VectorXd y = any_state(2), y1 = y / (1 - z);
+      const double t = any_number(-2, 2);
+      REQUIRE(student::backward_euler_step(problem.f, problem.dfdy, t, y, h) ==
+              close_to(y1, allowed(problem, t, y, h, y1, 0)));
+    }
+  }
+
+  TEST_CASE("a stiff problem, λ = −1 to −10⁹: one long step from anywhere, and the fall is over") {
+    for (const double lambda : {-1., -1e3, -1e6, -1e9}) {
+      const Problem problem = falls_to_cosine(lambda);
+      const double t = any_number(-2, 2), h = any_number(0.1, 2), end = t + h;
+      const VectorXd y = any_state(1, 3);
+      const VectorXd y1 =
+          (y.array() - h * (lambda * std::cos(end) + std::sin(end))) / (1 - h * lambda);
+      REQUIRE(student::backward_euler_step(problem.f, problem.dfdy, t, y, h) ==
+              close_to(y1, allowed(problem, t, y, h, y1, std::abs(lambda))));
+    }
+  }
+
+  TEST_CASE("a wheel that turns fast or slowly is braked: |y₁| = |y|/√(1 + (hω)²)") {
+    for (const double z : {0.1, 1., 10., 1e6}) {
+      const double h = any_number(0.1, 1);
+      const Problem problem = linear(z / h * (Eigen::Matrix2d() << 0, -1, 1, 0).finished());
+      const double t = any_number(-2, 2);
+      const VectorXd y = any_state(2);
+      const VectorXd y1 = Eigen::Vector2d(y[0] - z * y[1], y[1] + z * y[0]) / (1 + z * z);
+      const auto answer = student::backward_euler_step(problem.f, problem.dfdy, t, y, h);
+      const double bound = allowed(problem, t, y, h, y1, 0);
+      REQUIRE(answer == close_to(y1, bound));
+      REQUIRE(answer == obeys("|y₁| = |y|/√(1 + (hω)²)",
+                              std::abs(answer->norm() - y.norm() / std::hypot(1, z)), 2 * bound));
+    }
+  }
+
+  TEST_CASE("y' = −y²: the root of a quadratic equation, found over many powers of ten of h") {
+    for (const double h : {1e-3, 0.1, 1., 10., 1e3}) {
+      const Problem problem = falls_by_its_square();
+      const double t = any_number(-2, 2);
+      VectorXd y(2);
+      for (double& number : y) number = any_number(0.1, 2);
+      // The root in the form that loses nothing where h is small.
+      const VectorXd y1 = 2 * y.array() / (1 + (1 + 4 * h * y.array()).sqrt());
+      const auto answer = student::backward_euler_step(problem.f, problem.dfdy, t, y, h);
+      REQUIRE(answer == close_to(y1, allowed(problem, t, y, h, y1, 0)));
+      REQUIRE(answer == obeys("f is evaluated at most 50 times", evaluations_of(answer, 0), 50));
+      REQUIRE(answer == obeys("dfdy is evaluated at most 50 times", evaluations_of(answer, 1), 50));
+    }
+  }
+
+  TEST_CASE("a chemical reaction, stiff and not linear: every step keeps the amount of matter") {
+    for (const double h : {1e-4, 1e-2, 1., 10.}) {
+      const Problem problem = reaction();
+      const VectorXd y = Eigen::Vector3d(any_number(0.5, 1), 0, any_number(0.1, 0.5));
+      const VectorXd y1 = reference(problem, 0, y, h);
+      const auto answer = student::backward_euler_step(problem.f, problem.dfdy, 0, y, h);
+      REQUIRE(answer == close_to(y1, allowed(problem, 0, y, h, y1, 0)));
+      // Each round keeps the sum.
+      REQUIRE(answer == obeys("Σ y₁ = Σ y", std::abs(answer->sum() - y.sum()),
+                              3 * rounding(problem, 0, y, h, y1, 0)));
+    }
+  }
+
+  TEST_CASE("half the step, half the error: the error of many steps falls as h") {
+    const double start = any_number(1, 1.5);  // where the error does not change its sign
+    const auto step = [](const Rhs& f, double t, const VectorXd& y, double h) {
+      return student::backward_euler_step(f, hill_problem().dfdy, t, y, h);
+    };
+    const auto error = [&](const auto& end) { return size_of(end.value() - hill(start + 1)); };
+    const auto coarse = climb(step, start, 16);
+    const auto fine = climb(step, start, 32);
+    // Nearer to 1 than to any other whole number.
+    REQUIRE(fine == obeys("the error falls as h",
+                          std::abs(order_from(error(coarse), error(fine)) - 1), 0.5));
+  }
+
+  TEST_CASE("back in time, no step at all, a state of zero, an empty one, and one of 30 numbers") {
+    const Problem problem = any_problem();
+    const double t = any_number(-2, 2);
+    const auto holds = [&](const Problem& each, const VectorXd& y, double h) {
+      const VectorXd y1 = reference(each, t, y, h);
+      return student::backward_euler_step(each.f, each.dfdy, t, y, h) ==
+             close_to(y1, allowed(each, t, y, h, y1));
+    };
+    REQUIRE(holds(problem, any_state(4, 1.5), -0.1));
+    REQUIRE(holds(problem, any_state(4, 1.5), 0));
+    REQUIRE(holds(problem, VectorXd::Zero(3), 0.1));
+    REQUIRE(holds(linear(-1e6 * MatrixXd::Identity(3, 3)), VectorXd::Zero(3), 0.1));
+    REQUIRE(holds(problem, VectorXd(0), 0.1));
+    REQUIRE(holds(problem, any_state(30, 1.5), 0.1));
+  }
+}
+
+const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
+    TUMBLE_UNIT,
+    {{"Euler's method",
+      "This is the ordinary step of Euler's method, with the slope at the start. For the backward "
+      "one the slope at the end counts.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + h * f(t, y);
+      }},
+     {"a step back in time",
+      "The step leads back to t − h. Backward is where the slope is looked at, from the end of the "
+      "step; the time runs forwards.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
+        return with_matrix(right_matrix)(f, dfdy, t, y, -h);
+      }},
+     {"one look ahead",
+      "The slope was taken where a step of Euler's method ends. That is not yet the place where "
+      "the backward step ends, and in a stiff problem it is far away from it.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + h * f(t + h, y + h * f(t, y));
+      }},
+     {"put back in again and again",
+      "y₁ was put into the right side again and again, without the Jacobian. Where a problem is "
+      "stiff this does not come nearer to the solution, but runs away from it.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) {
+        VectorXd y1 = y;
+        for (int round = 0; round < 2 * many; ++round) y1 = y + h * f(t + h, y1);
+        return y1;
+      }},
+     {"one round of Newton's method",
+      "This is where the first round leads to. For a linear right-hand side it is the solution, "
+      "for others it is only nearer: go on from there.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + solvers::solve(identity(y) - h * dfdy(t + h, y), h * f(t + h, y));
+      }},
+     {"stopped too early",
+      "The rounds stopped at a correction of about a thousandth. The next one would still have "
+      "changed the answer: go on until nothing but rounding is left.",
+      "Implicit steps", with_matrix(right_matrix, 1e-3)},
+     {"time of the start",
+      "The slope was taken with the state at the end, but at the time of the start. Both belong to "
+      "the end of the step.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
+        const auto at_start = [&](double, const VectorXd& z) { return f(t, z); };
+        const auto dfdy_at_start = [&](double, const VectorXd& z) { return dfdy(t, z); };
+        return with_matrix(right_matrix)(at_start, dfdy_at_start, t, y, h);
+      }},
+     {"trapezoidal rule",
+      "The slopes at the start and at the end were averaged. That is the trapezoidal rule: more "
+      "exact, but in a stiff problem it swings about the solution for long. Here the slope at the "
+      "end counts alone.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
+        const VectorXd k0 = f(t, y);
+        return newton(
+            y, [&](const VectorXd& z) -> VectorXd { return y + h / 2 * (k0 + f(t + h, z)) - z; },
+            [&](const VectorXd& z) -> MatrixXd { return identity(y) - h / 2 * dfdy(t + h, z); });
+      }},
+     {"implicit midpoint",
+      "The slope was taken halfway between y and y₁. Here it is taken at the end.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
+        return newton(
+            y, [&](const VectorXd& z) -> VectorXd { return y + h * f(t + h / 2, (y + z) / 2) - z; },
+            [&](const VectorXd& z) -> MatrixXd {
+              return identity(y) - h / 2 * dfdy(t + h / 2, (y + z) / 2);
+            });
+      }},
+     {"h forgotten in the matrix",
+      "In the matrix of Newton's method the Jacobian stands without the step. The rounds then lead "
+      "to the solution slowly or not at all: see what the derivative of the equation by y₁ is.",
+      "Implicit steps", with_matrix([](const MatrixXd& hJ, double h) -> MatrixXd {
+        return MatrixXd::Identity(hJ.rows(), hJ.cols()) - (h == 0 ? hJ : MatrixXd(hJ / h));
+      })},
+     {"sign of the Jacobian",
+      "In the matrix of Newton's method the Jacobian has the wrong sign. The rounds then lead to "
+      "the solution slowly or not at all: see what the derivative of the equation by y₁ is.",
+      "Implicit steps", with_matrix([](const MatrixXd& hJ, double) -> MatrixXd {
+        return MatrixXd::Identity(hJ.rows(), hJ.cols()) + hJ;
+      })},
+     {"identity forgotten",
+      "The matrix of Newton's method is made of the Jacobian alone. y₁ itself also stands in the "
+      "equation, and has a derivative.",
+      "Implicit steps", with_matrix([](const MatrixXd& hJ, double) -> MatrixXd { return -hJ; })},
+     {"Jacobian transposed",
+      "The Jacobian was used with its rows and columns exchanged. In row i stand the derivatives "
+      "of component i of f.",
+      "Implicit steps", with_matrix([](const MatrixXd& hJ, double) -> MatrixXd {
+        return MatrixXd::Identity(hJ.rows(), hJ.cols()) - hJ.transpose();
+      })},
+     {"one round, at the start",
+      "This is one round of Newton's method with slope and Jacobian at the time of the start. They "
+      "belong to the end of the step, and one round is not enough.",
+      "Implicit steps",
+      [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + solvers::solve(identity(y) - h * dfdy(t, y), h * f(t, y));
+      }}}};

@@ -1,0 +1,238 @@
+/// @file
+/// 2.4 observed_order: its laws, and what goes wrong.
+#include "tumble/ode/observed_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "02_solvers/contract.hpp"
+#include "judge/spec/spec.hpp"
+
+using namespace tumble::judge;
+
+namespace student {
+const Function<decltype(solvers::observed_order)> observed_order{TUMBLE_UNIT};
+}
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+double reference(const Numbers& h, const Numbers& errors) {
+  return tumble::observed_order(h, errors);
+}
+
+Numbers logarithms(const Numbers& numbers) {
+  Numbers list;
+  for (const double number : numbers) list.push_back(std::log(number));
+  return list;
+}
+
+double mean(const Numbers& list) {
+  return std::accumulate(list.begin(), list.end(), 0.) / static_cast<double>(list.size());
+}
+
+double largest(const Numbers& list) {
+  double size = 0;
+  for (const double number : list) size = std::fmax(size, std::abs(number));
+  return size;
+}
+
+/// Σ (a − a₀)(b − b₀).
+double products(const Numbers& a, double a0, const Numbers& b, double b0) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - a0) * (b[i] - b0);
+  return sum;
+}
+
+/// The slope in its textbook form, (n Σxy − Σx Σy)/(n Σx² − (Σx)²), loses most: the sums are at
+/// most n X Y and n X², of n terms with 4 roundings each, and what is left of them is n Σ(x − x̄)².
+double rounding(const Numbers& h, const Numbers& errors) {
+  const Numbers x = logarithms(h), y = logarithms(errors);
+  const double n = static_cast<double>(h.size()), X = largest(x), Y = largest(y);
+  const double p = std::abs(reference(h, errors));
+  return 4 * (n + 4) * eps * n * X * (Y + p * X) / products(x, mean(x), x, mean(x));
+}
+
+/// A table such as a program prints it, the steps getting shorter, by unequal factors.
+struct Table {
+  Numbers h, errors;
+};
+Table any_table(int count, double order, double noise) {
+  Table table;
+  double h = any_number(0.2, 0.8);
+  const double constant = std::exp(any_number(-3, 3));
+  for (int n = 0; n < count; ++n) {
+    table.h.push_back(h);
+    table.errors.push_back(constant * std::pow(h, order) * std::exp(any_number(-noise, noise)));
+    h *= any_number(0.3, 0.7);
+  }
+  return table;
+}
+
+Numbers scaled(Numbers numbers, double factor) {
+  for (double& number : numbers) number *= factor;
+  return numbers;
+}
+
+// ── Wrong slopes ──
+
+double slope(const Numbers& x, const Numbers& y) {
+  return products(x, mean(x), y, mean(y)) / products(x, mean(x), x, mean(x));
+}
+
+double slope_between(const Numbers& h, const Numbers& errors, std::size_t a, std::size_t b) {
+  return std::log(errors[a] / errors[b]) / std::log(h[a] / h[b]);
+}
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("the slope of the line that fits best, for any table of steps and errors") {
+    for (int n = 0; n < 20; ++n) {
+      const auto [h, errors] = any_table(3 + n % 6, any_number(0.5, 6), 0.5);
+      REQUIRE(student::observed_order(h, errors) ==
+              close_to(reference(h, errors), rounding(h, errors)));
+    }
+  }
+
+  TEST_CASE("where the error is C to the letter times h to the power p, the order is p") {
+    for (const double order : {1., 2., 4., 5., 8.}) {
+      const auto [h, errors] = any_table(6, order, 0);
+      // The errors of the table are rounded too.
+      REQUIRE(student::observed_order(h, errors) == close_to(order, 2 * rounding(h, errors)));
+    }
+  }
+
+  TEST_CASE("two points make the line: half the step, 1/16 of the error is order 4") {
+    const Numbers h{0.2, 0.1}, errors{0.016, 0.001};
+    REQUIRE(student::observed_order(h, errors) == close_to(4., 2 * rounding(h, errors)));
+    for (int n = 0; n < 8; ++n) {
+      const Table table = any_table(2, any_number(0.5, 6), 0.5);
+      REQUIRE(student::observed_order(table.h, table.errors) ==
+              close_to(reference(table.h, table.errors), rounding(table.h, table.errors)));
+    }
+  }
+
+  TEST_CASE("units do not matter: steps in hours, errors in millimetres, the same order") {
+    const auto [h, errors] = any_table(6, 3, 0.5);
+    const Numbers hours = scaled(h, 1 / 3600.), millimetres = scaled(errors, 1000);
+    const double order = reference(h, errors);
+    // What a scaled number is rounded by counts like the logarithm's own rounding.
+    REQUIRE(student::observed_order(hours, errors) == close_to(order, 2 * rounding(hours, errors)));
+    REQUIRE(student::observed_order(h, millimetres) ==
+            close_to(order, 2 * rounding(h, millimetres)));
+  }
+
+  TEST_CASE("the rows of the table may come in any order, and some steps more than once") {
+    for (int n = 0; n < 5; ++n) {
+      auto [h, errors] = any_table(7, 2, 0.5);
+      for (std::size_t i = h.size() - 1; i > 0; --i) {
+        const auto other = static_cast<std::size_t>(any_number(0, static_cast<double>(i + 1)));
+        std::swap(h[i], h[other]);
+        std::swap(errors[i], errors[other]);
+      }
+      REQUIRE(student::observed_order(h, errors) ==
+              close_to(reference(h, errors), rounding(h, errors)));
+      h[2] = h[3] = h[4];
+      REQUIRE(student::observed_order(h, errors) ==
+              close_to(reference(h, errors), rounding(h, errors)));
+    }
+  }
+
+  TEST_CASE("errors that stay are of order 0, errors that grow as h falls of a negative one") {
+    const auto [h, errors] = any_table(5, -1, 0.2);  // as where rounding rules
+    REQUIRE(student::observed_order(h, errors) ==
+            close_to(reference(h, errors), rounding(h, errors)));
+    const Numbers same(h.size(), any_number(0.01, 1));
+    REQUIRE(student::observed_order(h, same) == close_to(0., rounding(h, same)));
+  }
+
+  TEST_CASE("tiny and huge steps and errors, of which nothing but the logarithms matter") {
+    for (const double size : {1e-200, 1e-12, 1e12, 1e200}) {
+      const Table table = any_table(5, 2, 0.5);
+      const Numbers h = scaled(table.h, size), errors = scaled(table.errors, size);
+      REQUIRE(student::observed_order(h, errors) ==
+              close_to(reference(h, errors), rounding(h, errors)));
+    }
+  }
+}
+
+const Misconceptions<decltype(solvers::observed_order)> misconceptions{
+    TUMBLE_UNIT,
+    {{"wrong sign",
+      "The order has the wrong sign. The error falls as h falls: both logarithms go down together.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) { return -reference(h, errors); }},
+     {"no logarithms",
+      "This is the slope of the error against the step themselves. A power is a straight line only "
+      "where both axes are logarithmic.",
+      "Observed order", [](const Numbers& h, const Numbers& errors) { return slope(h, errors); }},
+     {"logarithm of the errors only",
+      "Only the errors' logarithm was taken. A power is a straight line only where both axes are "
+      "logarithmic.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) { return slope(h, logarithms(errors)); }},
+     {"two kinds of logarithms",
+      "The logarithms of the steps are natural, those of the errors to the base 10 (std::log and "
+      "std::log10). Which one does not matter, but it has to be the same.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) { return reference(h, errors) / std::log(10); }},
+     {"last two points only", "Only the last two rows of the table were used. All of them count.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) {
+        return slope_between(h, errors, h.size() - 2, h.size() - 1);
+      }},
+     {"first and last point only",
+      "Only the first and the last row of the table were used. All of them count.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) {
+        return slope_between(h, errors, 0, h.size() - 1);
+      }},
+     {"mean of the slopes between neighbours",
+      "The slopes from each row to the next were averaged. Rows that are close together get too "
+      "much weight in this way.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) {
+        Numbers slopes;
+        for (std::size_t i = 1; i < h.size(); ++i)
+          slopes.push_back(slope_between(h, errors, i - 1, i));
+        return mean(slopes);
+      }},
+     {"every step taken for half of the one before",
+      "The logarithms of the errors' ratios were taken to the base 2. That is right where each "
+      "step is half of the one before; here the steps say by how much they differ.",
+      "Observed order",
+      [](const Numbers&, const Numbers& errors) {
+        Numbers orders;
+        for (std::size_t i = 1; i < errors.size(); ++i)
+          orders.push_back(std::log2(errors[i - 1] / errors[i]));
+        return mean(orders);
+      }},
+     {"line through the origin",
+      "The line was made to go through the origin, where h and the error are 1. It goes through "
+      "the point of the two means: the constant C need not be 1.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) {
+        const Numbers x = logarithms(h), y = logarithms(errors);
+        return products(x, 0, y, 0) / products(x, 0, x, 0);
+      }},
+     {"axes swapped",
+      "This is the slope of log h against log error, one over the order. The error is upwards, the "
+      "step is to the right.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) { return reference(errors, h); }},
+     {"horizontal distances",
+      "This line has the smallest horizontal distances from the points. Asked for are the vertical "
+      "ones, between errors: look at what you divide by.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) { return 1 / reference(errors, h); }},
+     {"logarithms of the means",
+      "The steps and the errors were averaged, and then their logarithms taken. The other way "
+      "round: the means are those of the logarithms.",
+      "Observed order", [](const Numbers& h, const Numbers& errors) {
+        const Numbers x = logarithms(h), y = logarithms(errors);
+        const double x0 = std::log(mean(h)), y0 = std::log(mean(errors));
+        return products(x, x0, y, y0) / products(x, x0, x, x0);
+      }}}};
