@@ -79,7 +79,7 @@ double adaptive_step_size(double h, double error, int order);
 /// by Newton's method. Where the problem is stiff, such as y' = −10⁶ y, putting y₁ back into the
 /// right side again and again does not lead there.
 /// @param f    right-hand side; evaluated at most 50 times
-/// @param dfdy its Jacobian; evaluated at most 50 times
+/// @param dfdy its Jacobian, which is needed anew in each round; evaluated at most 50 times
 /// @param t    time at the start [s]
 /// @param y    state at the start, of any size, also empty or zero. From here Newton's method finds
 ///             y₁ in at most 20 rounds, in all that is tried.
