@@ -201,8 +201,7 @@ class Printer {
            << "\n";
     }
     if (question.evaluations > 0)
-      out_ << "      Your code called the function that it was given " << question.evaluations
-           << " times.\n";
+      out_ << "      Calls of the functions that it was given: " << question.evaluations << "\n";
   }
 
   void explain_wrong_answer(const Finding& finding) {

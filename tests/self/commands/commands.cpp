@@ -100,8 +100,8 @@ TEST_CASE("check: what was asked, what came back, the misconception, and how to 
   const std::string output = judge("check 1.2 --seed 5").output;
   for (const char* part :
        {"1.2 twice  wrong, 0 of 3 laws hold", "Asked was twice(f, t, y, h) with",
-        "f = a function of the judge", "called the function that it was given 2 times",
-        "Your answer", "Demanded", "This is what “time stands still” gives.",
+        "f = a function of the judge", "Calls of the functions that it was given: 2", "Your answer",
+        "Demanded", "This is what “time stands still” gives.",
         "Again, this case alone:  ./tumble check 1.2.1 --seed 5"})
     CHECK_MESSAGE(contains(output, part), output);
 
