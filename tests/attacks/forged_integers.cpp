@@ -12,7 +12,7 @@ namespace {
 
 bool read_all(char* to, std::size_t size) {
   for (std::size_t have = 0; have < size;) {
-    const auto got = ::read(0, to + have, size - have);
+    const auto got = ::read(4, to + have, size - have);
     if (got <= 0) return false;
     have += static_cast<std::size_t>(got);
   }

@@ -5,7 +5,7 @@
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion&) {
   char byte;
-  while (read(0, &byte, 1) == 1) {
+  while (read(4, &byte, 1) == 1) {
   }
   return a;
 }
