@@ -8,6 +8,7 @@
 #include "support/gallery.hpp"
 #include "support/objects/objects.hpp"
 #include "support/plot.hpp"
+#include "support/stopwatch.hpp"
 #include "tumble/ode.hpp"
 #include "tumble/quaternion/convert.hpp"
 #include "tumble/quaternion/exp_log.hpp"
@@ -225,6 +226,34 @@ Table schedule_table() {
   return table;
 }
 
+/// Seconds for one of `batch` calls, the least of many batches.
+template <class Action>
+double seconds_each(Action&& action) {
+  constexpr int batch = 1000;
+  const auto many = [&] {
+    for (int i = 0; i < batch; ++i) action();
+  };
+  return support::shortest_run(0.05, many) / batch;
+}
+
+Table times_table() {
+  Table table({"what", "time", "midpoint steps"});
+  Mat3 M = drifted(1e-3);
+  Flat y = M.reshaped();
+  const double step = seconds_each([&] { support::keep(y = midpoint(rate, 0, y, h)); });
+  const auto add = [&](const std::string& name, double seconds) {
+    table.add({name, support::duration(seconds), number(seconds / step, 2)});
+  };
+  add("one midpoint step of Ṙ = [ω]×R", step);
+  for (const Repair& repair : repairs) {
+    add(repair.name, seconds_each([&] {
+          support::keep(M);
+          support::keep(repair.apply(M));
+        }));
+  }
+  return table;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -234,6 +263,7 @@ int main(int argc, char** argv) {
   chapter.table("drift", "A steady turn of 2 rad/s in steps of 1/60 s", drift_table);
   chapter.table("repair", "One repair of a drifted matrix", repair_table);
   chapter.table("schedule", "A minute of midpoint steps, repaired now and then", schedule_table);
+  chapter.measured("times", "What one repair takes", times_table);
   chapter.figure("order", order_figure);
   chapter.figure("sheared", sheared_figure);
   chapter.figure("drift", drift_figure);

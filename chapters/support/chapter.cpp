@@ -28,6 +28,11 @@ void Chapter::table(const std::string& name, const std::string& heading,
   tables_.push_back({name, heading, std::move(make)});
 }
 
+void Chapter::measured(const std::string& name, const std::string& heading,
+                       std::function<Table()> make) {
+  table(name, heading + " (times of this machine)", std::move(make));
+}
+
 void Chapter::figure(const std::string& name, std::function<std::string()> make) {
   figures_.push_back({name, std::move(make)});
 }

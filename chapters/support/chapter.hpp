@@ -19,6 +19,8 @@ class Chapter {
 
   /// A table with the heading under which it is printed; the page shows it by its name.
   void table(const std::string& name, const std::string& heading, std::function<Table()> make);
+  /// A table of times: other numbers on every machine and in every run.
+  void measured(const std::string& name, const std::string& heading, std::function<Table()> make);
   /// An SVG document; the page shows NAME.svg.
   void figure(const std::string& name, std::function<std::string()> make);
 

@@ -14,8 +14,9 @@ std::string trimmed(const std::string& text) {
 }
 
 /// Reads "<!-- snippet: path#region -->" into the fence that follows.
+/// @return whether the line is such a comment
 bool read_directive(const std::string& line, Fence& fence) {
-  for (const std::string kind : {"snippet", "signature", "output"}) {
+  for (const std::string kind : {"snippet", "signature", "output", "measured"}) {
     const std::string start = "<!-- " + kind + ": ";
     if (!line.starts_with(start) || !line.ends_with(" -->")) continue;
     const std::string what = line.substr(start.size(), line.size() - start.size() - 4);
@@ -53,9 +54,12 @@ std::vector<Fence> fences_of(const Page& page) {
   for (std::size_t i = 0; i < page.lines.size(); ++i) {
     Fence fence;
     const bool announced = read_directive(page.lines[i], fence);
-    if (announced) ++i;
+    const bool comment = page.lines[i].starts_with("<!--");
+    if (comment) ++i;
     const bool opens = i < page.lines.size() && page.lines[i].starts_with("```");
     if (announced && !opens) fail(page, i, "this comment wants a fence in the line below");
+    if (comment && opens && !announced)
+      fail(page, i - 1, "a fence is announced by snippet:, signature:, output: or measured:");
     if (!opens) continue;
     fence.opening = i;
     fence.language = trimmed(page.lines[i].substr(3));

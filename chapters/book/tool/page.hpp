@@ -25,11 +25,11 @@ struct Page {
 
 /// A fenced block, and the comment in the line above that says what it shows:
 /// `<!-- snippet: lib/include/tumble/rotation/skew.hpp#skew -->`, the same with `signature`, or
-/// `<!-- output: 03_rotation_matrices#drift -->`.
+/// `<!-- output: 03_rotation_matrices#drift -->`, the same with `measured` where numbers are times.
 struct Fence {
   std::size_t opening = 0, closing = 0;  ///< line numbers of the two fences, from 0
   std::string language;                  ///< "cpp", "text", "math", …
-  std::string source;                    ///< "snippet", "signature", "output"; empty if plain
+  std::string source;                    ///< "snippet", "signature", "output", "measured"; or empty
   std::string path, region;              ///< before and after the #
 };
 
