@@ -14,11 +14,10 @@ namespace {
 /// What the spec made of one misconception.
 struct Kill {
   std::size_t failed = 0, cases = 0;
-  std::string named;  ///< what the last case that named anything has named
+  std::string named;  ///< what the first case that failed has named: what a student is told
   bool right = false;
 };
 
-/// The judge narrows down as answers come in; what it says last has to be the one right name.
 Kill try_to_kill(const Unit& unit, std::size_t k, std::uint64_t seed) {
   Impostor impostor(k);
   Kill kill;
@@ -26,11 +25,8 @@ Kill try_to_kill(const Unit& unit, std::size_t k, std::uint64_t seed) {
   for (const CaseResult& result : run_spec({unit.id(), seed}, impostor)) {
     ++kill.cases;
     if (result.passed()) continue;
-    ++kill.failed;
-    const auto& mistakes = result.finding->mistakes;
-    if (mistakes.empty()) continue;
-    kill.named.clear();
-    for (const NamedMistake& mistake : mistakes)
+    if (++kill.failed > 1) continue;
+    for (const NamedMistake& mistake : result.finding->mistakes)
       kill.named += (kill.named.empty() ? "" : " or ") + mistake.name;
   }
   kill.right = kill.named == name;
