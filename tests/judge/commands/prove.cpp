@@ -12,7 +12,7 @@
 namespace tumble::judge {
 
 int matrix(const Course& course, const std::string& what, std::uint64_t seed) {
-  return print_kill_matrix(std::cout, course.select(what), seed) ? 0 : 1;
+  return print_kill_matrix(std::cout, course, course.select(what), seed) ? 0 : 1;
 }
 
 namespace {
