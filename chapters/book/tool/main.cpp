@@ -32,10 +32,7 @@ int main(int argc, char** argv) {
     if (*writing)
       for (const fs::path& page : pages_of(places.root))
         write_page(refreshed(places, read_page(page)));
-    if (*figures)
-      for (const auto& entry : fs::directory_iterator(file))
-        if (entry.path().filename().string().starts_with("chapters-"))
-          fill_in_figures(places.root, entry.path());
+    if (*figures) fill_in_figures(places.root, file);
     if (*filter) std::cout << for_doxygen(places.root, read_page(file));
     return 0;
   } catch (const std::exception& e) {
