@@ -244,7 +244,7 @@ std::string chord_figure() {
 }
 
 std::string pace_figure() {
-  support::Plot plot{"pace on the way", {"t"}, {"angular speed [whole turn per unit of t]"}, {}};
+  support::Plot plot{"pace on the way", {"t"}, {"angular speed [150° per unit of t]"}, {}};
   for (const std::size_t w : {1u, 2u, 3u, 4u}) {
     support::Series series{w == 1 ? "nine numbers" : ways[w].name, {}, {}};
     if (w == 3) series.name = "four numbers";
@@ -526,8 +526,8 @@ Table big_steps_table() {
 using support::Counted;
 
 std::string operations(const support::Operations& done) {
-  return number(done.multiplications) + " × " + number(done.additions) + " +" +
-         (done.functions > 0 ? " " + number(done.functions) + " √" : "");
+  return number(done.multiplications) + " ×, " + number(done.additions) + " +" +
+         (done.functions > 0 ? ", " + number(done.functions) + " √" : "");
 }
 
 const Quaternion<Counted> counted_q(0.5, 0.5, 0.5, 0.5);
@@ -628,7 +628,7 @@ std::string work_figure() {
     support::Series series{name, {}, {}};
     for (int steps = 128; steps <= 65536; steps *= 2) {
       const double off = error(steps);
-      if (off < 1e-11 || off > 1) continue;
+      if (off < 1e-11 || off > 0.5) continue;
       series.x.push_back(1.0 * steps * each.multiplications);
       series.y.push_back(off);
     }
@@ -653,6 +653,12 @@ double steps_for(double target, const std::function<double(int)>& error) {
     before = now;
   }
   return 0;
+}
+
+/// A large number, rounded to two digits and written in full.
+std::string two_digits(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return number(std::round(value / unit) * unit, 9);
 }
 
 /// The least seconds of each action, in turns, so that all see the same machine.
@@ -683,8 +689,7 @@ std::function<void()> steps_of(const Rate& rate, State y) {
 }
 
 Table reach_table() {
-  Table table(
-      {"method", "time of a step", "steps for 1e-4 rad", "time", "steps for 1e-8 rad", "time"});
+  Table table({"method", "a step", "steps to 1e-4 rad", "time", "to 1e-8 rad", "time"});
   const auto four = rate_of_four<double>(steady);
   const auto nine = rate_of_nine<double>(steady);
   const std::vector<std::string> names{"Euler, nine",        "Euler, four", "midpoint, nine",
@@ -705,7 +710,7 @@ Table reach_table() {
     std::vector<std::string> row{names[i], support::duration(seconds[i])};
     for (const double target : {1e-4, 1e-8}) {
       const double steps = steps_for(target, errors[i]);
-      row.push_back(steps > 0 ? number(steps, 2) : "> 1e6");
+      row.push_back(steps > 0 ? two_digits(steps) : "> 1e6");
       row.push_back(steps > 0 ? support::duration(steps * seconds[i]) : "");
     }
     table.add(row);
