@@ -131,7 +131,7 @@ Table ways_table() {
 
 std::string between_figure() {
   constexpr double cell = 104, row = 150;
-  support::Sketch sketch(5 * cell, 3 * row, "From one orientation to another");
+  support::Sketch sketch(5 * cell, 3 * row, "From one orientation to another", 14);
   std::string planes;
   const PolygonMesh mesh = paper_plane();
   double y = 0;
@@ -189,7 +189,7 @@ void draw_globe(support::Sketch& sketch) {
 }
 
 std::string tracks_figure() {
-  support::Sketch sketch(520, 520, "Where the nose points on the way");
+  support::Sketch sketch(520, 520, "Where the nose points on the way", 14);
   sketch.look({260, 215, 200});
   draw_globe(sketch);
   const std::array<std::string, 5> colours{"c1", "", "c3", "c2", "c0"};
@@ -233,7 +233,7 @@ void arc_and_chord(support::Sketch& sketch, double angle, const std::string& tit
 }
 
 std::string chord_figure() {
-  support::Sketch sketch(520, 250, "Equal parts of the chord, unequal parts of the arc");
+  support::Sketch sketch(520, 250, "Equal parts of the chord, unequal parts of the arc", 14);
   sketch.look({130, 200, 122});
   arc_and_chord(sketch, whole_turn / 2, "four numbers: 75° apart");
   sketch.look({390, 200, 122});
@@ -313,7 +313,7 @@ Table order_table() {
 /// The plane at eight moments of a turn about the vertical that goes round twice; the quaternion
 /// goes round once.
 std::string circle_figure() {
-  support::Sketch sketch(520, 520, "The same orientation at opposite points of the circle");
+  support::Sketch sketch(520, 520, "The same orientation at opposite points of the circle", 14);
   sketch.look({260, 260, 110});
   std::vector<Vec2> ring;
   for (int i = 0; i <= 90; ++i)
@@ -340,8 +340,7 @@ std::string circle_figure() {
 // ── A length that is not 1 ──
 
 Table length_table() {
-  Table table({"|q|", "formula", "a point across the axis: length", "turned by",
-               "a point on the axis: length"});
+  Table table({"|q|", "formula", "across the axis: length", "turned by", "along it: length"});
   const Vec3 across = Vec3::UnitX(), along = Vec3::UnitZ();
   const auto add = [&](double size, const std::string& formula, auto&& rotate) {
     const Vec3 a = rotate(across);
@@ -505,8 +504,7 @@ std::string drift_figure() {
 
 /// One step of a turn that is large for it.
 Table big_steps_table() {
-  Table table({"a step should turn by", "Euler turns by", "midpoint", "RK4", "|q| after: Euler",
-               "midpoint", "RK4"});
+  Table table({"asked for", "Euler turns by", "midpoint", "RK4", "|q|: Euler", "midpoint", "RK4"});
   const auto four = rate_of_four<double>([](double) { return Vec3(0, 0, 1); });
   for (const double angle : {0.1, 0.5, 1.0, 2.0, 3.0, 6.0}) {
     const Quat e = from_coefficients(Euler::step(four, 0.0, four_start, angle));
@@ -643,10 +641,10 @@ std::string work_figure() {
   return support::to_svg(plot);
 }
 
-/// How many steps an error takes; 0 for more than a million.
+/// How many steps an error takes; 0 for more than 200,000.
 double steps_for(double target, const std::function<double(int)>& error) {
   double before = error(32);
-  for (int steps = 64; steps <= 1 << 20; steps *= 2) {
+  for (int steps = 64; steps <= 1 << 18; steps *= 2) {
     const double now = error(steps);
     if (now < target)
       return steps / 2 * std::pow(2, std::log(before / target) / std::log(before / now));
@@ -710,7 +708,7 @@ Table reach_table() {
     std::vector<std::string> row{names[i], support::duration(seconds[i])};
     for (const double target : {1e-4, 1e-8}) {
       const double steps = steps_for(target, errors[i]);
-      row.push_back(steps > 0 ? two_digits(steps) : "> 1e6");
+      row.push_back(steps > 0 ? two_digits(steps) : "> 200000");
       row.push_back(steps > 0 ? support::duration(steps * seconds[i]) : "");
     }
     table.add(row);
