@@ -373,7 +373,8 @@ std::string half_turn_figure() {
                      {"error of the four numbers, at worst", support::Scale::log},
                      {}};
   support::Series one{"one case: by w", {}, {}}, four{"four cases", {}, {}};
-  for (double short_of = 0x1p-30; short_of <= 1; short_of *= 2) {
+  for (int power = -30; power <= 0; ++power) {
+    const double short_of = std::ldexp(1.0, power);
     double worst_one = 0, worst_four = 0;
     for (int i = 0; i < 50; ++i) {
       const Vec3 axis(std::sin(1.0 + i), std::cos(2.0 + 3 * i), std::sin(0.5 + 7 * i));
@@ -647,7 +648,7 @@ double steps_for(double target, const std::function<double(int)>& error) {
   for (int steps = 64; steps <= 1 << 18; steps *= 2) {
     const double now = error(steps);
     if (now < target)
-      return steps / 2 * std::pow(2, std::log(before / target) / std::log(before / now));
+      return 0.5 * steps * std::pow(2, std::log(before / target) / std::log(before / now));
     before = now;
   }
   return 0;
