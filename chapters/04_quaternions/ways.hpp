@@ -3,6 +3,8 @@
 /// Ways from one orientation to another: matrices, angles and quaternions mixed, and slerp.
 
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "common.hpp"
 #include "plane.hpp"
@@ -185,10 +187,11 @@ inline std::string chord_figure() {
 
 inline std::string pace_figure() {
   support::Plot plot{"pace on the way", {"t"}, {"angular speed [150° per unit of t]"}, {}};
-  for (const std::size_t w : {1u, 2u, 3u, 4u}) {
-    support::Series series{w == 1 ? "nine numbers" : ways[w].name, {}, {}};
-    if (w == 3) series.name = "four numbers";
-    if (w == 2) series.name = "three angles";
+  // In the colours of the tracks on the globe.
+  const std::vector<std::pair<std::size_t, std::string>> shown{
+      {4, "slerp"}, {1, "nine numbers"}, {3, "four numbers"}, {2, "three angles"}};
+  for (const auto& [w, name] : shown) {
+    support::Series series{name, {}, {}};
     for (int i = 0; i <= 100; ++i) {
       series.x.push_back(i / 100.0);
       series.y.push_back(speed(ways[w], i / 100.0) / whole_turn);
