@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   chapter.table("ode", "From perigee to apogee with ode()", ode_table);
   chapter.table("balls", "The same throw of different balls, by RK4 in steps of 1/64 s",
                 balls_table);
-  chapter.table("net", "Energy gained by a net of 117 knots in half a second", net_table);
+  chapter.table("net", "Energy gained by a net of 63 knots in half a second", net_table);
   chapter.table("conditions", "The conditions for the order of a method", conditions_table);
   chapter.table("order", "How the error falls with the step", order_table);
   chapter.table("price", "Evaluations of the right-hand side that an error asks for", price_table);

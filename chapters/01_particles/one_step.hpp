@@ -125,7 +125,7 @@ inline void draw_slope(support::Sketch& sketch, const Vec2& place, const std::st
   sketch.curve({drawn(0, logistic_start), at}, {"c0", 1, 0.5});
   sketch.curve({at - along, at + along}, {"c0", 3});
   sketch.dot(at, "c0", 3);
-  sketch.words(at, name == "k₃" ? Vec2(-20, -6) : Vec2(7, 17), name, "c0");
+  sketch.words(at, name == "k₃" ? Vec2(-24, -7) : Vec2(7, 21), name, "c0");
 }
 
 template <class Method>
@@ -138,12 +138,12 @@ void draw_step(support::Sketch& sketch, const std::string& name) {
   for (const Vec2& place : places_of<Method>())
     draw_slope(sketch, place, "k" + std::string(subscripts[slope++]));
   sketch.dot(arrival, "c1", 4.5);
-  sketch.words({long_step / 2, 0}, {0, 22}, name, "ink", "middle");
+  sketch.words({long_step / 2, 0}, {0, 26}, name, "ink", "middle");
 }
 
 inline std::string one_step_figure() {
   constexpr double panel = 212;
-  support::Sketch sketch(3 * panel, 280, "one step of Euler, midpoint and RK4");
+  support::Sketch sketch(3 * panel, 290, "one step of Euler, midpoint and RK4");
   double x = 22;
   for_each_method([&](const std::string& name, auto method, int) {
     sketch.look({x, 250, 205});

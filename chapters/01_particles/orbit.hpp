@@ -80,19 +80,25 @@ std::vector<Vec2> path(int revolutions, int steps, int every) {
 inline std::string orbit_figure() {
   constexpr int turns = 5;
   const int euler_steps = turns * evaluations_a_turn, rk4_steps = euler_steps / 4;
-  support::Sketch sketch(600, 470, "five revolutions of a satellite");
-  sketch.look({470, 232, 1.02e-5});
+  support::Sketch sketch(612, 480, "five revolutions of a satellite");
+  sketch.look({450, 242, 1.25e-5});
   sketch.disc({0, 0}, earth_radius, "solid");
-  sketch.words({0, 0}, {0, 4}, "Earth", "ink", "middle");
+  sketch.words({0, 0}, {0, 6}, "Earth", "ink", "middle");
   const std::vector<Vec2> spiral = path<Euler>(turns, euler_steps, 6);
   sketch.curve(spiral, {"c1", 1.5});
   sketch.curve(path<Rk4>(turns, rk4_steps, 2), {"c0", 2.6});
   sketch.dot({perigee, 0}, "ink");
   sketch.dot(spiral.back(), "c1");
-  sketch.words({perigee, 0}, {10, 4}, "start");
-  sketch.words({-apogee, 0}, {8, 4}, "RK4", "c0");
-  sketch.words(spiral.back(), {8, 14}, "Euler", "c1");
+  sketch.words({perigee, 0}, {28, 6}, "start");
+  sketch.words({-apogee, 0}, {9, 6}, "RK4", "c0");
+  sketch.words(spiral.back(), {8, 20}, "Euler", "c1");
   return sketch.svg();
+}
+
+/// A number to so many digits, a large one filled with zeros.
+inline std::string count(double value, int digits) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
+  return number(unit < 1 ? value : std::round(value / unit) * unit, unit < 1 ? digits : 7);
 }
 
 inline Table orbit_table() {
@@ -102,8 +108,8 @@ inline Table orbit_table() {
     const int steps = evaluations_a_turn / evaluations;
     const Orbit start = at_perigee(), one = after<Method>(1, steps),
                 five = after<Method>(5, 5 * steps);
-    table.add({name, number(period() / steps) + " s", number(distance(one, start) / km) + " km",
-               number(distance(five, start) / km) + " km",
+    table.add({name, number(period() / steps) + " s", count(distance(one, start) / km, 3) + " km",
+               count(distance(five, start) / km, 3) + " km",
                number(100 * (energy(five) / std::abs(energy(start)) + 1), 2) + " %"});
   });
   return table;
@@ -164,8 +170,8 @@ std::vector<std::string> local_and_global(const std::string& name) {
 }
 
 inline Table order_table() {
-  Table table({"method", "one step of T/64", "of T/128", "order", "a turn in 1024 steps", "in 2048",
-               "order"});
+  Table table({"method", "a step of 1/64 turn", "of 1/128", "order", "a turn in 1024 steps",
+               "in 2048", "order"});
   for_each_method([&](const std::string& name, auto method, int) {
     table.add(local_and_global<decltype(method)>(name));
   });
@@ -212,15 +218,9 @@ template <class Method>
 double price(double allowed, int evaluations) {
   int steps = 64;
   double error = distance(after<Method>(1, steps), at_perigee());
-  while (error > allowed && steps < 1 << 17)
+  while (error > allowed && steps < 1 << 18)
     error = distance(after<Method>(1, steps *= 2), at_perigee());
   return evaluations * steps * std::pow(error / allowed, 1.0 / Method::order);
-}
-
-/// A large number to two digits, the rest filled with zeros.
-inline std::string count(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
-  return number(std::round(value / unit) * unit, 7);
 }
 
 inline Table price_table() {
@@ -229,7 +229,7 @@ inline Table price_table() {
     std::vector<std::string> row{
         (allowed < km ? number(allowed) + " m" : number(allowed / km) + " km")};
     for_each_method([&](const std::string&, auto method, int evaluations) {
-      row.push_back(count(price<decltype(method)>(allowed, evaluations)));
+      row.push_back(count(price<decltype(method)>(allowed, evaluations), 2));
     });
     table.add(row);
   }

@@ -29,9 +29,10 @@ struct Pen {
 
 class Sketch {
  public:
-  /// @param title for screen readers
-  Sketch(double width, double height, const std::string& title)
-      : svg_(svg_open(width, height, title)) {}
+  /// @param title     for screen readers
+  /// @param text_size [px]; a wide drawing is shrunk on a phone, and its words with it
+  Sketch(double width, double height, const std::string& title, double text_size = 17)
+      : svg_(svg_open(width, height, title)), text_size_(text_size) {}
 
   /// What is drawn from now on is drawn in this window.
   void look(const Window& window) { window_ = window; }
@@ -71,7 +72,8 @@ class Sketch {
              const std::string& colour = "ink", const std::string& anchor = "start") {
     const Vec2 p = pixels(point) + offset;
     svg_ += "<text x=\"" + svg_number(p.x()) + "\" y=\"" + svg_number(p.y()) + "\" fill=\"var(--" +
-            colour + ")\" text-anchor=\"" + anchor + "\">" + svg_text(text) + "</text>\n";
+            colour + ")\" font-size=\"" + svg_number(text_size_) + "\" text-anchor=\"" + anchor +
+            "\">" + svg_text(text) + "</text>\n";
   }
 
   /// The drawing as a complete SVG document.
@@ -99,6 +101,7 @@ class Sketch {
   }
 
   std::string svg_;
+  double text_size_;
   Window window_{0, 0, 1};
 };
 
