@@ -73,9 +73,11 @@ inline std::vector<Flight> flown(const ThrownBall& ball, double speed) {
 inline double range(const ThrownBall& ball, double speed) { return flown(ball, speed).back().x(); }
 
 inline Table balls_table() {
-  Table table({"45° upwards", "thrown at", "without air", "in air", "falls at most at"});
+  Table table({"ball", "mass [kg]", "diameter [m]", "c_d", "thrown at", "without air", "in air",
+               "falls at most at"});
   const auto add = [&](const ThrownBall& ball, double speed) {
-    table.add({ball.name, number(speed) + " m/s", number(speed * speed / g) + " m",
+    table.add({ball.name, number(ball.mass), number(ball.diameter), number(ball.drag),
+               number(speed) + " m/s", number(speed * speed / g) + " m",
                number(range(ball, speed)) + " m", number(ball.terminal_speed()) + " m/s"});
   };
   for (const ThrownBall& ball : balls) add(ball, 30);
