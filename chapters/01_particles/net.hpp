@@ -62,6 +62,9 @@ struct Springs {
 
 using Knots = Eigen::VectorXd;
 
+/// Where a knot's position starts in the state; its velocity is three places on.
+inline Eigen::Index place(int knot) { return 6 * static_cast<Eigen::Index>(knot); }
+
 inline auto forces_on(const Net& net) {
   return ParticleSystem(level(net), UniformGravity{{0, 0, -g}}, Springs{threads(net)});
 }
@@ -71,7 +74,7 @@ inline auto hanging(const Net& net) {
   return [system = forces_on(net), net](double t, const Knots& y) -> Knots {
     Knots ydot = system.dydt(t, y);
     for (const int nailed : {net.knot(0, 0), net.knot(net.columns - 1, 0)})
-      ydot.segment<6>(6 * nailed).setZero();
+      ydot.segment<6>(place(nailed)).setZero();
     return ydot;
   };
 }
@@ -80,9 +83,9 @@ inline auto hanging(const Net& net) {
 inline double energy(const Net& net, const Knots& y) {
   double sum = 0;
   for (int i = 0; i < net.knots(); ++i)
-    sum += net.mass * (y.segment<3>(6 * i + 3).squaredNorm() / 2 + g * y[6 * i + 2]);
+    sum += net.mass * (y.segment<3>(place(i) + 3).squaredNorm() / 2 + g * y[place(i) + 2]);
   for (const Spring& thread : threads(net)) {
-    const double length = (y.segment<3>(6 * thread.i) - y.segment<3>(6 * thread.j)).norm();
+    const double length = (y.segment<3>(place(thread.i)) - y.segment<3>(place(thread.j))).norm();
     sum += net.stiffness * (length - net.mesh) * (length - net.mesh) / 2;
   }
   return sum;
@@ -100,7 +103,7 @@ inline std::vector<std::vector<Vec2>> lines_of(const Net& net, const Knots& y) {
   std::vector<std::vector<Vec2>> rows(static_cast<std::size_t>(net.rows)),
       columns(static_cast<std::size_t>(net.columns));
   for (int i = 0; i < net.knots(); ++i) {
-    const Vec2 point = seen(y.segment<3>(6 * i));
+    const Vec2 point = seen(y.segment<3>(place(i)));
     rows[static_cast<std::size_t>(i / net.columns)].push_back(point);
     columns[static_cast<std::size_t>(i % net.columns)].push_back(point);
   }
@@ -121,10 +124,11 @@ inline std::string net_figure() {
       y = integrate_fixed<Rk4>(f, y, then, now,
                                static_cast<int>(std::lround((now - then) * steps_a_second)));
     then = now;
-    sketch.look({14. + 230 * (panel % 3), 72. + 185 * (panel / 3), 78});
+    const int row = panel / 3, column = panel % 3;
+    sketch.look({14. + 230 * column, 72. + 185 * row, 78});
     sketch.curves(lines_of(net, y), {"c0", 0.9});
     for (const int nailed : {net.knot(0, 0), net.knot(net.columns - 1, 0)})
-      sketch.dot(seen(y.segment<3>(6 * nailed)), "c1", 3.5);
+      sketch.dot(seen(y.segment<3>(place(nailed))), "c1", 3.5);
     sketch.words({0, 0}, {-8, -24}, number(now) + " s");
     ++panel;
   }

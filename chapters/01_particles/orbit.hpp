@@ -72,7 +72,7 @@ std::vector<Vec2> path(int revolutions, int steps, int every) {
   int step = 0;
   integrate_fixed<Method>(rhs_from_c(satellite), at_perigee(), 0, revolutions * period(), steps,
                           [&](double, const Orbit& y) {
-                            if (++step % every == 0) points.push_back(y.head<2>());
+                            if (++step % every == 0) points.emplace_back(y.head<2>());
                           });
   return points;
 }
