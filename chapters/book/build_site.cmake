@@ -28,3 +28,13 @@ file(COPY ${katex}/katex.min.js ${katex}/katex.min.css ${katex}/fonts DESTINATIO
   FOLLOW_SYMLINK_CHAIN)
 file(COPY ${katex}/contrib/auto-render.js DESTINATION ${site}/html/katex/contrib FOLLOW_SYMLINK_CHAIN)
 message(STATUS "The book: ${site}/html/index.html")
+
+# The site is read offline: nothing in it may ask the network.
+file(GLOB files ${site}/html/*.html ${site}/html/*.css ${site}/html/*.js)
+set(loads "(src=|<link[^>]*href=|url\\(|@import |fetch\\(|import\\()[\"']?(https?:)?//")
+foreach(file IN LISTS files)
+  file(STRINGS ${file} requests REGEX "${loads}")
+  if(requests)
+    message(FATAL_ERROR "${file} would ask the network: ${requests}")
+  endif()
+endforeach()

@@ -62,48 +62,96 @@ support::Plot spin_plot(const std::vector<Moment>& motion) {
   return plot;
 }
 
-/// The drawing of a moment: the body, and behind it the direction of L, which never changes.
-std::string frame(const PolygonMesh& drawn, const Mat3& view, const Moment& moment, double size,
-                  const support::Placement& at) {
-  const Vec3 L = view * moment.state.L.normalized() * 0.5 * size;
-  const auto number = [](double value) { return support::svg_number(value); };
-  return "<path d=\"M" + number(at.x - L.x()) + " " + number(at.y + L.y()) + "L" +
-         number(at.x + L.x()) + " " + number(at.y - L.y()) +
-         "\" stroke=\"var(--c1)\" stroke-dasharray=\"5 4\"/>\n" +
-         support::draw_mesh(drawn, view * to_matrix(moment.state.q), at) + "<text x=\"" +
-         number(at.x) + "\" y=\"" + number(at.y + size / 2 + 12) +
-         "\" fill=\"var(--ink)\" text-anchor=\"middle\">" + support::svg_number(moment.t, 2) +
-         " s</text>\n";
+/// Where things stand in the film: a row of pictures, and below it what the body's axes say, each
+/// picture above its time.
+struct Film {
+  static constexpr double picture = 84, row = 118, pictures = 10;  // [px], [px], how many
+  static constexpr double strip = picture * pictures, legend = 150, curves = 120;  // [px]
+  double begin, end;                                                               ///< [s]
+
+  double x(double t) const { return strip * (t - begin) / (end - begin); }
+  double time(int i) const { return begin + (end - begin) * (i + 0.5) / pictures; }
+};
+
+/// The seconds around the first turnover, or the first ones if it has none.
+Film film_of(const std::vector<Moment>& motion) {
+  constexpr double long_enough = 3;  // [s]
+  const std::vector<double> times = turnovers(motion);
+  const double begin = times.empty() ? 0 : std::max(0.0, times.front() - long_enough / 2);
+  return {begin, begin + long_enough};
 }
 
-/// Pictures of the body through its first turnover (or the first seconds, if it has none).
-std::string film_strip(const Subject& subject, const std::vector<Moment>& motion) {
-  constexpr int columns = 6, rows = 2;
-  constexpr double size = 160, caption = 24, apart = 0.25;  // [px], [px], [s]
-  const std::vector<double> times = turnovers(motion);
-  const double half = apart * (columns * rows - 1) / 2,
-               middle = times.empty() ? half : times.front();
-  PolygonMesh drawn = subject.drawing;
-  double radius = 0;
-  for (Vec3& v : drawn.vertices) {
-    v -= subject.exact.centre;
+std::string coordinates(double x, double y) {
+  return support::svg_number(x) + " " + support::svg_number(y);
+}
+
+std::string words(double x, double y, const std::string& text, const std::string& attributes) {
+  return "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(y) + "\" " +
+         attributes + ">" + text + "</text>\n";
+}
+
+/// The body at a moment, and behind it the direction of L, which never changes.
+std::string picture_of(const PolygonMesh& drawn, const Mat3& view, const Moment& moment,
+                       const support::Placement& at) {
+  const Vec3 L = view * moment.state.L.normalized() * 0.55 * Film::picture;
+  return "<path d=\"M" + coordinates(at.x - L.x(), at.y + L.y()) + "L" +
+         coordinates(at.x + L.x(), at.y - L.y()) +
+         "\" stroke=\"var(--faint)\" stroke-dasharray=\"5 4\"/>\n" +
+         support::draw_mesh(drawn, view * to_matrix(moment.state.q), at) +
+         words(at.x, Film::row - 8, support::svg_number(moment.t, 2) + " s",
+               "fill=\"var(--ink)\" text-anchor=\"middle\"");
+}
+
+/// The three numbers of the angular velocity in the body, over the time of the film.
+std::string spin_curves(const Film& film, const std::vector<Moment>& motion) {
+  const char* names[] = {"least", "middle", "largest"};
+  const double middle = Film::row + Film::curves / 2, scale = 0.42 * Film::curves / start_spin.rate;
+  std::string svg = "<path d=\"M0 " + support::svg_number(middle) + "H" +
+                    support::svg_number(Film::strip) + "\" stroke=\"var(--grid)\"/>\n";
+  svg += words(Film::strip + 10, Film::row + 4, "ω about the axis of", "fill=\"var(--ink)\"");
+  for (int axis = 0; axis < 3; ++axis) {
+    std::string path;
+    for (const Moment& m : motion)
+      if (m.t >= film.begin && m.t <= film.end)
+        path += (path.empty() ? "M" : "L") +
+                coordinates(film.x(m.t), middle - scale * m.omega_principal[axis]);
+    const std::string colour = "var(--c" + std::to_string(axis == 1 ? 1 : 2 * axis) + ")";
+    svg +=
+        "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.8\"/>\n";
+    svg += words(Film::strip + 10, Film::row + 24 + 18 * axis,
+                 names[axis] + std::string(" inertia"), "fill=\"" + colour + "\"");
+  }
+  return svg;
+}
+
+/// The mesh about its centre of mass.
+/// @param radius of the sphere about it, given back [m]
+PolygonMesh centred(PolygonMesh mesh, const Vec3& centre, double& radius) {
+  radius = 0;
+  for (Vec3& v : mesh.vertices) {
+    v -= centre;
     radius = std::max(radius, v.norm());
   }
+  return mesh;
+}
+
+/// The body through its first turnover, and its angular velocity meanwhile.
+std::string film_strip(const Subject& subject, const std::vector<Moment>& motion) {
+  double radius = 0;
+  const PolygonMesh drawn = centred(subject.drawing, subject.exact.centre, radius);
   // The spin axis, y of the world, stands upright in the picture, seen from a little above.
   const Mat3 view =
       (Eigen::AngleAxisd(0.35, Vec3::UnitX()) * Eigen::AngleAxisd(-0.5, Vec3::UnitY()))
           .toRotationMatrix();
-  std::string svg =
-      support::svg_open(columns * size, rows * (size + caption), subject.name + " turning over");
-  for (int i = 0; i < columns * rows; ++i) {
-    const double t = std::max(0.0, middle - half) + apart * i;
-    const auto index =
-        std::min(motion.size() - 1, static_cast<std::size_t>(std::lround(t / duration * moments)));
-    svg += frame(drawn, view, motion[index], size,
-                 {size * (i % columns + 0.5), (size + caption) * (i / columns) + size / 2,
-                  0.46 * size / radius});
+  const Film film = film_of(motion);
+  std::string svg = support::svg_open(Film::strip + Film::legend, Film::row + Film::curves,
+                                      subject.name + " turning over");
+  for (int i = 0; i < Film::pictures; ++i) {
+    const auto index = static_cast<std::size_t>(std::lround(film.time(i) / duration * moments));
+    svg += picture_of(drawn, view, motion[index],
+                      {film.x(film.time(i)), Film::picture / 2 + 6, 0.5 * Film::picture / radius});
   }
-  return svg + "</svg>\n";
+  return svg + spin_curves(film, motion) + "</svg>\n";
 }
 
 support::Table motion_table(const std::vector<Moment>& motion) {

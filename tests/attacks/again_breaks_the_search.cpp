@@ -2,11 +2,7 @@
 //         what the search for the place of the crash cannot digest: an address without end.
 // Verdict: crashed
 #include <cstdio>
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
+@sanitized@
 
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion&) {

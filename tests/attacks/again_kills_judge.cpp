@@ -4,11 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
+@sanitized@
 
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion&) {

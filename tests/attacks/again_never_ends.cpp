@@ -1,11 +1,7 @@
 // Attack: crashes, so that it is run again with sanitizers, behind lower walls; there it never
 //         ends.
 // Verdict: crashed
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
+@sanitized@
 
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion&) {

@@ -2,11 +2,7 @@
 //         process behind (for half a minute, should nobody end it).
 // Verdict: crashed
 #include <unistd.h>
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
+@sanitized@
 
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion&) {

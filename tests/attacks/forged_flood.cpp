@@ -5,7 +5,7 @@
 #include <cstdint>
 
 // The student's object comes before the worker's library: this is the conversation with the judge.
-@FORGE@
+@forge@
     const std::string question = next_question(), token = token_of(question);
     while (true) send(answer + token + "\x91\x94" + zero + zero + zero + zero);
   }

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 // The student's object comes before the worker's library: this is the conversation with the judge.
-@FORGE@
+@forge@
     const std::string question = next_question(), token = token_of(question);
     const std::string largest = "\xcf\xff\xff\xff\xff\xff\xff\xff\xff";
     send(answer + token + "\x91\x94" + largest + largest + largest + largest);

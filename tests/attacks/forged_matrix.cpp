@@ -6,7 +6,7 @@
 #include <cstdint>
 
 // The student's object comes before the worker's library: this is the conversation with the judge.
-@FORGE@
+@forge@
     const std::string question = next_question(), token = token_of(question);
     std::string rows = "\x92" + zero + text(std::string(100000, (char)65));
     for (int n = 1; n < 1000; ++n) rows += "\x91" + zero;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 // The student's object comes before the worker's library: this is the conversation with the judge.
-@FORGE@
+@forge@
     const std::string question = next_question(), token = token_of(question);
     send(std::string("\x93\x07\x00\x91\xd2\x80\x00\x00\x00", 9));
     static_cast<void>(token);

@@ -6,7 +6,7 @@
 #include <utility>
 
 // The student's object comes before the worker's library: this is the conversation with the judge.
-@FORGE@
+@forge@
     const std::string question = next_question(), token = token_of(question);
     static std::string before = std::string("\xcf\0\0\0\0\0\0\0\x07", 9);
     send(answer + std::exchange(before, token) + "\x91\x94" + zero + zero + zero + zero);

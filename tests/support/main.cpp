@@ -6,7 +6,7 @@
 
 #include <iostream>
 
-#include "support/scanned_meshes.hpp"
+#include "support/skip.hpp"
 
 namespace {
 

@@ -4,27 +4,20 @@
 /// environment variable TUMBLE_MESHES (set by ctest from the CMake variable) names their folder,
 /// else they say so.
 
-#include <doctest/doctest.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 
-namespace tumble::test {
+#include "support/skip.hpp"
 
-/// How many test cases were skipped for want of a mesh.
-inline unsigned& skipped_cases() {
-  static unsigned count = 0;
-  return count;
-}
+namespace tumble::test {
 
 /// Whether the folder of scanned meshes is there; if not, the test case counts as skipped.
 inline bool have_scanned_meshes() {
   const char* folder = std::getenv("TUMBLE_MESHES");
   if (folder != nullptr && std::filesystem::exists(std::filesystem::path(folder) / "spot.obj"))
     return true;
-  MESSAGE("skipped: the folder of scanned meshes is not here; set TUMBLE_MESHES");
-  ++skipped_cases();
+  skip("the folder of scanned meshes is not here; set TUMBLE_MESHES");
   return false;
 }
 

@@ -22,8 +22,8 @@ std::vector<InlineFormula> formulas_in(const std::string& line);
 /// command that neither GitHub nor the site knows. Empty if nothing is.
 std::string mistake_in(const std::string& tex);
 
-/// What GitHub's Markdown would change in `$…$` before the formula is set, such as \, or \{: such a
-/// formula has to be written with backticks. Empty if nothing.
+/// What GitHub's Markdown would change in `$…$` before the formula is set, such as \, or \{
+/// (escapes) or }_ (emphasis): such a formula has to be written with backticks. Empty if nothing.
 std::string markdown_trap_in(const std::string& tex);
 
 }  // namespace tumble::book

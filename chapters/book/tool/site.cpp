@@ -161,7 +161,9 @@ std::string for_doxygen(const fs::path& root, const Page& page) {
   return Converter(root, page).convert();
 }
 
-void fill_in_figures(const fs::path& root, const fs::path& html_file) {
+namespace {
+
+void fill_in_page(const fs::path& root, const fs::path& html_file) {
   const std::string text = text_of(html_file);
   std::string filled;
   std::size_t at = 0;
@@ -173,6 +175,13 @@ void fill_in_figures(const fs::path& root, const fs::path& html_file) {
     at = end + marker_end.size();
   }
   if (at > 0) std::ofstream(html_file) << filled << text.substr(at);
+}
+
+}  // namespace
+
+void fill_in_figures(const fs::path& root, const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".html") fill_in_page(root, entry.path());
 }
 
 }  // namespace tumble::book

@@ -14,8 +14,8 @@ std::string page_id(const fs::path& root, const fs::path& file);
 /// The page with Doxygen's formulas, headings with names, links between pages, and figures inside.
 std::string for_doxygen(const fs::path& root, const Page& page);
 
-/// Puts the drawings into a page that Doxygen has made, where for_doxygen has left their places.
+/// Puts the drawings into the pages that Doxygen has made, where for_doxygen has left their places.
 /// @throws PageError if a drawing is not there
-void fill_in_figures(const fs::path& root, const fs::path& html_file);
+void fill_in_figures(const fs::path& root, const fs::path& folder);
 
 }  // namespace tumble::book

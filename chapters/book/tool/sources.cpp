@@ -82,7 +82,8 @@ Page refreshed(const Places& places, const Page& page) {
   for (const Fence& fence : fences_of(page)) {
     if (fence.source.empty()) continue;
     for (; next <= fence.opening; ++next) result.lines.push_back(page.lines[next]);
-    std::istringstream content(wanted_content(places, fence));
+    const std::string shown = content_of(page, fence), wanted = wanted_content(places, fence);
+    std::istringstream content(is_fresh(shown, wanted, fence) ? shown : wanted);
     for (std::string line; std::getline(content, line);) result.lines.push_back(line);
     next = fence.closing;
   }

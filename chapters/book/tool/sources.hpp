@@ -22,7 +22,7 @@ std::string wanted_content(const Places& places, const Fence& fence);
 /// The fences whose content is stale: "file:line: …" each.
 std::vector<std::string> stale_fences(const Places& places, const Page& page);
 
-/// The page with every announced fence filled anew.
+/// The page with every announced fence that is stale filled anew.
 Page refreshed(const Places& places, const Page& page);
 
 }  // namespace tumble::book

@@ -18,7 +18,7 @@ struct Object {
   const char* description;
   double density;                       ///< of what it is made of [kg/m³]
   PolygonMesh (*mesh)(int resolution);  ///< 1 is the coarsest; triangles grow as its square
-  int for_drawings;                     ///< the resolution with about 1,000 triangles
+  int for_drawings;                     ///< the resolution with some hundred triangles
   int fine;                             ///< the resolution with about 20,000 triangles
 };
 
@@ -26,7 +26,7 @@ inline constexpr double steel = 7850, aluminium = 2700, stoneware = 2400,
                         ash_wood = 680;  // [kg/m³]
 
 inline constexpr std::array<Object, 5> all = {
-    Object{"t_handle", "the T-handle that turns over in orbit", aluminium, t_handle, 2, 7},
+    Object{"t_handle", "the T-handle that turns over in orbit", aluminium, t_handle, 1, 7},
     Object{"wing_nut", "a wing nut of size M8", steel, wing_nut, 1, 6},
     Object{"tennis_racket", "a wooden tennis racket", ash_wood, tennis_racket, 1, 4},
     Object{"mug", "a mug with a handle", stoneware, mug, 1, 4},

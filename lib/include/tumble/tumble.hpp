@@ -9,3 +9,6 @@
 #include "tumble/particles.hpp"
 #include "tumble/quaternion.hpp"
 #include "tumble/rotation.hpp"
+
+/// Rigid-body dynamics: the folders under `tumble/` are its topics, each header is one concept.
+namespace tumble {}

@@ -61,6 +61,14 @@ TEST_CASE("tour: shows every topic and leaves its figures and tables") {
   check_complete(tour("--object gear"));
 }
 
+TEST_CASE("tour: the picture on the front page is the one that it draws") {
+  CHECK(tour("").status == 0);
+  const std::filesystem::path root = std::getenv("TUMBLE_ROOT");
+  std::ifstream kept(root / "chapters/tour/figures/tumbling.svg");
+  CHECK_MESSAGE(content("tumbling.svg") == std::string(std::istreambuf_iterator<char>(kept), {}),
+                "./tumble book --write takes it over");
+}
+
 TEST_CASE("tour: takes a user's mesh") {
   check_complete(tour("--mesh " + mesh_file(open_tetrahedron + "f 1 4 3\n")));
 }

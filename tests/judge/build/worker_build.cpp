@@ -61,8 +61,7 @@ class Builder {
                            .memory_bytes = 4ull << 30,
                            .file_bytes = 256ull << 20,
                            .processes = 64};
-    confinement_.other_user = all_may_enter(tools_.precompiled.parent_path()) &&
-                              all_may_enter(course_.root / "exercises");
+    confinement_.other_user = others_may_compile(course_);
     confinement_.files.write = {folder_, "/dev/null"};
     auto& read = confinement_.files.read;
     read = {"/usr",
@@ -269,6 +268,11 @@ std::string name_of(BuildOutcome outcome) {
       return "wrong signature";
   }
   return "unknown";
+}
+
+bool others_may_compile(const Course& course) {
+  return all_may_enter(course.toolchain.precompiled.parent_path()) &&
+         all_may_enter(course.root / "exercises");
 }
 
 WorkerBuild build_worker(const Course& course, const Unit& unit, const fs::path& source,

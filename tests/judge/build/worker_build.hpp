@@ -31,6 +31,10 @@ struct WorkerBuild {
   WorkerProgram worker;  ///< if built
 };
 
+/// Whether a judge that root has started can run the compiler as another user, too: not if other
+/// users may not enter the course's folders.
+bool others_may_compile(const Course& course);
+
 /// How the worker is to be built.
 enum class Instrumentation {
   none,

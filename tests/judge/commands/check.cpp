@@ -4,8 +4,8 @@
 #include <random>
 
 #include "judge/commands/commands.hpp"
+#include "judge/commands/sandbox.hpp"
 #include "judge/course/progress.hpp"
-#include "judge/sandbox/confinement.hpp"
 #include "judge/verdict/console.hpp"
 #include "judge/verdict/json.hpp"
 #include "judge/verdict/judge_all.hpp"
@@ -58,8 +58,8 @@ fs::path source_of(const Course& course, const CheckOptions& options, const Unit
 
 /// Says which walls are missing.
 /// @return whether all of them stand
-bool report_missing_walls(bool strict) {
-  const std::vector<MissingLayer> missing = missing_layers();
+bool report_missing_walls(const Course& course, bool strict) {
+  const std::vector<MissingLayer> missing = missing_walls(course);
   for (const MissingLayer& each : missing)
     if (strict || each.layer != Layer::other_user)  // a student judges their own code
       std::cerr << "tumble: the sandbox lacks " << name_of(each.layer) << ": " << each.why << "\n";
@@ -101,7 +101,7 @@ int check(const Course& course, const CheckOptions& options) {
     print_next(course, progress);
     return 0;
   }
-  if (!report_missing_walls(options.strict) && options.strict) {
+  if (!report_missing_walls(course, options.strict) && options.strict) {
     std::cerr << "tumble: --strict: nothing is judged\n";
     return 2;
   }

@@ -36,7 +36,7 @@ int reset(const Course& course, const std::string& unit);
 /// Shows the solution of a unit that passes.
 int solution(const Course& course, const std::string& unit, bool anyway);
 /// Which walls of the sandbox stand here.
-int sandbox();
+int sandbox(const Course& course);
 /// Every misconception is killed and named: a table.
 int matrix(const Course& course, const std::string& what, std::uint64_t seed);
 /// Every exercise in the tree is the untouched stub, and fails every case of its spec.

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <iostream>
-#include <iterator>
-#include <stdexcept>
 
 #include "judge/commands/commands.hpp"
 #include "judge/course/contract.hpp"
 #include "judge/course/hints.hpp"
 #include "judge/course/progress.hpp"
+#include "judge/course/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -31,12 +29,6 @@ std::string time_stamp() {
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%d-%H%M%S", std::localtime(&now));
   return text;
-}
-
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot read " + file.string());
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -70,10 +62,7 @@ int reset(const Course& course, const std::string& what) {
     fs::copy_file(file, kept, fs::copy_options::overwrite_existing);
     std::cout << "Your file is kept: " << fs::relative(kept).string() << "\n";
   }
-  std::ofstream out(file);
-  out << stub;
-  out.close();
-  if (!out) throw std::runtime_error("cannot write " + file.string());
+  write_text(file, stub);
   std::cout << unit.number << " " << unit.name << " is as it was handed out.\n";
   return 0;
 }

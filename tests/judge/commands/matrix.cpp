@@ -1,5 +1,7 @@
 #include "judge/commands/matrix.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <string>
 
@@ -14,32 +16,43 @@ namespace {
 /// What the spec made of one misconception.
 struct Kill {
   std::size_t failed = 0, cases = 0;
-  std::string named;  ///< what the last case that named anything has named
-  bool right = false;
+  std::string named;       ///< what the first case that failed has named: what a student is told
+  bool explained = false;  ///< by a section of the page
+
+  std::string verdict(const std::string& name) const {
+    if (failed == 0) return "**survives**";
+    if (named.empty()) return "**not named**";
+    if (named != name) return "**as " + named + "**";
+    return explained ? "yes" : "**no such section in the page**";
+  }
 };
 
-/// The judge narrows down as answers come in; what it says last has to be the one right name.
+/// Whether the chapter's page has this heading, or is not written yet.
+bool is_explained(const fs::path& page, const std::string& section) {
+  std::ifstream in(page);
+  if (!in) return true;
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with('#') && line.ends_with("# " + section)) return true;
+  return false;
+}
+
 Kill try_to_kill(const Unit& unit, std::size_t k, std::uint64_t seed) {
   Impostor impostor(k);
   Kill kill;
-  const std::string& name = mistakes_of(unit.id())[k].name;
   for (const CaseResult& result : run_spec({unit.id(), seed}, impostor)) {
     ++kill.cases;
     if (result.passed()) continue;
-    ++kill.failed;
-    const auto& mistakes = result.finding->mistakes;
-    if (mistakes.empty()) continue;
-    kill.named.clear();
-    for (const NamedMistake& mistake : mistakes)
+    if (++kill.failed > 1) continue;
+    for (const NamedMistake& mistake : result.finding->mistakes)
       kill.named += (kill.named.empty() ? "" : " or ") + mistake.name;
   }
-  kill.right = kill.named == name;
   return kill;
 }
 
 }  // namespace
 
-bool print_kill_matrix(std::ostream& out, const std::vector<Unit>& units, std::uint64_t seed) {
+bool print_kill_matrix(std::ostream& out, const Course& course, const std::vector<Unit>& units,
+                       std::uint64_t seed) {
   constexpr std::size_t at_least = 4;
   bool complete = true;
   std::size_t total = 0, right = 0;
@@ -47,15 +60,13 @@ bool print_kill_matrix(std::ostream& out, const std::vector<Unit>& units, std::u
   for (const Unit& unit : units) {
     const std::vector<NamedMistake>& mistakes = mistakes_of(unit.id());
     for (std::size_t k = 0; k < mistakes.size(); ++k) {
-      const Kill kill = try_to_kill(unit, k, seed);
-      const std::string verdict = kill.right           ? "yes"
-                                  : kill.failed == 0   ? "**survives**"
-                                  : kill.named.empty() ? "**not named**"
-                                                       : "**as " + kill.named + "**";
+      Kill kill = try_to_kill(unit, k, seed);
+      kill.explained = is_explained(course.page(unit), mistakes[k].section);
+      const std::string verdict = kill.verdict(mistakes[k].name);
       out << "| " << unit.number << " " << unit.name << " | " << mistakes[k].name << " | "
           << kill.failed << " of " << kill.cases << " | " << verdict << " |\n";
       ++total;
-      right += kill.right ? 1 : 0;
+      right += verdict == "yes" ? 1u : 0u;
     }
     if (mistakes.size() < at_least) {
       out << "| " << unit.number << " " << unit.name << " | **only " << mistakes.size()

@@ -1,28 +1,24 @@
 /// @file
 /// Proofs that the course is sound: the misconceptions and the stubs.
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "judge/commands/commands.hpp"
 #include "judge/commands/matrix.hpp"
 #include "judge/course/contract.hpp"
 #include "judge/course/hints.hpp"
-#include "judge/sandbox/confinement.hpp"
+#include "judge/course/text_file.hpp"
 #include "judge/verdict/judge_all.hpp"
 
 namespace tumble::judge {
 
 int matrix(const Course& course, const std::string& what, std::uint64_t seed) {
-  return print_kill_matrix(std::cout, course.select(what), seed) ? 0 : 1;
+  return print_kill_matrix(std::cout, course, course.select(what), seed) ? 0 : 1;
 }
 
 namespace {
 
 bool is_stub(const Course& course, const Unit& unit) {
-  std::ifstream in(course.exercise(unit), std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return text == stub_of(course, unit);
+  return read_text(course.exercise(unit)) == stub_of(course, unit);
 }
 
 }  // namespace
@@ -45,18 +41,6 @@ int stubs(const Course& course) {
   std::cout << course.units.size() << " stubs, " << (sound ? "each fails every case" : "not sound")
             << "\n";
   return sound ? 0 : 1;
-}
-
-int sandbox() {
-  const std::vector<MissingLayer> missing = missing_layers();
-  for (const Layer layer : {Layer::limits, Layer::other_user, Layer::files, Layer::system_calls}) {
-    std::string why;
-    for (const MissingLayer& each : missing)
-      if (each.layer == layer) why = each.why;
-    std::cout << (why.empty() ? "stands   " : "missing  ") << name_of(layer)
-              << (why.empty() ? "" : ": " + why) << "\n";
-  }
-  return missing.empty() ? 0 : 1;
 }
 
 }  // namespace tumble::judge

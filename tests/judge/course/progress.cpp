@@ -1,28 +1,23 @@
 #include "judge/course/progress.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "judge/course/text_file.hpp"
 
 namespace tumble::judge {
 
 using nlohmann::json;
 
 std::uint64_t fingerprint(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return 0;
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  for (auto it = std::istreambuf_iterator<char>(in); it != std::istreambuf_iterator<char>(); ++it)
-    hash = (hash ^ static_cast<unsigned char>(*it)) * 0x100000001b3;
-  return hash;
+  return fs::is_regular_file(file) ? std::hash<std::string>{}(read_text(file)) : 0;
 }
 
 Progress::Progress(const Course& course) : course_(course), file_(course.state / "progress.json") {
-  std::ifstream in(file_);
-  if (!in) return;
+  if (!fs::exists(file_)) return;
   try {
-    const json all = json::parse(in);
+    const json all = json::parse(read_text(file_));
     for (const auto& [unit, j] : all.items())
       units_[unit] = {j.at("tries"), j.at("last"), j.at("source"), j.at("hints")};
   } catch (const json::exception& e) {
@@ -42,9 +37,7 @@ void Progress::save() const {
   for (const auto& [unit, p] : units_)
     j[unit] = {{"tries", p.tries}, {"last", p.last}, {"source", p.source}, {"hints", p.hints}};
   fs::create_directories(file_.parent_path());
-  const fs::path beside = file_.string() + ".new";
-  std::ofstream(beside) << j.dump(2) << "\n";
-  fs::rename(beside, file_);
+  write_text(file_, j.dump(2) + "\n");
 }
 
 }  // namespace tumble::judge

@@ -1,8 +1,8 @@
 #include "judge/verdict/json.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "judge/course/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -42,14 +42,8 @@ ordered_json json_of(const UnitResult& result) {
 void write_json(const std::filesystem::path& file, const std::vector<UnitResult>& results) {
   ordered_json j{{"schema", "tumble/results/1"}, {"units", ordered_json::array()}};
   for (const UnitResult& result : results) j["units"].push_back(json_of(result));
-  const std::filesystem::path beside = file.string() + ".new";
-  {
-    std::ofstream out(beside);
-    // What a student's code prints need not be UTF-8.
-    out << j.dump(2, ' ', false, ordered_json::error_handler_t::replace) << "\n";
-    if (!out) throw std::runtime_error("cannot write " + beside.string());
-  }
-  std::filesystem::rename(beside, file);
+  // What a student's code prints need not be UTF-8.
+  write_text(file, j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace tumble::judge

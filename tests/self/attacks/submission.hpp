@@ -81,10 +81,11 @@ inline std::string replaced(std::string text, const std::string& from, const std
 /// @throws std::invalid_argument if the file does not say what it is
 inline Submission read_submission(const fs::path& file) {
   // An attack names the tree by @ROOT@: where it stands is known when the test runs.
-  // What several attacks need, such as reading and writing frames by hand, stands in parts/.
-  const std::string parts = replaced(text_of(file), "@FORGE@",
-                                     text_of(file.parent_path() / "parts" / "forge.hpp"));
-  const std::string text = replaced(parts, "@ROOT@", root().string());
+  std::string text = replaced(text_of(file), "@ROOT@", root().string());
+  // What several attacks need, such as reading and writing frames by hand: @forge@ is
+  // parts/forge.hpp.
+  for (const fs::directory_entry& part : fs::directory_iterator(root() / "tests/attacks/parts"))
+    text = replaced(text, "@" + part.path().stem().string() + "@", text_of(part.path()));
   Submission submission{file.stem().string(), text, {}, 0};
   bool says_what_it_tries = false;
   for (const std::string& line : lines_of(submission.text)) {

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "support/command.hpp"
+#include "support/skip.hpp"
 
 using tumble::test::CommandResult;
 using tumble::test::run_command;
@@ -190,6 +191,18 @@ TEST_CASE("--strict refuses to judge where a wall is missing, and says which") {
   const CommandResult strict = judge("check 1.2 --solutions --strict");
   CHECK((strict.status == 0) == complete);
   if (!complete) CHECK(contains(strict.output, "--strict: nothing is judged"));
+}
+
+TEST_CASE("--strict refuses where the compiler of root's judge would stay root") {
+  if (judge("sandbox").status != 0)
+    return tumble::test::skip("not all walls stand here: see the case before");
+  const fs::path locked = course / "exercises";
+  const fs::perms before = fs::status(locked).permissions();
+  fs::permissions(locked, fs::perms::owner_all);
+  const CommandResult strict = judge("check 1.2 --solutions --strict");
+  fs::permissions(locked, before);
+  CHECK(strict.status == 2);
+  CHECK(contains(strict.output, "other users may not enter"));
 }
 
 TEST_CASE("every stub fails every case; the kill matrix is complete") {

@@ -15,6 +15,7 @@
 
 namespace tumble {
 
+/// What can be wrong with a mesh.
 enum class FindingKind {
   no_faces,                  ///< nothing there
   index_out_of_range,        ///< a corner names a vertex that does not exist

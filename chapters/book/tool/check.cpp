@@ -1,0 +1,91 @@
+#include "book/tool/check.hpp"
+
+#include <algorithm>
+
+#include "book/tool/links.hpp"
+#include "book/tool/maths.hpp"
+
+namespace tumble::book {
+
+std::vector<fs::path> pages_of(const fs::path& root) {
+  std::vector<fs::path> files{root / "README.md"};
+  for (const auto& entry : fs::directory_iterator(root / "chapters"))
+    if (fs::exists(entry.path() / "README.md")) files.push_back(entry.path() / "README.md");
+  std::sort(files.begin() + 1, files.end());
+  return files;
+}
+
+namespace {
+
+std::string at(const Page& page, std::size_t line) {
+  return page.file.string() + ":" + std::to_string(line + 1) + ": ";
+}
+
+/// Code and output that nothing keeps true.
+std::vector<std::string> unannounced_fences(const Page& page) {
+  std::vector<std::string> bad;
+  for (const Fence& fence : fences_of(page))
+    if (fence.source.empty() && (fence.language == "cpp" || fence.language == "text"))
+      bad.push_back(at(page, fence.opening) +
+                    "nothing says where this comes from: announce it "
+                    "with <!-- snippet: …#… -->, signature, output or measured");
+  return bad;
+}
+
+/// What is wrong with a formula in a line of text; empty if nothing is.
+std::string mistake_of(const InlineFormula& formula, const std::string& line) {
+  if (const std::string what = mistake_in(formula.tex); !what.empty()) return what;
+  const bool quoted = line[formula.begin + 1] == '`';
+  if (const std::string trap = markdown_trap_in(formula.tex); !trap.empty() && !quoted)
+    return "Markdown changes " + trap + " here: write $`…`$";
+  const bool in_table = line.starts_with("|");
+  if (in_table && formula.tex.find('|') != std::string::npos)
+    return "| ends the cell of the table: write \\lvert, \\lVert or \\mid";
+  return {};
+}
+
+std::vector<std::string> bad_formulas(const Page& page) {
+  std::vector<std::string> bad;
+  const std::vector<Fence> fences = fences_of(page);
+  for (const Fence& fence : fences)
+    if (fence.language == "math")
+      if (const std::string what = mistake_in(content_of(page, fence)); !what.empty())
+        bad.push_back(at(page, fence.opening) + what);
+  for (std::size_t i = 0; i < page.lines.size(); ++i) {
+    if (is_inside(fences, i)) continue;
+    for (const InlineFormula& formula : formulas_in(page.lines[i]))
+      if (const std::string what = mistake_of(formula, page.lines[i]); !what.empty())
+        bad.push_back(at(page, i) + what);
+  }
+  return bad;
+}
+
+std::vector<std::string> mistakes_in(const Places& places, const fs::path& file) {
+  std::vector<std::string> mistakes;
+  const auto add = [&](const std::vector<std::string>& more) {
+    mistakes.insert(mistakes.end(), more.begin(), more.end());
+  };
+  try {
+    const Page page = read_page(file);
+    add(stale_fences(places, page));
+    add(unannounced_fences(page));
+    add(bad_formulas(page));
+    add(dead_links(page));
+  } catch (const PageError& error) {
+    add({error.what()});
+  }
+  return mistakes;
+}
+
+}  // namespace
+
+std::vector<std::string> mistakes_in(const Places& places) {
+  std::vector<std::string> mistakes;
+  for (const fs::path& file : pages_of(places.root)) {
+    const std::vector<std::string> more = mistakes_in(places, file);
+    mistakes.insert(mistakes.end(), more.begin(), more.end());
+  }
+  return mistakes;
+}
+
+}  // namespace tumble::book

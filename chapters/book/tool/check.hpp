@@ -1,0 +1,19 @@
+#pragma once
+/// @file
+/// Whether the pages are true: code, numbers, formulas, figures and links.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "book/tool/sources.hpp"
+
+namespace tumble::book {
+
+/// The pages of the book: the front page, and one a folder of chapters/ that has one.
+std::vector<fs::path> pages_of(const fs::path& root);
+
+/// What is wrong with the pages, "file:line: …" each.
+std::vector<std::string> mistakes_in(const Places& places);
+
+}  // namespace tumble::book

@@ -1,0 +1,26 @@
+#include "judge/course/text_file.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace tumble::judge {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  const fs::path beside = file.string() + ".new";
+  std::ofstream out(beside, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + beside.string());
+  fs::rename(beside, file);
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,141 @@
+/// @file
+/// What is wrong with a page is found, and said with its line: each case breaks one thing in a book
+/// of one chapter that is right otherwise.
+#include <doctest/doctest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "book/tool/check.hpp"
+
+using namespace tumble::book;
+
+namespace {
+
+/// A book in a folder of its own, gone afterwards.
+class SmallBook {
+ public:
+  SmallBook() {
+    std::string name = (fs::temp_directory_path() / "tumble-book-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    root_ = name;
+    write("README.md", "# Front\n\n[one](chapters/01_one/README.md)\n");
+    write("code.hpp", "/// Twice as much.\nint twice(int x) {\n  return x + x;\n}\n");
+    write("chapters/01_one/figures/a.svg", "<svg/>\n");
+    write("programs/01_one",
+          "#!/bin/sh\n[ \"$2\" = times ] && echo 'sum  3 ns' || echo 'drift  1.5'\n");
+    fs::permissions(root_ / "programs/01_one", fs::perms::owner_all);
+  }
+  SmallBook(const SmallBook&) = delete;
+  SmallBook& operator=(const SmallBook&) = delete;
+  ~SmallBook() { fs::remove_all(root_); }
+
+  void write(const std::string& file, const std::string& text) const {
+    fs::create_directories((root_ / file).parent_path());
+    std::ofstream(root_ / file) << text;
+  }
+
+  Places places() const { return {root_, root_ / "programs"}; }
+  fs::path chapter() const { return root_ / "chapters/01_one/README.md"; }
+
+  /// What is wrong if the chapter's page has this text below its heading, at line 3.
+  std::string mistakes(const std::string& text) const {
+    write("chapters/01_one/README.md", "# One\n\n" + text);
+    std::string all;
+    for (const std::string& mistake : mistakes_in(places())) all += mistake + "\n";
+    return all;
+  }
+
+ private:
+  fs::path root_;
+};
+
+std::string fence(const std::string& announcement, const std::string& language,
+                  const std::string& content) {
+  return "<!-- " + announcement + " -->\n```" + language + "\n" + content + "```\n";
+}
+
+const std::string twice = "int twice(int x) {\n  return x + x;\n}\n";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a page that is right has no mistakes") {
+  const SmallBook book;
+  CHECK(book.mistakes(fence("snippet: code.hpp#twice", "cpp", twice) +
+                      fence("signature: code.hpp#twice", "cpp", "int twice(int x);\n") +
+                      fence("output: 01_one#drift", "text", "drift  1.5\n") +
+                      "It is $x^2$, or $`\\frac{1}{2}\\,x`$.\n\n```math\nx = y\n```\n\n"
+                      "![A drawing](figures/a.svg)\n\n[Up](../../README.md#front), $5 or $6.\n") ==
+        "");
+}
+
+TEST_CASE("code that has changed in the source, or is not there") {
+  const SmallBook book;
+  const std::string stale = book.mistakes(
+      fence("snippet: code.hpp#twice", "cpp", "int twice(int x) { return 2 * x; }\n"));
+  CHECK(contains(stale, "01_one/README.md:4: code.hpp#twice has changed"));
+  CHECK(contains(book.mistakes(fence("snippet: code.hpp#thrice", "cpp", twice)), "thrice"));
+  CHECK(contains(book.mistakes(fence("snippet: none.hpp#twice", "cpp", twice)), "none.hpp"));
+}
+
+TEST_CASE("numbers that the program does not print") {
+  const SmallBook book;
+  CHECK(contains(book.mistakes(fence("output: 01_one#drift", "text", "drift  1.6\n")),
+                 "01_one#drift has changed"));
+  CHECK(contains(book.mistakes(fence("output: 02_two#drift", "text", "drift  1.6\n")), "fails"));
+}
+
+TEST_CASE("times may be others, but not the words") {
+  const SmallBook book;
+  CHECK(book.mistakes(fence("measured: 01_one#times", "text", "sum  17.5 µs\n")) == "");
+  CHECK(contains(book.mistakes(fence("measured: 01_one#times", "text", "mean  3 ns\n")),
+                 "has changed"));
+}
+
+TEST_CASE("code and output that nothing keeps true") {
+  const SmallBook book;
+  CHECK(contains(book.mistakes("```cpp\nint x;\n```\n"), ":3: nothing says where this comes from"));
+  CHECK(contains(book.mistakes("```text\n3\n```\n"), "nothing says where"));
+  CHECK(contains(book.mistakes(fence("outptu: 01_one#drift", "text", "drift  1.5\n")),
+                 ":3: a fence is announced by"));
+  CHECK(contains(book.mistakes("<!-- output: 01_one#drift -->\ntext\n"), "wants a fence"));
+  CHECK(contains(book.mistakes("```sh\nls\n"), "not closed"));
+}
+
+TEST_CASE("links, headings and figures that are not there") {
+  const SmallBook book;
+  CHECK(contains(book.mistakes("See [two](../02_two/README.md).\n"),
+                 ":3: there is no ../02_two/README.md"));
+  CHECK(contains(book.mistakes("See [below](#below).\n"), "there is no heading #below"));
+  CHECK(contains(book.mistakes("![A drawing](figures/b.svg)\n"), "there is no figures/b.svg"));
+}
+
+TEST_CASE("formulas that cannot be set, or that Markdown would change") {
+  const SmallBook book;
+  CHECK(contains(book.mistakes("$\\foo$\n"), ":3: unknown command \\foo"));
+  CHECK(contains(book.mistakes("$\\frac{1{2}$\n"), "a { without a }"));
+  CHECK(contains(book.mistakes("```math\n\\begin{aligned} x\n```\n"), "is not closed"));
+  CHECK(contains(book.mistakes("$a\\,b$\n"), "Markdown changes \\,"));
+  CHECK(contains(book.mistakes("$\\dot{x}_i$ and $y_i$\n"), "Markdown changes }_"));
+  CHECK(contains(book.mistakes("| a |\n|---|\n| $|x|$ |\n"), ":5: | ends the cell"));
+}
+
+TEST_CASE("writing takes over what has changed, and nothing else") {
+  const SmallBook book;
+  const std::string before = "Text.\n\n" + fence("output: 01_one#drift", "text", "old\nolder\n") +
+                             "\nMore.\n" + fence("snippet: code.hpp#twice", "cpp", "");
+  CHECK(book.mistakes(before) != "");
+  write_page(refreshed(book.places(), read_page(book.chapter())));
+  std::ifstream in(book.chapter());
+  CHECK(std::string(std::istreambuf_iterator<char>(in), {}) ==
+        "# One\n\nText.\n\n" + fence("output: 01_one#drift", "text", "drift  1.5\n") + "\nMore.\n" +
+            fence("snippet: code.hpp#twice", "cpp", twice));
+}
