@@ -26,6 +26,7 @@ using support::Table;
 constexpr double air = 1.225;  // density at sea level [kg/m³]
 constexpr double g = 9.81;     // [m/s²]
 
+/// A ball as the air meets it.
 struct ThrownBall {
   std::string name;
   double mass, diameter, drag;  // [kg], [m], coefficient of drag

@@ -17,6 +17,7 @@ namespace particles_chapter {
 using support::error_number;
 using support::Vec2;
 
+/// What a net is made of.
 struct Net {
   int columns, rows;
   double damping;           // of a thread [N s/m]

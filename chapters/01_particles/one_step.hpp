@@ -19,6 +19,7 @@ using support::Vec2;
 
 // ── The methods as tableaux ──
 
+/// One slope, at the start.
 struct EulerTableau {
   static constexpr std::size_t stages = 1;
   static constexpr int order = 1;
@@ -26,6 +27,7 @@ struct EulerTableau {
   static constexpr std::array<Weights<1>, 1> a{};
 };
 
+/// Two slopes; the second, halfway, is the one that counts.
 struct MidpointTableau {
   static constexpr std::size_t stages = 2;
   static constexpr int order = 2;
@@ -33,6 +35,7 @@ struct MidpointTableau {
   static constexpr std::array<Weights<2>, 2> a{{{0}, {1 / 2.L}}};
 };
 
+/// The classical method of order four.
 struct Rk4Tableau {
   static constexpr std::size_t stages = 4;
   static constexpr int order = 4;
@@ -41,6 +44,7 @@ struct Rk4Tableau {
   static constexpr std::array<Weights<4>, 4> a{{{0}, {1 / 2.L}, {0, 1 / 2.L}, {0, 0, 1}}};
 };
 
+/// Kutta's other method of order four, with slopes at thirds of the step.
 struct ThreeEighthsTableau {
   static constexpr std::size_t stages = 4;
   static constexpr int order = 4;
