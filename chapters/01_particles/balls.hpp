@@ -74,8 +74,8 @@ inline std::vector<Flight> flown(const ThrownBall& ball, double speed) {
 inline double range(const ThrownBall& ball, double speed) { return flown(ball, speed).back().x(); }
 
 inline Table balls_table() {
-  Table table({"ball", "mass [kg]", "diameter [m]", "c_d", "thrown at", "without air", "in air",
-               "falls at most at"});
+  Table table(
+      {"ball", "mass [kg]", "⌀ [m]", "c_d", "thrown at", "without air", "in air", "terminal"});
   const auto add = [&](const ThrownBall& ball, double speed) {
     table.add({ball.name, number(ball.mass), number(ball.diameter), number(ball.drag),
                number(speed) + " m/s", number(speed * speed / g) + " m",

@@ -126,7 +126,7 @@ inline std::vector<EndLabel> end_labels(const Plot& plot, const Frame& frame) {
   for (std::size_t i = 1; i < labels.size(); ++i)
     labels[i].y = std::max(labels[i].y, labels[i - 1].y + text_height);
   // What was pushed out below comes back up, and pushes its neighbours in turn.
-  double limit = frame.floor() + 6;
+  double limit = frame.floor() - 2;
   for (std::size_t i = labels.size(); i-- > 0; limit = labels[i].y - text_height)
     labels[i].y = std::min(labels[i].y, limit);
   return labels;
