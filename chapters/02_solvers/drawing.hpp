@@ -55,7 +55,7 @@ inline std::string draw_dots(const Window& window, const Path& path, const std::
 inline std::string draw_text(const Vec2& px, const std::string& words, const std::string& colour,
                              const std::string& anchor = "start") {
   return "<text x=\"" + support::svg_number(px[0]) + "\" y=\"" + support::svg_number(px[1]) +
-         "\" fill=\"var(--" + colour + ")\" text-anchor=\"" + anchor + "\">" +
+         "\" fill=\"var(--" + colour + ")\" font-size=\"17\" text-anchor=\"" + anchor + "\">" +
          support::svg_text(words) + "</text>\n";
 }
 

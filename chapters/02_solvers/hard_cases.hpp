@@ -81,7 +81,7 @@ inline Table floor_table() {
                                                        {tolerance, tolerance});
     const double error = (s.y - mild.at(mild.period())).head<2>().norm();
     table.add({number(tolerance), std::to_string(s.evaluations),
-               error < 1e-12 ? "< 1e-12 AU" : error_number(error) + " AU"});
+               error < 5e-13 ? "< 5e-13 AU" : error_number(error) + " AU"});
   }
   return table;
 }

@@ -37,8 +37,8 @@ inline double order_of(double coarse, double fine) {
 }
 
 inline Table order_table() {
-  Table table({"method", "order", "steps", "error", "seen with the solution", "without it",
-               "error extrapolated", "its order"});
+  Table table(
+      {"method", "order", "steps", "error", "with exact", "without", "Richardson", "its order"});
   const auto add = [&]<class Method>(const std::string& name, int n, Method) {
     const Vec4 y1 = mild_end<Method>(n), y2 = mild_end<Method>(2 * n), y4 = mild_end<Method>(4 * n);
     const Vec4 better2 = extrapolated(y1, y2, Method::order),

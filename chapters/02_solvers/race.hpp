@@ -160,8 +160,8 @@ inline std::vector<double> times_to(const std::vector<Runner>& runners, double g
 /// Times, and how many times that of a method of reference.
 inline Table times_table() {
   constexpr std::size_t dp54 = 3, radau5 = 6;
-  Table table({"method", "comet: 1e-6 AU", "DP 5(4) = 1", "comet: 1e-9 AU", "DP 5(4) = 1",
-               "dust: 1e-6 m", "Radau5 = 1"});
+  Table table(
+      {"method", "comet, 1e-6", "× DP 5(4)", "comet, 1e-9", "× DP 5(4)", "dust, 1e-6", "× Radau5"});
   const std::vector<double> comet_6 = times_to(comet_runners(), 1e-6),
                             comet_9 = times_to(comet_runners(), 1e-9),
                             dust_6 = times_to(dust_runners(), 1e-6);
