@@ -166,7 +166,7 @@ inline Table indifferent_table() {
 inline Path streamline(const Vec2& from, double seconds) {
   Path path{from};
   integrate_fixed<Rk4>([](double, const Vec2& x) -> Vec2 { return wind(x); }, from, 0.0, seconds,
-                       static_cast<int>(20 * seconds),
+                       static_cast<int>(10 * seconds),
                        [&](double, const Vec2& x) { path.push_back(x); });
   return path;
 }
