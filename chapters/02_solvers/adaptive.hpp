@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "02_solvers/drawing.hpp"
-#include "02_solvers/problems.hpp"
+#include "drawing.hpp"
+#include "problems.hpp"
 #include "support/plot.hpp"
 #include "support/table.hpp"
 #include "tumble/ode.hpp"
 
-namespace tumble::solvers {
+namespace solvers_chapter {
 
 using support::error_number;
 using support::number;
@@ -78,22 +78,22 @@ inline std::string comet_figure() {
   const int steps = one_round(comet_tolerances, adaptive).evaluations / 4;
   integrate_fixed<Rk4>(SunsPull{}, comet.at(0), 0.0, period, steps, fixed);
 
-  std::string svg = support::svg_open(760, 424, "one round of a comet, twice");
+  support::Sketch sketch(760, 424, "one round of a comet, twice");
   const auto draw = [&](double top, const Track& track, const std::string& words) {
-    const Window window{{-36, -5}, {5, 5}, 10, top, 18};
-    svg += draw_frame(window);
-    svg += draw_path(window, ellipse(comet), "faint", "stroke-width=\"1\"");
+    const Cutout cutout{{-36, -5}, {5, 5}, 10, top, 18};
+    look_at(sketch, cutout);
+    sketch.curve(ellipse(comet), {"faint", 1});
     Path from_start{comet.at(0).head<2>()};
     from_start.insert(from_start.end(), track.places.begin(), track.places.end());
-    svg += draw_path(window, from_start, "c0", "stroke-width=\"1\" stroke-opacity=\"0.6\"");
-    svg += draw_dots(window, from_start, "c0", 2.2);
-    svg += draw_dots(window, {Vec2(0, 0)}, "c4", 5);
-    svg += draw_text(window.pixel({-17, -0.3}), words, "ink", "middle");
+    sketch.curve(cutout.within(from_start), {"c0", 1, 0.6});
+    sketch.dots(cutout.within(from_start), "c0", 2.2);
+    sketch.dot({0, 0}, "c4", 5);
+    sketch.words({-17, -0.3}, {0, 0}, words, "ink", "middle");
   };
   draw(14, fixed, "RK4, " + std::to_string(steps) + " steps of the same length");
   draw(228, adaptive,
        "Dormand–Prince 5(4), " + std::to_string(adaptive.steps.size()) + " steps as needed");
-  return svg + "</svg>\n";
+  return sketch.svg();
 }
 
 // ── The error of a step ──
@@ -185,4 +185,4 @@ inline Table tolerance_table() {
   return table;
 }
 
-}  // namespace tumble::solvers
+}  // namespace solvers_chapter

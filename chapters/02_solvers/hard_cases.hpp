@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 
-#include "02_solvers/order.hpp"
-#include "02_solvers/stiff.hpp"
+#include "order.hpp"
+#include "stiff.hpp"
 
-namespace tumble::solvers {
+namespace solvers_chapter {
 
 // ── What breaks ──
 
@@ -174,4 +174,4 @@ inline Table unseen_table() {
   return table;
 }
 
-}  // namespace tumble::solvers
+}  // namespace solvers_chapter

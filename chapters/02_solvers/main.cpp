@@ -1,12 +1,12 @@
 /// @file
 /// Chapter 2: steps that suit the motion, steps that stiffness forces, and what each error costs.
-#include "02_solvers/adaptive.hpp"
-#include "02_solvers/hard_cases.hpp"
-#include "02_solvers/race.hpp"
+#include "adaptive.hpp"
+#include "hard_cases.hpp"
+#include "race.hpp"
 #include "support/chapter.hpp"
 
 using namespace tumble;
-using namespace tumble::solvers;
+using namespace solvers_chapter;
 
 int main(int argc, char** argv) {
   support::Chapter chapter("02_solvers", "Solvers: adaptive and implicit steps, and their cost");

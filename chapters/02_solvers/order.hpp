@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "02_solvers/problems.hpp"
+#include "problems.hpp"
 #include "support/plot.hpp"
 #include "support/table.hpp"
 #include "tumble/ode.hpp"
 
-namespace tumble::solvers {
+namespace solvers_chapter {
 
 using support::error_number;
 using support::number;
@@ -89,4 +89,4 @@ inline std::string order_figure() {
   return support::to_svg(plot);
 }
 
-}  // namespace tumble::solvers
+}  // namespace solvers_chapter

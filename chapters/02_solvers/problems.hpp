@@ -9,7 +9,9 @@
 #include "support/table.hpp"
 #include "tumble/ode/rhs.hpp"
 
-namespace tumble::solvers {
+namespace solvers_chapter {
+
+using namespace tumble;
 
 using Vec2 = Eigen::Vector2d;
 using Vec4 = Eigen::Vector4d;  ///< place and velocity in a plane
@@ -136,4 +138,4 @@ inline std::string error_or_rounding(double error) {
   return error < 1e-14 ? "< 1e-14" : support::error_number(error);
 }
 
-}  // namespace tumble::solvers
+}  // namespace solvers_chapter

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "02_solvers/problems.hpp"
+#include "problems.hpp"
 #include "support/plot.hpp"
 #include "support/stopwatch.hpp"
 #include "support/table.hpp"
 #include "tumble/ode.hpp"
 
-namespace tumble::solvers {
+namespace solvers_chapter {
 
 using support::number;
 using support::Table;
@@ -198,4 +198,4 @@ inline Table eccentricity_table() {
   return table;
 }
 
-}  // namespace tumble::solvers
+}  // namespace solvers_chapter

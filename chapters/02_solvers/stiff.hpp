@@ -5,13 +5,13 @@
 #include <cmath>
 #include <complex>
 
-#include "02_solvers/drawing.hpp"
-#include "02_solvers/problems.hpp"
+#include "drawing.hpp"
+#include "problems.hpp"
 #include "support/plot.hpp"
 #include "support/table.hpp"
 #include "tumble/ode.hpp"
 
-namespace tumble::solvers {
+namespace solvers_chapter {
 
 using support::error_number;
 using support::number;
@@ -89,20 +89,17 @@ Path stability_boundary() {
 }
 
 inline std::string regions_figure() {
-  std::string svg = support::svg_open(760, 600, "where a step makes y smaller");
-  const Window window{{-8, -6.5}, {8, 6.5}, 12, 8, 45};
-  svg += draw_frame(window);
-  for (const Path& axis : {Path{{-8, 0}, {8, 0}}, Path{{0, -6.5}, {0, 6.5}}})
-    svg += draw_path(window, axis, "faint", "stroke-width=\"1\"");
+  support::Sketch sketch(760, 600, "where a step makes y smaller");
+  look_at(sketch, {{-8, -6.5}, {8, 6.5}, 12, 8, 45});
+  sketch.curves({{{-8, 0}, {8, 0}}, {{0, -6.5}, {0, 6.5}}}, {"faint", 1});
   for (const int tick : {-6, -4, 4, 6}) {
-    svg += draw_text(window.pixel({tick, -0.42}), number(tick), "faint", "middle");
-    if (tick < 6) svg += draw_text(window.pixel({0.12, tick - 0.1}), number(tick) + "i", "faint");
+    sketch.words({tick, -0.42}, {0, 0}, number(tick), "faint", "middle");
+    if (tick < 6) sketch.words({0.12, tick - 0.1}, {0, 0}, number(tick) + "i", "faint");
   }
   const auto add = [&](const Path& path, const std::string& colour, const std::string& name,
                        const Vec2& at) {
-    svg += draw_path(window, path, colour,
-                     "stroke-width=\"1.8\" style=\"fill:var(--" + colour + ");fill-opacity:0.10\"");
-    svg += draw_text(window.pixel(at), name, colour, "middle");
+    sketch.curve(path, {colour, 1.8, 1, 0.1});
+    sketch.words(at, {0, 0}, name, colour, "middle");
   };
   add(stability_boundary<Dop853>(), "c4", "DOP853", {-3.4, 4.2});
   add(stability_boundary<DormandPrince54>(), "c3", "DP 5(4)", {-3.8, 2.1});
@@ -110,9 +107,9 @@ inline std::string regions_figure() {
   add(stability_boundary<Midpoint>(), "c1", "midpoint", {-1, 1.06});
   add(stability_boundary<Euler>(), "c0", "Euler", {-1, 0.3});
   add(stability_boundary<BackwardEuler>(), "c6", "backward Euler: stable outside", {5, 0.9});
-  svg += draw_text(window.pixel({7.9, -0.42}), "Re z", "ink", "end");
-  svg += draw_text(window.pixel({0.12, 6.15}), "Im z", "ink");
-  return svg + "</svg>\n";
+  sketch.words({7.9, -0.42}, {0, 0}, "Re z", "ink", "end");
+  sketch.words({0.12, 6.15}, {0, 0}, "Im z");
+  return sketch.svg();
 }
 
 // ── Stiff problems ──
@@ -121,7 +118,7 @@ constexpr Tolerances dust_tolerances{1e-6, 1e-6};
 
 inline const std::vector<double> radii{100e-6, 30e-6, 10e-6, 3e-6, 1e-6};
 
-std::string micrometres(double radius) { return number(1e6 * radius) + " µm"; }
+inline std::string micrometres(double radius) { return number(1e6 * radius) + " µm"; }
 
 template <class Method>
 OdeSolution<Vec4> fly(double radius, const Tolerances& tolerances = dust_tolerances) {
@@ -172,28 +169,27 @@ inline Path streamline(const Vec2& from, double seconds) {
 }
 
 inline std::string dust_figure() {
-  std::string svg = support::svg_open(760, 452, "specks of dust in the wind");
-  const Window window{{-1.03, -0.02}, {2.03, 2.02}, 10, 10, 210};
-  svg += draw_frame(window);
+  support::Sketch sketch(760, 452, "specks of dust in the wind");
+  look_at(sketch, {{-1.03, -0.02}, {2.03, 2.02}, 10, 10, 210});
   for (const double x : {-0.5, 0.5, 1.5})
     for (const double y : {0.5, 1.5})
       for (const double r : {0.1, 0.2, 0.3, 0.4, 0.47})
-        svg += draw_path(window, streamline({x, y - r}, r < 0.45 ? 5 + 5 * r : 11), "grid",
-                         "stroke-width=\"1.2\"");
+        sketch.curve(streamline({x, y - r}, r < 0.45 ? 5 + 5 * r : 11), {"grid", 1.2});
   const std::vector<std::pair<double, std::string>> specks{
       {100e-6, "c1"}, {30e-6, "c3"}, {10e-6, "c2"}, {1e-6, "c0"}};
-  double row = 60;
+  double row = 50;  // of the names, right of the drawing [px]
   for (const auto& [radius, colour] : specks) {
     Track track;
     const auto solution = integrate_adaptive<Radau5>(dust_of_radius(radius), dust_start(), 0.0,
                                                      dust_time, dust_tolerances, track);
-    svg += draw_path(window, track.places, colour);
-    svg += draw_dots(window, track.places, colour, 2.2);
-    svg += draw_text({662, row}, micrometres(radius), colour);
-    svg += draw_text({662, row + 21}, std::to_string(solution.steps) + " steps", colour);
+    sketch.curve(track.places, {colour, 1.6});
+    sketch.dots(track.places, colour, 2.2);
+    const Vec2 corner(2.03, 2.02);
+    sketch.words(corner, {10, row}, micrometres(radius), colour);
+    sketch.words(corner, {10, row + 21}, std::to_string(solution.steps) + " steps", colour);
     row += 60;
   }
-  return svg + "</svg>\n";
+  return sketch.svg();
 }
 
 inline std::string stiffness_figure() {
@@ -248,15 +244,13 @@ inline std::string relaxation_figure() {
         dense.x.push_back(t);
         dense.y.push_back(y[0]);
       });
-  plot.series = {dense};
-  const support::plot_detail::Frame frame = support::plot_detail::fitted_frame(plot);
-  std::string svg = support::to_svg(plot);
-  svg.resize(svg.size() - std::string("</svg>\n").size());
-  svg += "<g fill=\"var(--c0)\">\n";
-  for (const Step& step : steps)
-    svg += "<circle cx=\"" + support::svg_number(frame.px(step.t)) + "\" cy=\"" +
-           support::svg_number(frame.py(step.y[0])) + "\" r=\"2.6\"/>\n";
-  return svg + "</g>\n</svg>\n";
+  support::Series dots{"steps of Radau5", {}, {}, support::Look::dots};
+  for (const Step& step : steps) {
+    dots.x.push_back(step.t);
+    dots.y.push_back(step.y[0]);
+  }
+  plot.series = {dense, dots};
+  return support::to_svg(plot);
 }
 
 inline std::string ridden_figure() {
@@ -307,4 +301,4 @@ inline Table newton_table() {
   return table;
 }
 
-}  // namespace tumble::solvers
+}  // namespace solvers_chapter

@@ -13,11 +13,15 @@
 
 namespace tumble::support {
 
+/// How points are shown: joined by a line, on which few of them are marked; or as dots alone.
+enum class Look { line, dots };
+
 /// One curve. Points that an axis cannot show (not finite; not positive on a log axis)
 /// are left out.
 struct Series {
   std::string name;
   std::vector<double> x, y;
+  Look look = Look::line;
 };
 
 /// Whether each axis fills its side of the frame, or a unit is as long on both: for paths.
@@ -97,9 +101,10 @@ inline std::string curve(const Series& series, const Frame& frame, const std::st
     const std::string x = svg_number(frame.px(series.x[i])), y = svg_number(frame.py(series.y[i]));
     path += (pen_down ? "L" : "M") + x + " " + y;
     pen_down = true;
-    if (series.x.size() <= most_markers)
+    if (series.look == Look::dots || series.x.size() <= most_markers)
       markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"3\" fill=\"" + colour + "\"/>\n";
   }
+  if (series.look == Look::dots) return markers;
   return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour +
          "\" stroke-width=\"1.8\"/>\n" + markers;
 }
