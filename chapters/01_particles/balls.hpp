@@ -4,8 +4,9 @@
 ///
 /// Sources: mass and size from the rules of the sports (World Athletics, R&A and USGA, ITF, ITTF);
 /// coefficients of drag from Mehta, "Aerodynamics of sports balls", Annual Review of Fluid
-/// Mechanics 17 (1985) 151–189, and for a smooth sphere Hoerner, "Fluid-Dynamic Drag" (1965),
-/// chapter III.
+/// Mechanics 17 (1985) 151–189, of the tennis ball from Mehta, Alam & Subic, "Review of tennis ball
+/// aerodynamics", Sports Technology 1 (2008) 7–16, and of a smooth sphere from Hoerner,
+/// "Fluid-Dynamic Drag" (1965), chapter III.
 
 #include <array>
 #include <cmath>

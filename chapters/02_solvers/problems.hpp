@@ -46,7 +46,7 @@ struct Orbit {
   }
 };
 
-constexpr Orbit comet{17.83, 0.967};  // that of Halley's comet, rounded
+constexpr Orbit comet{17.83, 0.967};  // that of Halley's comet in 1994 (JPL), rounded
 constexpr Orbit mild{1, 0.3};         // all steps alike are not too bad here
 
 /// The wind in a row of whirls of 1 m, each turning against its neighbours [m/s].
