@@ -91,7 +91,10 @@ TEST_CASE("read_obj: refuses a text without faces, whatever it is") {
   check_refused("v 0 0 0\n", "no faces (1 vertices)");
   std::string junk;
   test::Random rng(8);
-  for (int i = 0; i < 100000; ++i) junk += static_cast<char>(rng.uniform(0, 256));
+  for (int i = 0; i < 100000; ++i) {
+    const auto byte = static_cast<unsigned char>(rng.uniform(0, 256));
+    junk += static_cast<char>(byte);
+  }
   check_refused(junk, "test.obj");
   check_refused(std::string(1 << 20, 'f'), "no faces");
   check_refused("v " + std::string(1 << 20, '1') + " 0 0\n", "is not a finite number");
