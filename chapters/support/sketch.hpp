@@ -1,0 +1,108 @@
+#pragma once
+/// @file
+/// Drawings in the plane: curves, arrows, discs and words at points of the world, one unit as long
+/// to the right as up.
+
+#include <string>
+#include <vector>
+
+#include "support/svg.hpp"
+#include "tumble/core/types.hpp"
+
+namespace tumble::support {
+
+using Vec2 = Eigen::Vector2d;
+
+/// Where the world's origin is drawn, and how large the world.
+struct Window {
+  double x, y;   ///< [px] from the upper left corner
+  double scale;  ///< [px/unit]
+};
+
+/// How a line looks: a colour of the style ("ink", "faint", "c0" … "c9"), its width [px], and
+/// how much of it covers what is below.
+struct Pen {
+  std::string colour;
+  double width = 1.8;
+  double opacity = 1;
+};
+
+class Sketch {
+ public:
+  /// @param title     for screen readers
+  /// @param text_size [px]; a wide drawing is shrunk on a phone, and its words with it
+  Sketch(double width, double height, const std::string& title, double text_size = 17)
+      : svg_(svg_open(width, height, title)), text_size_(text_size) {}
+
+  /// What is drawn from now on is drawn in this window.
+  void look(const Window& window) { window_ = window; }
+
+  /// One line through all points, in the order given.
+  void curve(const std::vector<Vec2>& points, const Pen& pen) { curves({points}, pen); }
+
+  /// Several lines of the same look.
+  void curves(const std::vector<std::vector<Vec2>>& lines, const Pen& pen) {
+    svg_ += "<path d=\"";
+    for (const std::vector<Vec2>& line : lines)
+      for (std::size_t i = 0; i < line.size(); ++i) svg_ += (i == 0 ? "M" : "L") + at(line[i]);
+    svg_ += "\" fill=\"none\" stroke-linejoin=\"round\" " + look_of(pen) + "/>\n";
+  }
+
+  /// A line with a head at its end.
+  void arrow(const Vec2& from, const Vec2& to, const Pen& pen) {
+    const Vec2 along = (to - from).normalized() * 9 / window_.scale;
+    const Vec2 across = Vec2(-along.y(), along.x()) * 0.42;
+    curves({{from, to}, {to - along + across, to, to - along - across}}, pen);
+  }
+
+  /// @param radius [unit]
+  void disc(const Vec2& centre, double radius, const std::string& colour) {
+    circle(centre, radius * window_.scale, colour);
+  }
+
+  /// A disc of the same size at any scale.
+  void dot(const Vec2& centre, const std::string& colour, double pixels = 4) {
+    circle(centre, pixels, colour);
+  }
+
+  /// Words beside a point.
+  /// @param offset [px] right and down of the point
+  /// @param anchor "start", "middle" or "end": which part of the words is there
+  void words(const Vec2& point, const Vec2& offset, const std::string& text,
+             const std::string& colour = "ink", const std::string& anchor = "start") {
+    const Vec2 p = pixels(point) + offset;
+    svg_ += "<text x=\"" + svg_number(p.x()) + "\" y=\"" + svg_number(p.y()) + "\" fill=\"var(--" +
+            colour + ")\" font-size=\"" + svg_number(text_size_) + "\" text-anchor=\"" + anchor +
+            "\">" + svg_text(text) + "</text>\n";
+  }
+
+  /// The drawing as a complete SVG document.
+  std::string svg() const { return svg_ + "</svg>\n"; }
+
+ private:
+  Vec2 pixels(const Vec2& point) const {
+    return {window_.x + window_.scale * point.x(), window_.y - window_.scale * point.y()};
+  }
+
+  std::string at(const Vec2& point) const {
+    const Vec2 p = pixels(point);
+    return svg_number(p.x()) + " " + svg_number(p.y());
+  }
+
+  void circle(const Vec2& centre, double radius, const std::string& colour) {
+    const Vec2 p = pixels(centre);
+    svg_ += "<circle cx=\"" + svg_number(p.x()) + "\" cy=\"" + svg_number(p.y()) + "\" r=\"" +
+            svg_number(radius) + "\" fill=\"var(--" + colour + ")\"/>\n";
+  }
+
+  static std::string look_of(const Pen& pen) {
+    return "stroke=\"var(--" + pen.colour + ")\" stroke-width=\"" + svg_number(pen.width) + "\"" +
+           (pen.opacity < 1 ? " opacity=\"" + svg_number(pen.opacity, 2) + "\"" : "");
+  }
+
+  std::string svg_;
+  double text_size_;
+  Window window_{0, 0, 1};
+};
+
+}  // namespace tumble::support
