@@ -156,12 +156,18 @@ inline Table times_table() {
       }
     });
   };
-  add(ways_to_omega[0].name, [] { return by_three_products(task); }, batch);
-  add(ways_to_omega[1].name, [] { return in_principal_axes(task); }, batch);
-  add(ways_to_omega[2].name, [] { return by_inverse_in_world(task); }, batch);
-  add(ways_to_omega[3].name, [] { return by_inverting_in_world(task); }, batch);
-  add("1000 points summed anew, inverted", [] { return by_summing_points(task, points); }, 1);
-  add("for comparison: R from q", [] { return to_matrix(task.q); }, batch);
+  add(
+      ways_to_omega[0].name, [] { return by_three_products(task); }, batch);
+  add(
+      ways_to_omega[1].name, [] { return in_principal_axes(task); }, batch);
+  add(
+      ways_to_omega[2].name, [] { return by_inverse_in_world(task); }, batch);
+  add(
+      ways_to_omega[3].name, [] { return by_inverting_in_world(task); }, batch);
+  add(
+      "1000 points summed anew, inverted", [] { return by_summing_points(task, points); }, 1);
+  add(
+      "for comparison: R from q", [] { return to_matrix(task.q); }, batch);
   std::vector<double> seconds = seconds_each(actions, batch);
   seconds[4] *= batch;
   for (std::size_t i = 0; i < names.size(); ++i)

@@ -133,7 +133,8 @@ inline std::string far_figure() {
     }
     plot.series.push_back(series);
   };
-  add("p × F − x × F", [](const Lever& l, const Vec3& x) { return given_in_the_world(l, x, false); });
+  add("p × F − x × F",
+      [](const Lever& l, const Vec3& x) { return given_in_the_world(l, x, false); });
   add("(p − x) × F", [](const Lever& l, const Vec3& x) { return given_in_the_world(l, x, true); });
   add("p = x + R p_body first", through_the_world<double>);
   add("(R p_body) × F", only_turned);

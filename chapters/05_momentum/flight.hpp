@@ -101,8 +101,7 @@ inline Table centres_table() {
     std::string name = object.name;
     for (char& c : name) c = c == '_' ? ' ' : c;
     const double off = (body.centre - box.center()).norm();
-    table.add({name, number(1000 * body.mass) + " g",
-               number(1000 * box.sizes().maxCoeff()) + " mm",
+    table.add({name, number(1000 * body.mass) + " g", number(1000 * box.sizes().maxCoeff()) + " mm",
                off < 1e-9 ? "0" : number(1000 * off) + " mm"});
   }
   return table;

@@ -85,15 +85,13 @@ inline std::string needle_figure() {
   const auto any_L = [](auto way) {
     return [way](double condition) { return worst_of_any_L(condition, way); };
   };
-  add("(R I_body Rᵀ)⁻¹ L", any_L([](const Task<double>& task, const Mat3&) {
-        return by_inverting_in_world(task);
-      }));
+  add("(R I_body Rᵀ)⁻¹ L",
+      any_L([](const Task<double>& task, const Mat3&) { return by_inverting_in_world(task); }));
   add("other body axes", any_L([](const Task<double>& task, const Mat3& S) {
         return by_three_products(in_other_axes(task, S));
       }));
-  add("principal axes", any_L([](const Task<double>& task, const Mat3&) {
-        return by_three_products(task);
-      }));
+  add("principal axes",
+      any_L([](const Task<double>& task, const Mat3&) { return by_three_products(task); }));
   add("… L across the needle", worst_of_tumbling);
   return support::to_svg(plot);
 }
@@ -120,8 +118,8 @@ template <class Force>
 std::string distance_after(double t, const Force& force) {
   const RigidBody<> body(satellite_mass, Mat3(20 * Mat3::Identity()));
   const RigidBodyMotion motion(body, force);
-  const RigidBodyState<> start = state_of_motion<double>(
-      body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), Vec3(0, 0, satellite_spin));
+  const RigidBodyState<> start = state_of_motion<double>(body, Vec3::Zero(), Quat::Identity(),
+                                                         Vec3::Zero(), Vec3(0, 0, satellite_spin));
   const auto end = integrate_adaptive<Dop853>(motion, pack(start), 0, t, {1e-10, 1e-10});
   const PackedState<double> y = end.y;
   return number(y.head<3>().norm()) + " m";
@@ -130,16 +128,14 @@ std::string distance_after(double t, const Force& force) {
 inline Table nozzle_table() {
   Table table({"after", "F = R F_body", "F = F_body"});
   for (const double t : {1., 10., 60., 600.})
-    table.add({number(t) + " s", distance_after(t, nozzle()),
-               distance_after(t, nozzle_not_turned())});
+    table.add(
+        {number(t) + " s", distance_after(t, nozzle()), distance_after(t, nozzle_not_turned())});
   return table;
 }
 
 // ── A point that has moved ──
 
-inline SpringToWorld rope_to(const Vec3& p_body) {
-  return {p_body, Vec3(0.5, 0, 0.5), 60, 0.4};
-}
+inline SpringToWorld rope_to(const Vec3& p_body) { return {p_body, Vec3(0.5, 0, 0.5), 60, 0.4}; }
 
 /// The torque with an arm that was right when the step began.
 struct ArmOfTheStart {
@@ -236,8 +232,8 @@ inline Table cancel_table() {
       size += std::abs(F);
       precise += F;
     }
-    table.add({number(pairs, 7), number(size, 2) + " N", below(sum, " N"),
-               below(double(precise), " N")});
+    table.add(
+        {number(pairs, 7), number(size, 2) + " N", below(sum, " N"), below(double(precise), " N")});
   }
   return table;
 }

@@ -10,7 +10,7 @@
 
 namespace momentum_chapter {
 
-constexpr double plank_length = 1, plank_mass = 2;       // [m], [kg]
+constexpr double plank_length = 1, plank_mass = 2;        // [m], [kg]
 constexpr double kick_force = 200, kick_duration = 0.01;  // [N], [s]
 
 /// A thin plank along x.
@@ -31,7 +31,8 @@ inline const std::array<Kick, 4> kicks{
     Kick{"at the centre", {{{0, kick_force, 0}, {0, 0, 0}}}},
     Kick{"halfway out", {{{0, kick_force, 0}, {0.25, 0, 0}}}},
     Kick{"at the end", {{{0, kick_force, 0}, {0.5, 0, 0}}}},
-    Kick{"both ends, opposite", {{{0, kick_force, 0}, {0.5, 0, 0}}, {{0, -kick_force, 0}, {-0.5, 0, 0}}}}};
+    Kick{"both ends, opposite",
+         {{{0, kick_force, 0}, {0.5, 0, 0}}, {{0, -kick_force, 0}, {-0.5, 0, 0}}}}};
 
 /// All forces of a kick as one.
 struct KickForce {

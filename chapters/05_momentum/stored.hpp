@@ -96,7 +96,7 @@ inline const std::array<Storage, 4> storages{
 
 // ── The free handle ──
 
-constexpr double spin_time = 10;  // [s]
+constexpr double spin_time = 10;     // [s]
 const Vec3 spin_start(6, 0.3, 0.3);  // in body axes, mostly about the stem [rad/s]
 
 struct Spinning {
@@ -107,8 +107,8 @@ struct Spinning {
 template <class Method>
 Spinning spun(const Storage& storage, double seconds, int steps) {
   const Vec3 start = storage.from_omega(Mat3::Identity(), spin_start);
-  const Seven<double> y = integrate_fixed<Method>(storage.rate, seven<double>(Quat::Identity(), start), 0,
-                                          seconds, steps);
+  const Seven<double> y = integrate_fixed<Method>(
+      storage.rate, seven<double>(Quat::Identity(), start), 0, seconds, steps);
   const Quat q = orientation_of(y);
   return {q, storage.to_omega(to_matrix(q), y.tail<3>())};
 }
@@ -123,9 +123,10 @@ inline double energy_of(const Spinning& s) { return L_of(s).dot(s.omega) / 2; }
 inline const Quat& exact_end() {
   static const Quat q = [] {
     const Vec3 L = storages[0].from_omega(Mat3::Identity(), spin_start);
-    const Seven<double> y = integrate_adaptive<Dop853>(rate_of_L<double>, seven<double>(Quat::Identity(), L), 0, spin_time,
-                                               {1e-14, 1e-16})
-                        .y;
+    const Seven<double> y =
+        integrate_adaptive<Dop853>(rate_of_L<double>, seven<double>(Quat::Identity(), L), 0,
+                                   spin_time, {1e-14, 1e-16})
+            .y;
     return orientation_of(y);
   }();
   return q;
