@@ -66,6 +66,9 @@ class FittedAxis {
 
   double position(double value) const { return (warp(value) - low_) / (high_ - low_); }
 
+  /// How many units (on a log axis: powers of ten) there are from end to end.
+  double span() const { return high_ - low_; }
+
   std::vector<Tick> ticks() const {
     std::vector<Tick> list;
     if (axis_.scale == Scale::log) {

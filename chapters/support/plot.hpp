@@ -13,32 +13,44 @@
 
 namespace tumble::support {
 
+/// How points are shown: joined by a line, on which few of them are marked; or as dots alone.
+enum class Look { line, dots };
+
 /// One curve. Points that an axis cannot show (not finite; not positive on a log axis)
 /// are left out.
 struct Series {
   std::string name;
   std::vector<double> x, y;
+  Look look = Look::line;
 };
+
+/// Whether each axis fills its side of the frame, or a unit is as long on both: for paths.
+enum class Aspect { fill, equal };
 
 struct Plot {
   std::string title;
   Axis x, y;
   std::vector<Series> series;
+  Aspect aspect = Aspect::fill;
 };
 
 namespace plot_detail {
 
-constexpr double width = 760, height = 440, left = 74, right = 178, top = 44, bottom = 56;
+constexpr double width = 760, left = 74, right = 178, top = 44, bottom = 56;
+constexpr double across = width - left - right, down = 340;  // what the axes enclose
+constexpr double most_down = 480;                            // of a frame with equal scales
 constexpr double text_height = 15;
 constexpr std::size_t colours = 10;       // --c0 … --c9 of the style
 constexpr std::size_t most_markers = 40;  // a curve with more points is a line
 
 struct Frame {
   FittedAxis x, y;
-  double px(double value) const { return left + x.position(value) * (width - left - right); }
-  double py(double value) const {
-    return height - bottom - y.position(value) * (height - top - bottom);
-  }
+  double across = plot_detail::across, down = plot_detail::down;
+
+  double right_end() const { return left + across; }
+  double floor() const { return top + down; }
+  double px(double value) const { return left + x.position(value) * across; }
+  double py(double value) const { return floor() - y.position(value) * down; }
 };
 
 inline std::string line(double x1, double y1, double x2, double y2, const char* colour) {
@@ -56,17 +68,17 @@ inline std::string axes(const Plot& plot, const Frame& frame) {
   std::string svg;
   for (const Tick& tick : frame.x.ticks()) {
     const double x = frame.px(tick.value);
-    svg += line(x, top, x, height - bottom, "grid");
-    svg += text(x, height - bottom + 18, tick.label, "fill=\"var(--ink)\" text-anchor=\"middle\"");
+    svg += line(x, top, x, frame.floor(), "grid");
+    svg += text(x, frame.floor() + 18, tick.label, "fill=\"var(--ink)\" text-anchor=\"middle\"");
   }
   for (const Tick& tick : frame.y.ticks()) {
     const double y = frame.py(tick.value);
-    svg += line(left, y, width - right, y, "grid");
+    svg += line(left, y, frame.right_end(), y, "grid");
     svg += text(left - 8, y + 4, tick.label, "fill=\"var(--ink)\" text-anchor=\"end\"");
   }
-  svg += line(left, height - bottom, width - right, height - bottom, "faint");
-  svg += line(left, top, left, height - bottom, "faint");
-  svg += text(left + (width - left - right) / 2, height - 14, plot.x.label,
+  svg += line(left, frame.floor(), frame.right_end(), frame.floor(), "faint");
+  svg += line(left, top, left, frame.floor(), "faint");
+  svg += text(left + frame.across / 2, frame.floor() + bottom - 14, plot.x.label,
               "fill=\"var(--ink)\" text-anchor=\"middle\"");
   svg += text(left - 62, top - 12, plot.y.label, "fill=\"var(--ink)\"");
   svg += text(width - 12, top - 12, plot.title,
@@ -89,9 +101,10 @@ inline std::string curve(const Series& series, const Frame& frame, const std::st
     const std::string x = svg_number(frame.px(series.x[i])), y = svg_number(frame.py(series.y[i]));
     path += (pen_down ? "L" : "M") + x + " " + y;
     pen_down = true;
-    if (series.x.size() <= most_markers)
+    if (series.look == Look::dots || series.x.size() <= most_markers)
       markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"3\" fill=\"" + colour + "\"/>\n";
   }
+  if (series.look == Look::dots) return markers;
   return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour +
          "\" stroke-width=\"1.8\"/>\n" + markers;
 }
@@ -118,7 +131,7 @@ inline std::vector<EndLabel> end_labels(const Plot& plot, const Frame& frame) {
   for (std::size_t i = 1; i < labels.size(); ++i)
     labels[i].y = std::max(labels[i].y, labels[i - 1].y + text_height);
   // What was pushed out below comes back up, and pushes its neighbours in turn.
-  double limit = height - bottom + 6;
+  double limit = frame.floor() - 2;
   for (std::size_t i = labels.size(); i-- > 0; limit = labels[i].y - text_height)
     labels[i].y = std::min(labels[i].y, limit);
   return labels;
@@ -137,6 +150,11 @@ inline Frame fitted_frame(const Plot& plot) {
   }
   frame.x.finish();
   frame.y.finish();
+  if (plot.aspect == Aspect::equal) {
+    const double unit = std::min(across / frame.x.span(), most_down / frame.y.span());
+    frame.across = unit * frame.x.span();
+    frame.down = unit * frame.y.span();
+  }
   return frame;
 }
 
@@ -147,11 +165,11 @@ inline Frame fitted_frame(const Plot& plot) {
 inline std::string to_svg(const Plot& plot) {
   using namespace plot_detail;
   const Frame frame = fitted_frame(plot);
-  std::string svg = svg_open(width, height, plot.title) + axes(plot, frame);
+  std::string svg = svg_open(width, frame.floor() + bottom, plot.title) + axes(plot, frame);
   for (std::size_t s = 0; s < plot.series.size(); ++s)
     svg += curve(plot.series[s], frame, colour_of(s));
   for (const EndLabel& label : end_labels(plot, frame))
-    svg += text(width - right + 10, label.y + 4, plot.series[label.series].name,
+    svg += text(frame.right_end() + 10, label.y + 4, plot.series[label.series].name,
                 "fill=\"" + colour_of(label.series) + "\"");
   return svg + "</svg>\n";
 }

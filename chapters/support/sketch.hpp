@@ -19,12 +19,12 @@ struct Window {
   double scale;  ///< [px/unit]
 };
 
-/// How a line looks: a colour of the style ("ink", "faint", "c0" … "c9"), its width [px], and
-/// how much of it covers what is below.
+/// How a line looks.
 struct Pen {
-  std::string colour;
-  double width = 1.8;
-  double opacity = 1;
+  std::string colour;  ///< of the style: "ink", "faint", "grid", "c0" … "c9"
+  double width = 1.8;  ///< [px]
+  double opacity = 1;  ///< how much it covers what is below
+  double fill = 0;     ///< the same of what it encloses; 0 leaves the inside empty
 };
 
 class Sketch {
@@ -45,7 +45,12 @@ class Sketch {
     svg_ += "<path d=\"";
     for (const std::vector<Vec2>& line : lines)
       for (std::size_t i = 0; i < line.size(); ++i) svg_ += (i == 0 ? "M" : "L") + at(line[i]);
-    svg_ += "\" fill=\"none\" stroke-linejoin=\"round\" " + look_of(pen) + "/>\n";
+    svg_ += "\" stroke-linejoin=\"round\" " + look_of(pen) + "/>\n";
+  }
+
+  /// The outline of a rectangle.
+  void frame(const Vec2& low, const Vec2& high, const Pen& pen) {
+    curve({low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}, pen);
   }
 
   /// A line with a head at its end.
@@ -63,6 +68,13 @@ class Sketch {
   /// A disc of the same size at any scale.
   void dot(const Vec2& centre, const std::string& colour, double pixels = 4) {
     circle(centre, pixels, colour);
+  }
+
+  /// Many dots alike.
+  void dots(const std::vector<Vec2>& centres, const std::string& colour, double pixels) {
+    svg_ += "<g fill=\"var(--" + colour + ")\">\n";
+    for (const Vec2& centre : centres) svg_ += circle_at(centre, pixels) + "/>\n";
+    svg_ += "</g>\n";
   }
 
   /// Words beside a point.
@@ -90,13 +102,21 @@ class Sketch {
   }
 
   void circle(const Vec2& centre, double radius, const std::string& colour) {
+    svg_ += circle_at(centre, radius) + " fill=\"var(--" + colour + ")\"/>\n";
+  }
+
+  std::string circle_at(const Vec2& centre, double radius) const {
     const Vec2 p = pixels(centre);
-    svg_ += "<circle cx=\"" + svg_number(p.x()) + "\" cy=\"" + svg_number(p.y()) + "\" r=\"" +
-            svg_number(radius) + "\" fill=\"var(--" + colour + ")\"/>\n";
+    return "<circle cx=\"" + svg_number(p.x()) + "\" cy=\"" + svg_number(p.y()) + "\" r=\"" +
+           svg_number(radius) + "\"";
   }
 
   static std::string look_of(const Pen& pen) {
-    return "stroke=\"var(--" + pen.colour + ")\" stroke-width=\"" + svg_number(pen.width) + "\"" +
+    const std::string colour = "var(--" + pen.colour + ")";
+    const std::string inside =
+        pen.fill > 0 ? "fill=\"" + colour + "\" fill-opacity=\"" + svg_number(pen.fill, 2) + "\""
+                     : "fill=\"none\"";
+    return inside + " stroke=\"" + colour + "\" stroke-width=\"" + svg_number(pen.width) + "\"" +
            (pen.opacity < 1 ? " opacity=\"" + svg_number(pen.opacity, 2) + "\"" : "");
   }
 

@@ -36,6 +36,12 @@ inline std::string duration(double seconds) {
   return number(seconds) + " s";
 }
 
+/// Characters, not bytes: the continuation bytes of UTF-8 are not counted.
+inline std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
 /// Columns with a heading each; the first is flush left, the others flush right.
 class Table {
  public:
@@ -76,12 +82,6 @@ class Table {
   }
 
  private:
-  /// Characters, not bytes: the continuation bytes of UTF-8 are not counted.
-  static std::size_t characters(const std::string& s) {
-    return static_cast<std::size_t>(
-        std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-  }
-
   static std::string quoted(const std::string& cell) {
     if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
     std::string out = "\"";

@@ -4,6 +4,7 @@
 
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
+#include "support/table.hpp"
 
 namespace tumble::book {
 
@@ -29,6 +30,20 @@ std::vector<std::string> unannounced_fences(const Page& page) {
       bad.push_back(at(page, fence.opening) +
                     "nothing says where this comes from: announce it "
                     "with <!-- snippet: …#… -->, signature, output or measured");
+  return bad;
+}
+
+/// Tables that the site would cut off.
+std::vector<std::string> wide_tables(const Page& page) {
+  constexpr std::size_t most = 97;  // characters that fit into the site's column
+  std::vector<std::string> bad;
+  for (const Fence& fence : fences_of(page)) {
+    if (fence.language != "text") continue;
+    const std::size_t width = support::characters(page.lines[fence.opening + 1]);
+    if (width > most)
+      bad.push_back(at(page, fence.opening) + "this table is " + std::to_string(width) +
+                    " characters wide, and " + std::to_string(most) + " fit");
+  }
   return bad;
 }
 
@@ -69,6 +84,7 @@ std::vector<std::string> mistakes_in(const Places& places, const fs::path& file)
     const Page page = read_page(file);
     add(stale_fences(places, page));
     add(unannounced_fences(page));
+    add(wide_tables(page));
     add(bad_formulas(page));
     add(dead_links(page));
   } catch (const PageError& error) {

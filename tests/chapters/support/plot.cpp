@@ -89,7 +89,7 @@ TEST_CASE("plot: names at the ends do not overlap and stay in the figure") {
   for (std::size_t i = 1; i < labels.size(); ++i)
     CHECK(labels[i].y - labels[i - 1].y >= plot_detail::text_height - 1e-9);
   CHECK(labels.front().y > 0);
-  CHECK(labels.back().y < plot_detail::height);
+  CHECK(labels.back().y < frame.floor() + plot_detail::bottom);
 }
 
 TEST_CASE("plot: a curve with a coordinate missing is refused") {
@@ -137,4 +137,16 @@ TEST_CASE("coarsened: merges what is near and drops the faces that vanish") {
   const PolygonMesh coarse = coarsened(mesh, 10);
   CHECK(coarse.vertices.size() == 3);
   CHECK(coarse.face_count() == 1);
+}
+
+TEST_CASE("plot: with equal scales a unit is as long on both axes") {
+  Plot plot{"a path", {"x"}, {"y"}, {{"a", {0, 4}, {0, 1}}}, Aspect::equal};
+  const plot_detail::Frame frame = plot_detail::fitted_frame(plot);
+  CHECK(frame.px(3) - frame.px(2) == doctest::Approx(frame.py(0) - frame.py(1)));
+}
+
+TEST_CASE("plot: dots alone have no line") {
+  const Plot plot{"dots", {"x"}, {"y"}, {{"a", {0, 1}, {0, 1}, Look::dots}}};
+  CHECK(count(to_svg(plot), "<path") == 0);
+  CHECK(count(to_svg(plot), "<circle") == 2);
 }

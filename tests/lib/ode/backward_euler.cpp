@@ -70,4 +70,15 @@ TEST_CASE("backward_euler_step: says where there is no solution") {
       [&] { backward_euler_step(f, 2.5, test::Vector1<double>(1.0), 1); });
   CHECK(contains(message, "does not converge from t = 2.5 with h = 1"));
   CHECK(contains(message, "shorter step"));
+  // With h = 1/2 the first matrix, 1 − 2 h y, is singular, and the correction infinite.
+  const std::string singular = message_of<std::runtime_error>(
+      [&] { backward_euler_step(f, 0, test::Vector1<double>(1.0), 0.5); });
+  CHECK(contains(singular, "does not converge"));
+}
+
+TEST_CASE("backward_euler_step: refuses where f has no value") {
+  const auto f = [](double, const test::Vector1<double>& y) -> test::Vector1<double> {
+    return y.array().sqrt() - 10;
+  };
+  CHECK_THROWS_AS(backward_euler_step(f, 0, test::Vector1<double>(1.0), 0.5), std::runtime_error);
 }

@@ -110,6 +110,14 @@ TEST_CASE("code and output that nothing keeps true") {
   CHECK(contains(book.mistakes("```sh\nls\n"), "not closed"));
 }
 
+TEST_CASE("a table that would be cut off") {
+  const SmallBook book;
+  book.write("programs/01_one", "#!/bin/sh\nprintf '%098d\\n' 1\n");
+  const std::string row = std::string(97, '0') + "1\n";
+  CHECK(contains(book.mistakes(fence("output: 01_one#drift", "text", row)),
+                 ":4: this table is 98 characters wide"));
+}
+
 TEST_CASE("links, headings and figures that are not there") {
   const SmallBook book;
   CHECK(contains(book.mistakes("See [two](../02_two/README.md).\n"),

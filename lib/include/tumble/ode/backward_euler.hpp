@@ -38,6 +38,7 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
     const State residual = y + h * dydt - y1;
     const State correction = A.partialPivLu().solve(residual);
     y1 += correction;
+    if (!y1.allFinite()) break;  // the matrix is singular, or f has no value there
     if (correction.norm() <= enough * max(y.norm(), y1.norm())) return y1;
   }
   std::ostringstream text;

@@ -1,0 +1,39 @@
+/// @file
+/// Chapter 1: what moves particles, three ways to follow it, and what each step costs and misses.
+#include "balls.hpp"
+#include "hard_cases.hpp"
+#include "net.hpp"
+#include "one_step.hpp"
+#include "orbit.hpp"
+#include "state.hpp"
+#include "support/chapter.hpp"
+#include "times.hpp"
+
+int main(int argc, char** argv) {
+  using namespace particles_chapter;
+  support::Chapter chapter("01_particles",
+                           "Particles: forces, states, and the steps that follow them");
+  chapter.table("orbit", "Five revolutions of a satellite, 960 evaluations each", orbit_table);
+  chapter.table("state", "Two particles as one column of numbers", state_table);
+  chapter.table("ode", "From perigee to apogee with ode()", ode_table);
+  chapter.table("balls", "The same throw of different balls, by RK4 in steps of 1/64 s",
+                balls_table);
+  chapter.table("net", "Energy gained by a net of 63 knots in half a second", net_table);
+  chapter.table("conditions", "The conditions for the order of a method", conditions_table);
+  chapter.table("order", "How the error falls with the step", order_table);
+  chapter.table("price", "Evaluations of the right-hand side that an error asks for", price_table);
+  chapter.measured("times", "What one step takes", times_table);
+  chapter.table("limits", "The longest step that does not explode", limits_table);
+  chapter.table("smash", "Euler steps against quadratic drag", smash_table);
+  chapter.table("same_place", "A spring of 10 N/m and 1 m whose ends meet", same_place_table);
+  chapter.table("time", "A force that depends on time", time_table);
+  chapter.table("jump", "A force that jumps", jump_table);
+  chapter.figure("orbit", orbit_figure);
+  chapter.figure("balls", balls_figure);
+  chapter.figure("net", net_figure);
+  chapter.figure("growth", growth_figure);
+  chapter.figure("one_step", one_step_figure);
+  chapter.figure("error", error_figure);
+  chapter.figure("price", price_figure);
+  return chapter.run(argc, argv);
+}

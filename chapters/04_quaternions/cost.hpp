@@ -1,0 +1,240 @@
+#pragma once
+/// @file
+/// What a step costs, in operations and in time, and what error it buys.
+
+#include "common.hpp"
+#include "drift.hpp"
+#include "support/counted.hpp"
+#include "support/plot.hpp"
+#include "support/stopwatch.hpp"
+#include "ways.hpp"
+
+namespace quaternions_chapter {
+
+// ── What a step costs ──
+
+using support::Counted;
+
+inline std::string operations(const support::Operations& done) {
+  return number(done.multiplications) + " ×, " + number(done.additions) + " +" +
+         (done.functions > 0 ? ", " + number(done.functions) + " √" : "");
+}
+
+inline const Quaternion<Counted> counted_q(0.5, 0.5, 0.5, 0.5);
+inline const Vector3<Counted> counted_v(0.1, 0.2, 0.3);
+
+Vector3<Counted> counted_spin(const Counted&) { return counted_v; }
+
+template <class Method>
+support::Operations step_of_four() {
+  const Four<Counted> y = coefficients(counted_q);
+  const auto rate = rate_of_four<Counted>(counted_spin);
+  return support::count([&] { Method::step(rate, Counted(0), y, Counted(0.1)); });
+}
+
+template <class Method>
+support::Operations step_of_nine() {
+  const Nine<Counted> y = to_matrix(counted_q).reshaped();
+  const auto rate = rate_of_nine<Counted>(counted_spin);
+  return support::count([&] { Method::step(rate, Counted(0), y, Counted(0.1)); });
+}
+
+inline Table counts_table() {
+  Table table({"what", "four numbers", "nine numbers"});
+  const Quaternion<Counted>& q = counted_q;
+  const Vector3<Counted>& v = counted_v;
+  const Matrix3<Counted> R = to_matrix(q);
+  const auto count = [](auto&& action) {
+    return operations(support::count([&] { support::keep(action()); }));
+  };
+  table.add({"compose two", count([&] { return Quaternion<Counted>(q * q); }),
+             count([&] { return Matrix3<Counted>(R * R); })});
+  table.add({"turn a point", count([&] { return Vector3<Counted>(q * v); }),
+             count([&] { return Vector3<Counted>(R * v); })});
+  table.add({"rate of change", count([&] { return quaternion_dot<Counted>(q, v); }),
+             count([&] { return rotation_dot<Counted>(R, v); })});
+  table.add(
+      {"one step of Euler", operations(step_of_four<Euler>()), operations(step_of_nine<Euler>())});
+  table.add({"one step of midpoint", operations(step_of_four<Midpoint>()),
+             operations(step_of_nine<Midpoint>())});
+  table.add({"one step of RK4", operations(step_of_four<Rk4>()), operations(step_of_nine<Rk4>())});
+  table.add({"normalise", count([&] { return q.normalized(); }), ""});
+  table.add({"turn into a matrix", count([&] { return to_matrix(q); }), ""});
+  return table;
+}
+
+// ── Error against cost ──
+
+/// A body that spins about an axis of its own, which goes round the vertical: a top.
+inline constexpr double lean = 0.6, precession = 2, own = 5;  // [rad], [rad/s], [rad/s]
+inline constexpr double span = 10;                            // [s]
+
+inline Quat top_orientation(double t) {
+  return from_axis_angle(Vec3::UnitZ(), precession * t) * from_axis_angle(Vec3::UnitX(), lean) *
+         from_axis_angle(Vec3::UnitZ(), own * t);
+}
+
+/// ω(t) of the top, in world axes.
+inline Vec3 top_spin(double t) {
+  const double s = std::sin(lean), c = std::cos(lean);
+  return {own * s * std::sin(precession * t), -own * s * std::cos(precession * t),
+          precession + own * c};
+}
+
+template <class Method>
+double error_of_four(int steps) {
+  const Four<double> y =
+      stepped<Method>(rate_of_four<double>(top_spin), coefficients(top_orientation(0)),
+                      span / steps, steps, as_it_is);
+  return angle_between(top_orientation(span), from_coefficients(y));
+}
+
+template <class Method>
+double error_of_nine(int steps) {
+  const Nine<double> y = stepped<Method>(rate_of_nine<double>(top_spin),
+                                         Nine<double>(to_matrix(top_orientation(0)).reshaped()),
+                                         span / steps, steps, as_it_is);
+  return angle_apart(to_matrix(top_orientation(span)), nearest_rotation(y.reshaped(3, 3)));
+}
+
+/// One turn about the ω in the middle of the step.
+inline Quat turn_step(const Quat& q, const Vec3& middle, double step) {
+  return exp_quaternion<double>(step * middle) * q;
+}
+
+inline double error_of_turns(int steps) {
+  Quat q = top_orientation(0);
+  const double step = span / steps;
+  for (int i = 0; i < steps; ++i) q = turn_step(q, top_spin((i + 0.5) * step), step);
+  return angle_between(top_orientation(span), q);
+}
+
+inline std::string work_figure() {
+  support::Plot plot{"error against work",
+                     {"multiplications for 10 s", support::Scale::log},
+                     {"orientation off by [rad]", support::Scale::log},
+                     {}};
+  const auto add = [&](const std::string& name, auto&& error, const support::Operations& each) {
+    support::Series series{name, {}, {}};
+    for (int steps = 128; steps <= 65536; steps *= 2) {
+      const double off = error(steps);
+      if (off < 1e-11 || off > 0.5) continue;
+      series.x.push_back(1.0 * steps * each.multiplications);
+      series.y.push_back(off);
+    }
+    plot.series.push_back(series);
+  };
+  add("Euler, nine", error_of_nine<Euler>, step_of_nine<Euler>());
+  add("Euler, four", error_of_four<Euler>, step_of_four<Euler>());
+  add("midpoint, nine", error_of_nine<Midpoint>, step_of_nine<Midpoint>());
+  add("midpoint, four", error_of_four<Midpoint>, step_of_four<Midpoint>());
+  add("RK4, nine", error_of_nine<Rk4>, step_of_nine<Rk4>());
+  add("RK4, four", error_of_four<Rk4>, step_of_four<Rk4>());
+  return support::to_svg(plot);
+}
+
+/// How many steps an error takes; 0 for more than 200,000.
+inline double steps_for(double target, const std::function<double(int)>& error) {
+  double before = error(32);
+  for (int steps = 64; steps <= 1 << 18; steps *= 2) {
+    const double now = error(steps);
+    if (now < target)
+      return 0.5 * steps * std::pow(2, std::log(before / target) / std::log(before / now));
+    before = now;
+  }
+  return 0;
+}
+
+/// A large number, rounded to two digits and written in full.
+inline std::string two_digits(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return number(std::round(value / unit) * unit, 9);
+}
+
+/// The least seconds of each action, in turns, so that all see the same machine.
+inline std::vector<double> seconds_each(const std::vector<std::function<void()>>& batches,
+                                        int batch) {
+  std::vector<double> least(batches.size(), 1e9);
+  for (int again = 0; again < 5; ++again)
+    for (std::size_t i = 0; i < batches.size(); ++i)
+      least[i] = std::min(least[i], support::shortest_run(0.006, batches[i]) / batch);
+  return least;
+}
+
+/// An action many times over, in one call.
+template <class Action>
+std::function<void()> batch_of(int batch, Action action) {
+  return [batch, action]() mutable {
+    for (int i = 0; i < batch; ++i) action();
+  };
+}
+
+inline constexpr int batch = 1000;
+
+template <class Method, class State, class Rate>
+std::function<void()> steps_of(const Rate& rate, State y) {
+  return batch_of(batch, [rate, y]() mutable {
+    y = Method::step(rate, 0.0, y, 1e-3);
+    support::keep(y);
+  });
+}
+
+inline Table reach_table() {
+  Table table({"method", "a step", "steps to 1e-4 rad", "time", "to 1e-8 rad", "time"});
+  const auto four = rate_of_four<double>(steady);
+  const auto nine = rate_of_nine<double>(steady);
+  const std::vector<std::string> names{"Euler, nine",        "Euler, four", "midpoint, nine",
+                                       "midpoint, four",     "RK4, nine",   "RK4, four",
+                                       "turns about ω, four"};
+  const std::vector<std::function<double(int)>> errors{
+      error_of_nine<Euler>, error_of_four<Euler>, error_of_nine<Midpoint>, error_of_four<Midpoint>,
+      error_of_nine<Rk4>,   error_of_four<Rk4>,   error_of_turns};
+  const std::vector<double> seconds = seconds_each(
+      {steps_of<Euler>(nine, nine_start), steps_of<Euler>(four, four_start),
+       steps_of<Midpoint>(nine, nine_start), steps_of<Midpoint>(four, four_start),
+       steps_of<Rk4>(nine, nine_start), steps_of<Rk4>(four, four_start),
+       batch_of(
+           batch,
+           [q = Quat::Identity()]() mutable { support::keep(q = turn_step(q, steady(0), 1e-3)); })},
+      batch);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::vector<std::string> row{names[i], support::duration(seconds[i])};
+    for (const double target : {1e-4, 1e-8}) {
+      const double steps = steps_for(target, errors[i]);
+      row.push_back(steps > 0 ? two_digits(steps) : "> 200000");
+      row.push_back(steps > 0 ? support::duration(steps * seconds[i]) : "");
+    }
+    table.add(row);
+  }
+  return table;
+}
+
+inline Table times_table() {
+  Table table({"what", "time"});
+  std::vector<std::string> names;
+  std::vector<std::function<void()>> batches;
+  const auto add = [&](const std::string& name, auto&& action) {
+    names.push_back(name);
+    batches.push_back(batch_of(batch, [action] { support::keep(action()); }));
+  };
+  static Quat q = top_orientation(1), r = top_orientation(1.2);
+  static Mat3 R = to_matrix(q);
+  static Vec3 p(1, 2, 3);
+  const auto fresh = [](auto& value) -> auto& { return support::keep(value), value; };
+  add("normalise four numbers", [=] { return normalize(fresh(q)); });
+  add("one Newton step for nine", [=] { return newton_rotation_step(fresh(R)); });
+  add("Gram–Schmidt for nine", [=] { return gram_schmidt(fresh(R)); });
+  add("turn a point by four numbers", [=] { return Vec3(fresh(q) * fresh(p)); });
+  add("turn a point by nine", [=] { return Vec3(fresh(R) * fresh(p)); });
+  add("nine numbers of four", [=] { return to_matrix(fresh(q)); });
+  add("four numbers of nine", [=] { return from_matrix(fresh(R)); });
+  add("four numbers mixed, normalised",
+      [=] { return normalize(mix_four(fresh(q), fresh(r), 0.3)); });
+  add("slerp", [=] { return slerp(fresh(q), fresh(r), 0.3); });
+  const std::vector<double> seconds = seconds_each(batches, batch);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    table.add({names[i], support::duration(seconds[i])});
+  return table;
+}
+
+}  // namespace quaternions_chapter
