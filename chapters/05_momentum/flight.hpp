@@ -3,6 +3,7 @@
 /// A tennis racket that is thrown: what its points do, and what its centre of mass does; and where
 /// the centres of mass of things are.
 
+#include <array>
 #include <cmath>
 
 #include "common.hpp"
@@ -15,7 +16,11 @@ inline MassProperties properties_of(const objects::Object& object) {
   return mesh_mass_properties(object.mesh(object.for_drawings), object.density);
 }
 
+inline const objects::Object& free_handle = objects::all[0];
 inline const objects::Object& racket = objects::all[2];
+
+/// The names of the objects, as one says them.
+inline constexpr std::array names{"T-handle", "wing nut", "tennis racket", "mug", "gear"};
 
 /// From the hand: upwards and away, end over end, and not quite about a principal axis.
 inline auto thrown_racket(int count) {
@@ -95,13 +100,13 @@ inline std::string flight_figure() {
 /// How far the centre of mass and the middle of the bounding box are apart.
 inline Table centres_table() {
   Table table({"object", "mass", "longest side", "centre off the middle of the box"});
-  for (const objects::Object& object : objects::all) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const objects::Object& object = objects::all[i];
     const MassProperties body = properties_of(object);
     const Eigen::AlignedBox3d box = bounds(object.mesh(object.for_drawings));
-    std::string name = object.name;
-    for (char& c : name) c = c == '_' ? ' ' : c;
     const double off = (body.centre - box.center()).norm();
-    table.add({name, number(1000 * body.mass) + " g", number(1000 * box.sizes().maxCoeff()) + " mm",
+    table.add({names[i], number(1000 * body.mass) + " g",
+               number(1000 * box.sizes().maxCoeff()) + " mm",
                off < 1e-9 ? "0" : number(1000 * off) + " mm"});
   }
   return table;

@@ -29,7 +29,7 @@ Seven<T> seven(const Quaternion<T>& q, const Vector3<T>& three) {
 
 template <class T>
 const RigidBody<T>& subject() {
-  static const RigidBody<T> body(properties_of(objects::all[0]));
+  static const RigidBody<T> body(properties_of(free_handle));
   return body;
 }
 
