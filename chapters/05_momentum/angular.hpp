@@ -57,13 +57,13 @@ inline std::string askew_figure() {
 
 inline Table apart_table() {
   Table table({"object", "principal moments [kg m²]", "as a ratio", "L and ω apart, at worst"});
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < object_names.size(); ++i) {
     const Vec3 moments = principal_axes(properties_of(objects::all[i]).inertia).moments;
     const Vec3 ratio = moments / moments[0];
     const auto three = [](const Vec3& v, int digits) {
       return number(v[0], digits) + ", " + number(v[1], digits) + ", " + number(v[2], digits);
     };
-    table.add({names[i], three(moments, 2),
+    table.add({object_names[i], three(moments, 2),
                "1 : " + support::svg_number(ratio[1], 2) + " : " + support::svg_number(ratio[2], 2),
                degrees(std::asin((ratio[2] - 1) / (ratio[2] + 1)), 2)});
   }

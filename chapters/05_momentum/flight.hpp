@@ -19,8 +19,8 @@ inline MassProperties properties_of(const objects::Object& object) {
 inline const objects::Object& free_handle = objects::all[0];
 inline const objects::Object& racket = objects::all[2];
 
-/// The names of the objects, as one says them.
-inline constexpr std::array names{"T-handle", "wing nut", "tennis racket", "mug", "gear"};
+/// The object_names of the objects, as one says them.
+inline constexpr std::array object_names{"T-handle", "wing nut", "tennis racket", "mug", "gear"};
 
 /// From the hand: upwards and away, end over end, and not quite about a principal axis.
 inline auto thrown_racket(int count) {
@@ -99,13 +99,13 @@ inline std::string flight_figure() {
 
 /// How far the centre of mass and the middle of the bounding box are apart.
 inline Table centres_table() {
-  Table table({"object", "mass", "longest side", "centre off the middle of the box"});
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  Table table({"object", "mass", "longest side", "off the box's middle"});
+  for (std::size_t i = 0; i < object_names.size(); ++i) {
     const objects::Object& object = objects::all[i];
     const MassProperties body = properties_of(object);
     const Eigen::AlignedBox3d box = bounds(object.mesh(object.for_drawings));
     const double off = (body.centre - box.center()).norm();
-    table.add({names[i], number(1000 * body.mass) + " g",
+    table.add({object_names[i], number(1000 * body.mass) + " g",
                number(1000 * box.sizes().maxCoeff()) + " mm",
                off < 1e-9 ? "0" : number(1000 * off) + " mm"});
   }
