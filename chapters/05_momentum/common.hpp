@@ -39,10 +39,12 @@ class Dice {
   double between(double low, double high) {
     return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
   }
-  Vec3 vector(double size) {
-    const double x = between(-size, size), y = between(-size, size);
-    return {x, y, between(-size, size)};
+  /// Its numbers are drawn one after the other, whatever order a compiler gives to arguments.
+  Vec3 vector(double low, double high) {
+    const double x = between(low, high), y = between(low, high);
+    return {x, y, between(low, high)};
   }
+  Vec3 vector(double size) { return vector(-size, size); }
 
  private:
   std::mt19937_64 bits_{5};

@@ -48,7 +48,7 @@ double worst_of_any_L(double condition, const Way& way) {
   for (int i = 0; i < 40; ++i) {
     const Mat3 R = exp_rotation(dice.vector(3)), S = exp_rotation(dice.vector(3));
     Task<double> task = needle(condition, R);
-    task.L = R * Vec3(dice.between(0.5, 1), dice.between(0.5, 1), dice.between(0.5, 1));
+    task.L = R * dice.vector(0.5, 1);
     const Vec3 omega = exact_omega(task);
     worst = std::max(worst, (way(task, S) - omega).norm() / omega.norm());
   }
@@ -62,7 +62,7 @@ inline double worst_of_tumbling(double condition) {
   for (int i = 0; i < 40; ++i) {
     const Mat3 R = exp_rotation(dice.vector(3));
     Task<double> task = needle(condition, R);
-    const Vec3 omega = R * Vec3(0, dice.between(0.5, 1), dice.between(0.5, 1));
+    const Vec3 omega = R * dice.vector(0.5, 1).cwiseProduct(Vec3(0, 1, 1));
     task.L = angular_momentum(task.body, R, omega);
     worst = std::max(worst, (by_three_products(task) - omega).norm() / omega.norm());
   }
