@@ -2,7 +2,6 @@
 /// What is wrong with a page is found, and said with its line: each case breaks one thing in a book
 /// of one chapter that is right otherwise.
 #include <doctest/doctest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,36 +10,26 @@
 #include <vector>
 
 #include "book/tool/check.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace tumble::book;
 
 namespace {
 
-/// A book in a folder of its own, gone afterwards.
-class SmallBook {
+/// A book of one chapter.
+class SmallBook : public tumble::test::TemporaryFolder {
  public:
   SmallBook() {
-    std::string name = (fs::temp_directory_path() / "tumble-book-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    root_ = name;
     write("README.md", "# Front\n\n[one](chapters/01_one/README.md)\n");
     write("code.hpp", "/// Twice as much.\nint twice(int x) {\n  return x + x;\n}\n");
     write("chapters/01_one/figures/a.svg", "<svg/>\n");
     write("programs/01_one",
           "#!/bin/sh\n[ \"$2\" = times ] && echo 'sum  3 ns' || echo 'drift  1.5'\n");
-    fs::permissions(root_ / "programs/01_one", fs::perms::owner_all);
-  }
-  SmallBook(const SmallBook&) = delete;
-  SmallBook& operator=(const SmallBook&) = delete;
-  ~SmallBook() { fs::remove_all(root_); }
-
-  void write(const std::string& file, const std::string& text) const {
-    fs::create_directories((root_ / file).parent_path());
-    std::ofstream(root_ / file) << text;
+    fs::permissions(path() / "programs/01_one", fs::perms::owner_all);
   }
 
-  Places places() const { return {root_, root_ / "programs"}; }
-  fs::path chapter() const { return root_ / "chapters/01_one/README.md"; }
+  Places places() const { return {path(), path() / "programs"}; }
+  fs::path chapter() const { return path() / "chapters/01_one/README.md"; }
 
   /// What is wrong if the chapter's page has this text below its heading, at line 3.
   std::string mistakes(const std::string& text) const {
@@ -49,9 +38,6 @@ class SmallBook {
     for (const std::string& mistake : mistakes_in(places())) all += mistake + "\n";
     return all;
   }
-
- private:
-  fs::path root_;
 };
 
 std::string fence(const std::string& announcement, const std::string& language,
