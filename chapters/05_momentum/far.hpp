@@ -125,7 +125,8 @@ inline std::string far_figure() {
                      {}};
   const auto add = [&](const std::string& name, auto&& torque) {
     support::Series series{name, {}, {}};
-    for (double far = 1; far < 2e12; far *= 4) {
+    for (int i = 0; i <= 20; ++i) {
+      const double far = std::pow(4.0, i);
       const double error = worst_error(torque, far);
       if (error > 0.3) break;
       series.x.push_back(far);

@@ -56,7 +56,7 @@ inline Vec2 forward_and_up(const Vec3& p) { return {p.x(), p.z()}; }
 inline std::vector<Vec2> circle(const Vec2& centre, double radius) {
   std::vector<Vec2> points;
   for (int i = 0; i <= 72; ++i)
-    points.push_back(centre + radius * Vec2(std::cos(5 * i * degree), std::sin(5 * i * degree)));
+    points.emplace_back(centre + radius * Vec2(std::cos(5 * i * degree), std::sin(5 * i * degree)));
   return points;
 }
 

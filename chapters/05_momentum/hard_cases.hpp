@@ -76,7 +76,8 @@ inline std::string needle_figure() {
                      {}};
   const auto add = [&](const std::string& name, auto&& error) {
     support::Series series{name, {}, {}};
-    for (double condition = 1; condition < 2e12; condition *= 10) {
+    for (int i = 0; i <= 12; ++i) {
+      const double condition = std::pow(10.0, i);
       series.x.push_back(condition);
       series.y.push_back(error(condition));
     }

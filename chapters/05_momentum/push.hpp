@@ -18,7 +18,7 @@ inline RigidBody<> plank() {
   const double width = 0.1, thickness = 0.02, m = plank_mass / 12;
   const Vec3 square(plank_length * plank_length, width * width, thickness * thickness);
   const Vec3 moments = m * (Vec3::Constant(square.sum()) - square);
-  return RigidBody<>(plank_mass, moments.asDiagonal());
+  return {plank_mass, moments.asDiagonal()};
 }
 
 /// A kick with one force, or with several.
