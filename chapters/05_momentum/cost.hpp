@@ -1,0 +1,180 @@
+#pragma once
+/// @file
+/// From L to ω: what each way costs, and what is left of the digits for a long thin body.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "common.hpp"
+#include "support/counted.hpp"
+#include "support/stopwatch.hpp"
+#include "tumble/mass/points.hpp"
+
+namespace momentum_chapter {
+
+/// Everything that the ways from L to ω start from.
+template <class T>
+struct Task {
+  RigidBody<T> body;
+  Quaternion<T> q;
+  Matrix3<T> R;
+  Vector3<T> L;
+  Vector3<T> moments;  ///< along the body's axes, if these are principal
+};
+
+// Flattened: whether the compiler happens to inline what they call is not what is measured.
+
+/// The three products of the library.
+template <class T>
+[[gnu::flatten]] Vector3<T> by_three_products(const Task<T>& task) {
+  return angular_velocity(task.body, task.R, task.L);
+}
+
+/// The same in principal axes, where the tensor is three numbers.
+template <class T>
+[[gnu::flatten]] Vector3<T> in_principal_axes(const Task<T>& task) {
+  Vector3<T> v = task.R.transpose() * task.L;
+  for (int i = 0; i < 3; ++i) v[i] = v[i] / task.moments[i];
+  return task.R * v;
+}
+
+/// The world's inverse tensor first, then its product with L.
+template <class T>
+[[gnu::flatten]] Vector3<T> by_inverse_in_world(const Task<T>& task) {
+  const Matrix3<T> half = task.R * task.body.I_body_inv();
+  const Matrix3<T> I_inv = half * task.R.transpose();
+  return I_inv * task.L;
+}
+
+/// The world's tensor, inverted anew, by cofactors.
+template <class T>
+[[gnu::flatten]] Vector3<T> by_inverting_in_world(const Task<T>& task) {
+  const Matrix3<T> half = task.R * task.body.I_body();
+  const Matrix3<T> I = half * task.R.transpose();
+  Matrix3<T> cofactors;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    cofactors.col(i) = I.col(j).cross(I.col(k));
+  }
+  const T scale = T(1) / I.col(0).dot(cofactors.col(0));
+  return scale * (cofactors * task.L);
+}
+
+// ── Counts and times ──
+
+template <class T>
+Task<T> ordinary_task() {
+  Mat3 I;
+  I << 1.2, 0.1, -0.2, 0.1, 1.6, 0.3, -0.2, 0.3, 2.1;
+  const Quat q = exp_quaternion<double>(Vec3(0.3, -1.1, 0.7));
+  const Quaternion<T> q_T(T(q.w()), T(q.x()), T(q.y()), T(q.z()));
+  const Vector3<T> L(T(0.4), T(-0.7), T(1.3));
+  return {RigidBody<T>(1.5, I), q_T, to_matrix(q_T), L, Vector3<T>(T(1), T(1.6), T(2.2))};
+}
+
+constexpr int samples = 1000;
+
+inline std::vector<PointMass> thousand_points() {
+  Dice dice;
+  std::vector<PointMass> points;
+  for (int i = 0; i < samples; ++i) points.push_back({1.0 / samples, dice.vector(1)});
+  return points;
+}
+
+inline std::string operations(const support::Operations& done) {
+  return number(done.multiplications, 6) + " ×, " + number(done.additions, 6) + " +";
+}
+
+/// Σ m (rᵀr 1 − r rᵀ) of the points as the body has turned them: six different entries.
+template <class T>
+Vector3<T> by_summing_points(const Task<T>& task, const std::vector<PointMass>& points) {
+  Matrix3<T> I = Matrix3<T>::Zero();
+  for (const PointMass& point : points) {
+    const Vector3<T> p = point.position.cast<T>();
+    const Vector3<T> r = task.R * p;
+    const Vector3<T> mr = T(point.mass) * r;
+    const T xx = mr.x() * r.x(), yy = mr.y() * r.y(), zz = mr.z() * r.z();
+    I(0, 0) += yy + zz;
+    I(1, 1) += zz + xx;
+    I(2, 2) += xx + yy;
+    I(0, 1) -= mr.x() * r.y();
+    I(1, 2) -= mr.y() * r.z();
+    I(2, 0) -= mr.z() * r.x();
+  }
+  I(1, 0) = I(0, 1), I(2, 1) = I(1, 2), I(0, 2) = I(2, 0);
+  return I.inverse() * task.L;
+}
+
+/// A way from L to ω, on doubles and on numbers that count.
+struct WayToOmega {
+  std::string name;
+  Vec3 (*plain)(const Task<double>&);
+  Vector3<support::Counted> (*counted)(const Task<support::Counted>&);
+};
+
+inline const std::vector<WayToOmega> ways_to_omega{
+    {"R (I_body⁻¹ (Rᵀ L))", by_three_products, by_three_products},
+    {"the same in principal axes", in_principal_axes, in_principal_axes},
+    {"(R I_body⁻¹ Rᵀ) L", by_inverse_in_world, by_inverse_in_world},
+    {"(R I_body Rᵀ)⁻¹ L", by_inverting_in_world, by_inverting_in_world}};
+
+inline Table counts_table() {
+  Table table({"from L to ω", "operations"});
+  const auto task = ordinary_task<support::Counted>();
+  for (const WayToOmega& way : ways_to_omega)
+    table.add({way.name, operations(support::count([&] { support::keep(way.counted(task)); }))});
+  const std::vector<PointMass> points = thousand_points();
+  table.add({"1000 points summed anew, inverted",
+             operations(support::count([&] { support::keep(by_summing_points(task, points)); }))});
+  table.add({"for comparison: R from q",
+             operations(support::count([&] { support::keep(to_matrix(task.q)); }))});
+  return table;
+}
+
+/// The least seconds of each action, in turns, so that all see the same machine.
+inline std::vector<double> seconds_each(const std::vector<std::function<void()>>& actions,
+                                        int batch) {
+  std::vector<double> least(actions.size(), 1e9);
+  for (int again = 0; again < 6; ++again)
+    for (std::size_t i = 0; i < actions.size(); ++i)
+      least[i] = std::min(least[i], support::shortest_run(0.01, actions[i]) / batch);
+  return least;
+}
+
+inline Table times_table() {
+  Table table({"from L to ω", "time", "as a ratio"});
+  static Task<double> task = ordinary_task<double>();
+  static const std::vector<PointMass> points = thousand_points();
+  constexpr int batch = 1000;
+  std::vector<std::string> names;
+  std::vector<std::function<void()>> actions;
+  const auto add = [&](const std::string& name, auto&& action, int times) {
+    names.push_back(name);
+    actions.push_back([action, times] {
+      for (int i = 0; i < times; ++i) {
+        support::keep(task);
+        support::keep(action());
+      }
+    });
+  };
+  add(
+      ways_to_omega[0].name, [] { return by_three_products(task); }, batch);
+  add(
+      ways_to_omega[1].name, [] { return in_principal_axes(task); }, batch);
+  add(
+      ways_to_omega[2].name, [] { return by_inverse_in_world(task); }, batch);
+  add(
+      ways_to_omega[3].name, [] { return by_inverting_in_world(task); }, batch);
+  add(
+      "1000 points summed anew, inverted", [] { return by_summing_points(task, points); }, 1);
+  add(
+      "for comparison: R from q", [] { return to_matrix(task.q); }, batch);
+  std::vector<double> seconds = seconds_each(actions, batch);
+  seconds[4] *= batch;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    table.add({names[i], support::duration(seconds[i]), number(seconds[i] / seconds[0], 2)});
+  return table;
+}
+
+}  // namespace momentum_chapter
