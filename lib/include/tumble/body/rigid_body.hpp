@@ -4,7 +4,7 @@
 /// and the inverse.
 ///
 /// Body coordinates have their origin at the centre of mass; their axes need not be principal.
-/// Source: Baraff, "Rigid Body Simulation I" (1997), §2.7 and fig. 4.
+/// Source: Baraff, "Rigid Body Simulation I" (1997), §2.10 and §3.
 
 #include "tumble/core/types.hpp"
 #include "tumble/mass/mass_properties.hpp"

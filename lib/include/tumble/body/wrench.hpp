@@ -2,7 +2,7 @@
 /// @file
 /// Force and torque together: what pushes a body.
 ///
-/// τ = (p − x) × F.   Source: Baraff, "Rigid Body Simulation I" (1997), §2.6, eqs. 2-16 to 2-19.
+/// τ = (p − x) × F.   Source: Baraff, "Rigid Body Simulation I" (1997), §2.7.
 
 #include "tumble/core/types.hpp"
 
