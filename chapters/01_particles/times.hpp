@@ -2,9 +2,8 @@
 /// @file
 /// What the steps take on this machine.
 
-#include <algorithm>
-#include <array>
 #include <string>
+#include <vector>
 
 #include "net.hpp"
 #include "orbit.hpp"
@@ -12,31 +11,24 @@
 
 namespace particles_chapter {
 
-/// Seconds a step, each from where the last one ended: the least of many batches.
-template <class Method, class State, class F>
-double seconds_a_step(const F& f, const State& start, int batch) {
-  constexpr double h = 1e-9;  // [s], so that nothing moves far
-  State y = start;
-  const auto many = [&] {
-    for (int i = 0; i < batch; ++i) y = Method::step(f, 0., y, h);
-    support::keep(y);
-  };
-  return support::shortest_run(0.01, many) / batch;
-}
-
-/// What a step takes: Euler's as a time, the others as a multiple of it. The methods take turns.
+/// What a step takes: Euler's as a time, the others as a multiple of it.
 template <class State, class F>
-void add_times(Table& table, const std::string& what, const F& f, const State& y, int batch) {
-  std::array<double, 3> least{1, 1, 1};
-  for (int round = 0; round < 6; ++round) {
-    std::size_t i = 0;
-    for_each_method([&](const std::string&, auto method, int) {
-      least[i] = std::min(least[i], seconds_a_step<decltype(method)>(f, y, batch));
-      ++i;
-    });
-  }
-  table.add({what, support::duration(least[0]), number(least[1] / least[0], 2) + " ×",
-             number(least[2] / least[0], 2) + " ×"});
+void add_times(Table& table, const std::string& what, const F& f, const State& start, int batch) {
+  constexpr double h = 1e-9;  // [s], so that nothing moves far
+  support::Stopwatch stopwatch;
+  for_each_method([&](const std::string& name, auto method, int) {
+    const auto step = [&f, y = start]() mutable {
+      y = decltype(method)::step(f, 0., y, h);
+      support::keep(y);
+    };
+    stopwatch.add(name, step, batch);
+  });
+  std::vector<std::string> row{what};
+  const std::vector<support::Timing> timings = stopwatch.timings();
+  for (const support::Timing& each : timings)
+    row.push_back(row.size() == 1 ? support::duration(each.seconds)
+                                  : number(each.seconds / timings[0].seconds, 2) + " ×");
+  table.add(row);
 }
 
 inline Table times_table() {

@@ -133,9 +133,6 @@ inline std::string ratio_number(double ratio) {
                     : std::to_string(std::lround(unit * std::round(ratio / unit)));
 }
 
-/// An error, or that it is not worth telling from rounding.
-inline std::string error_or_rounding(double error) {
-  return error < 1e-14 ? "< 1e-14" : support::error_number(error);
-}
+using support::error_or_rounding;
 
 }  // namespace solvers_chapter

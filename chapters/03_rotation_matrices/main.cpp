@@ -226,31 +226,21 @@ Table schedule_table() {
   return table;
 }
 
-/// Seconds for one of `batch` calls, the least of many batches.
-template <class Action>
-double seconds_each(Action&& action) {
-  constexpr int batch = 1000;
-  const auto many = [&] {
-    for (int i = 0; i < batch; ++i) action();
-  };
-  return support::shortest_run(0.05, many) / batch;
-}
-
 Table times_table() {
+  support::Stopwatch stopwatch;
+  stopwatch.add("one midpoint step of Ṙ = [ω]×R", [y = Flat(drifted(1e-3).reshaped())]() mutable {
+    support::keep(y = midpoint(rate, 0, y, h));
+  });
+  for (const Repair& repair : repairs)
+    stopwatch.add(repair.name, [M = drifted(1e-3), &repair] {
+      support::keep(M);
+      support::keep(repair.apply(M));
+    });
+  const std::vector<support::Timing> timings = stopwatch.timings();
   Table table({"what", "time", "midpoint steps"});
-  Mat3 M = drifted(1e-3);
-  Flat y = M.reshaped();
-  const double step = seconds_each([&] { support::keep(y = midpoint(rate, 0, y, h)); });
-  const auto add = [&](const std::string& name, double seconds) {
-    table.add({name, support::duration(seconds), number(seconds / step, 2)});
-  };
-  add("one midpoint step of Ṙ = [ω]×R", step);
-  for (const Repair& repair : repairs) {
-    add(repair.name, seconds_each([&] {
-          support::keep(M);
-          support::keep(repair.apply(M));
-        }));
-  }
+  for (const support::Timing& each : timings)
+    table.add(
+        {each.name, support::duration(each.seconds), number(each.seconds / timings[0].seconds, 2)});
   return table;
 }
 

@@ -14,7 +14,9 @@
 namespace quaternions_chapter {
 
 using namespace tumble;
+using support::degrees;
 using support::error_number;
+using support::error_or_rounding;
 using support::number;
 using support::Table;
 using support::Vec2;
@@ -24,16 +26,6 @@ inline constexpr double pi = std::numbers::pi, degree = pi / 180;
 /// How far apart two orientations are [rad].
 inline double angle_apart(const Mat3& A, const Mat3& B) {
   return log_rotation(A.transpose() * B).norm();
-}
-
-inline std::string degrees(double angle, int digits = 4) {
-  return number(angle / degree, digits) + "°";
-}
-
-/// An error, or that there is none but rounding.
-inline std::string error_or_rounding(double error) {
-  if (std::isnan(error)) return "not a number";
-  return error < 1e-14 ? "< 1e-14" : error_number(error);
 }
 
 inline std::string four_numbers(const Quat& q) {

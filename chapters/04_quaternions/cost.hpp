@@ -14,11 +14,7 @@ namespace quaternions_chapter {
 // ── What a step costs ──
 
 using support::Counted;
-
-inline std::string operations(const support::Operations& done) {
-  return number(done.multiplications) + " ×, " + number(done.additions) + " +" +
-         (done.functions > 0 ? ", " + number(done.functions) + " √" : "");
-}
+using support::text_of;
 
 inline const Quaternion<Counted> counted_q(0.5, 0.5, 0.5, 0.5);
 inline const Vector3<Counted> counted_v(0.1, 0.2, 0.3);
@@ -45,7 +41,7 @@ inline Table counts_table() {
   const Vector3<Counted>& v = counted_v;
   const Matrix3<Counted> R = to_matrix(q);
   const auto count = [](auto&& action) {
-    return operations(support::count([&] { support::keep(action()); }));
+    return text_of(support::count([&] { support::keep(action()); }));
   };
   table.add({"compose two", count([&] { return Quaternion<Counted>(q * q); }),
              count([&] { return Matrix3<Counted>(R * R); })});
@@ -53,11 +49,10 @@ inline Table counts_table() {
              count([&] { return Vector3<Counted>(R * v); })});
   table.add({"rate of change", count([&] { return quaternion_dot<Counted>(q, v); }),
              count([&] { return rotation_dot<Counted>(R, v); })});
-  table.add(
-      {"one step of Euler", operations(step_of_four<Euler>()), operations(step_of_nine<Euler>())});
-  table.add({"one step of midpoint", operations(step_of_four<Midpoint>()),
-             operations(step_of_nine<Midpoint>())});
-  table.add({"one step of RK4", operations(step_of_four<Rk4>()), operations(step_of_nine<Rk4>())});
+  table.add({"one step of Euler", text_of(step_of_four<Euler>()), text_of(step_of_nine<Euler>())});
+  table.add({"one step of midpoint", text_of(step_of_four<Midpoint>()),
+             text_of(step_of_nine<Midpoint>())});
+  table.add({"one step of RK4", text_of(step_of_four<Rk4>()), text_of(step_of_nine<Rk4>())});
   table.add({"normalise", count([&] { return q.normalized(); }), ""});
   table.add({"turn into a matrix", count([&] { return to_matrix(q); }), ""});
   return table;
@@ -151,58 +146,42 @@ inline std::string two_digits(double value) {
   return number(std::round(value / unit) * unit, 9);
 }
 
-/// The least seconds of each action, in turns, so that all see the same machine.
-inline std::vector<double> seconds_each(const std::vector<std::function<void()>>& batches,
-                                        int batch) {
-  std::vector<double> least(batches.size(), 1e9);
-  for (int again = 0; again < 5; ++again)
-    for (std::size_t i = 0; i < batches.size(); ++i)
-      least[i] = std::min(least[i], support::shortest_run(0.006, batches[i]) / batch);
-  return least;
-}
-
-/// An action many times over, in one call.
-template <class Action>
-std::function<void()> batch_of(int batch, Action action) {
-  return [batch, action]() mutable {
-    for (int i = 0; i < batch; ++i) action();
+template <class Method, class State, class Rate>
+auto steps_of(const Rate& rate, State y) {
+  return [rate, y]() mutable {
+    y = Method::step(rate, 0.0, y, 1e-3);
+    support::keep(y);
   };
 }
 
-inline constexpr int batch = 1000;
-
-template <class Method, class State, class Rate>
-std::function<void()> steps_of(const Rate& rate, State y) {
-  return batch_of(batch, [rate, y]() mutable {
-    y = Method::step(rate, 0.0, y, 1e-3);
-    support::keep(y);
-  });
-}
-
 inline Table reach_table() {
-  Table table({"method", "a step", "steps to 1e-4 rad", "time", "to 1e-8 rad", "time"});
   const auto four = rate_of_four<double>(steady);
   const auto nine = rate_of_nine<double>(steady);
-  const std::vector<std::string> names{"Euler, nine",        "Euler, four", "midpoint, nine",
-                                       "midpoint, four",     "RK4, nine",   "RK4, four",
-                                       "turns about ω, four"};
-  const std::vector<std::function<double(int)>> errors{
-      error_of_nine<Euler>, error_of_four<Euler>, error_of_nine<Midpoint>, error_of_four<Midpoint>,
-      error_of_nine<Rk4>,   error_of_four<Rk4>,   error_of_turns};
-  const std::vector<double> seconds = seconds_each(
-      {steps_of<Euler>(nine, nine_start), steps_of<Euler>(four, four_start),
-       steps_of<Midpoint>(nine, nine_start), steps_of<Midpoint>(four, four_start),
-       steps_of<Rk4>(nine, nine_start), steps_of<Rk4>(four, four_start),
-       batch_of(
-           batch,
-           [q = Quat::Identity()]() mutable { support::keep(q = turn_step(q, steady(0), 1e-3)); })},
-      batch);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    std::vector<std::string> row{names[i], support::duration(seconds[i])};
+  support::Stopwatch stopwatch;
+  std::vector<std::function<double(int)>> errors;
+  const auto add = [&](const std::string& name, auto step, std::function<double(int)> error) {
+    stopwatch.add(name, step);
+    errors.push_back(std::move(error));
+  };
+  add("Euler, nine", steps_of<Euler>(nine, nine_start), error_of_nine<Euler>);
+  add("Euler, four", steps_of<Euler>(four, four_start), error_of_four<Euler>);
+  add("midpoint, nine", steps_of<Midpoint>(nine, nine_start), error_of_nine<Midpoint>);
+  add("midpoint, four", steps_of<Midpoint>(four, four_start), error_of_four<Midpoint>);
+  add("RK4, nine", steps_of<Rk4>(nine, nine_start), error_of_nine<Rk4>);
+  add("RK4, four", steps_of<Rk4>(four, four_start), error_of_four<Rk4>);
+  add(
+      "turns about ω, four",
+      [q = Quat::Identity()]() mutable { support::keep(q = turn_step(q, steady(0), 1e-3)); },
+      error_of_turns);
+
+  const std::vector<support::Timing> timings = stopwatch.timings();
+  Table table({"method", "a step", "steps to 1e-4 rad", "time", "to 1e-8 rad", "time"});
+  for (std::size_t i = 0; i < timings.size(); ++i) {
+    std::vector<std::string> row{timings[i].name, support::duration(timings[i].seconds)};
     for (const double target : {1e-4, 1e-8}) {
       const double steps = steps_for(target, errors[i]);
       row.push_back(steps > 0 ? two_digits(steps) : "> 200000");
-      row.push_back(steps > 0 ? support::duration(steps * seconds[i]) : "");
+      row.push_back(steps > 0 ? support::duration(steps * timings[i].seconds) : "");
     }
     table.add(row);
   }
@@ -210,12 +189,9 @@ inline Table reach_table() {
 }
 
 inline Table times_table() {
-  Table table({"what", "time"});
-  std::vector<std::string> names;
-  std::vector<std::function<void()>> batches;
+  support::Stopwatch stopwatch;
   const auto add = [&](const std::string& name, auto&& action) {
-    names.push_back(name);
-    batches.push_back(batch_of(batch, [action] { support::keep(action()); }));
+    stopwatch.add(name, [action] { support::keep(action()); });
   };
   static Quat q = top_orientation(1), r = top_orientation(1.2);
   static Mat3 R = to_matrix(q);
@@ -231,9 +207,9 @@ inline Table times_table() {
   add("four numbers mixed, normalised",
       [=] { return normalize(mix_four(fresh(q), fresh(r), 0.3)); });
   add("slerp", [=] { return slerp(fresh(q), fresh(r), 0.3); });
-  const std::vector<double> seconds = seconds_each(batches, batch);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    table.add({names[i], support::duration(seconds[i])});
+  Table table({"what", "time"});
+  for (const support::Timing& each : stopwatch.timings())
+    table.add({each.name, support::duration(each.seconds)});
   return table;
 }
 

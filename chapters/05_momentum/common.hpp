@@ -17,21 +17,14 @@
 namespace momentum_chapter {
 
 using namespace tumble;
+using support::degrees;
 using support::error_number;
+using support::error_or_rounding;
 using support::number;
 using support::Table;
 using support::Vec2;
 
 constexpr double pi = std::numbers::pi, degree = pi / 180;
-
-/// An error, or that there is none but rounding.
-inline std::string error_or_rounding(double error) {
-  return error < 1e-14 ? "< 1e-14" : error_number(error);
-}
-
-inline std::string degrees(double angle, int digits = 3) {
-  return number(angle / degree, digits) + "°";
-}
 
 /// Numbers that are the same in every run and with every compiler.
 class Dice {

@@ -82,10 +82,6 @@ inline std::vector<PointMass> thousand_points() {
   return points;
 }
 
-inline std::string operations(const support::Operations& done) {
-  return number(done.multiplications, 6) + " ×, " + number(done.additions, 6) + " +";
-}
-
 /// Σ m (rᵀr 1 − r rᵀ) of the points as the body has turned them: six different entries.
 template <class T>
 Vector3<T> by_summing_points(const Task<T>& task, const std::vector<PointMass>& points) {
@@ -123,57 +119,40 @@ inline Table counts_table() {
   Table table({"from L to ω", "operations"});
   const auto task = ordinary_task<support::Counted>();
   for (const WayToOmega& way : ways_to_omega)
-    table.add({way.name, operations(support::count([&] { support::keep(way.counted(task)); }))});
+    table.add(
+        {way.name, support::text_of(support::count([&] { support::keep(way.counted(task)); }))});
   const std::vector<PointMass> points = thousand_points();
-  table.add({"1000 points summed anew, inverted",
-             operations(support::count([&] { support::keep(by_summing_points(task, points)); }))});
+  table.add({"1000 points summed anew, inverted", support::text_of(support::count([&] {
+               support::keep(by_summing_points(task, points));
+             }))});
   table.add({"for comparison: R from q",
-             operations(support::count([&] { support::keep(to_matrix(task.q)); }))});
+             support::text_of(support::count([&] { support::keep(to_matrix(task.q)); }))});
   return table;
 }
 
-/// The least seconds of each action, in turns, so that all see the same machine.
-inline std::vector<double> seconds_each(const std::vector<std::function<void()>>& actions,
-                                        int batch) {
-  std::vector<double> least(actions.size(), 1e9);
-  for (int again = 0; again < 6; ++again)
-    for (std::size_t i = 0; i < actions.size(); ++i)
-      least[i] = std::min(least[i], support::shortest_run(0.01, actions[i]) / batch);
-  return least;
-}
-
 inline Table times_table() {
-  Table table({"from L to ω", "time", "as a ratio"});
   static Task<double> task = ordinary_task<double>();
   static const std::vector<PointMass> points = thousand_points();
-  constexpr int batch = 1000;
-  std::vector<std::string> names;
-  std::vector<std::function<void()>> actions;
-  const auto add = [&](const std::string& name, auto&& action, int times) {
-    names.push_back(name);
-    actions.push_back([action, times] {
-      for (int i = 0; i < times; ++i) {
-        support::keep(task);
-        support::keep(action());
-      }
-    });
+  support::Stopwatch stopwatch;
+  const auto add = [&](const std::string& name, auto&& action, int times = 1000) {
+    const auto fresh = [action] {
+      support::keep(task);
+      support::keep(action());
+    };
+    stopwatch.add(name, fresh, times);
   };
-  add(
-      ways_to_omega[0].name, [] { return by_three_products(task); }, batch);
-  add(
-      ways_to_omega[1].name, [] { return in_principal_axes(task); }, batch);
-  add(
-      ways_to_omega[2].name, [] { return by_inverse_in_world(task); }, batch);
-  add(
-      ways_to_omega[3].name, [] { return by_inverting_in_world(task); }, batch);
+  add(ways_to_omega[0].name, [] { return by_three_products(task); });
+  add(ways_to_omega[1].name, [] { return in_principal_axes(task); });
+  add(ways_to_omega[2].name, [] { return by_inverse_in_world(task); });
+  add(ways_to_omega[3].name, [] { return by_inverting_in_world(task); });
   add(
       "1000 points summed anew, inverted", [] { return by_summing_points(task, points); }, 1);
-  add(
-      "for comparison: R from q", [] { return to_matrix(task.q); }, batch);
-  std::vector<double> seconds = seconds_each(actions, batch);
-  seconds[4] *= batch;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    table.add({names[i], support::duration(seconds[i]), number(seconds[i] / seconds[0], 2)});
+  add("for comparison: R from q", [] { return to_matrix(task.q); });
+  const std::vector<support::Timing> timings = stopwatch.timings();
+  Table table({"from L to ω", "time", "as a ratio"});
+  for (const support::Timing& each : timings)
+    table.add(
+        {each.name, support::duration(each.seconds), number(each.seconds / timings[0].seconds, 2)});
   return table;
 }
 

@@ -164,7 +164,7 @@ inline Table stored_table() {
   for (const Storage& storage : storages) {
     std::vector<std::string> row{
         storage.name, storage.law,
-        operations(support::count([&] { support::keep(storage.counted(0, y)); }))};
+        support::text_of(support::count([&] { support::keep(storage.counted(0, y)); }))};
     for (const double rate : {60., 240., 960.}) {
       const Spinning end = spun<Rk4>(storage, spin_time, static_cast<int>(rate * spin_time));
       row.push_back(error_number(angle_between(exact_end(), end.q)) + " rad");

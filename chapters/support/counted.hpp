@@ -4,6 +4,7 @@
 /// without a clock.
 
 #include <cmath>
+#include <string>
 
 #include "tumble/core/types.hpp"
 
@@ -49,6 +50,12 @@ struct Counted {
   friend Counted sin(const Counted& a) { return ++done.functions, std::sin(a.value); }
   friend Counted cos(const Counted& a) { return ++done.functions, std::cos(a.value); }
 };
+
+/// "27 ×, 18 +, 1 √"
+inline std::string text_of(const Operations& done) {
+  return std::to_string(done.multiplications) + " ×, " + std::to_string(done.additions) + " +" +
+         (done.functions > 0 ? ", " + std::to_string(done.functions) + " √" : "");
+}
 
 /// The operations of one call.
 template <class Action>

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,17 @@ inline std::string error_number(double value) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.1e", value);
   return text.data();
+}
+
+/// The same, or that it is not worth telling from rounding: what decides such digits is chance.
+inline std::string error_or_rounding(double value) {
+  if (std::isnan(value)) return "not a number";
+  return value < 1e-14 ? "< 1e-14" : error_number(value);
+}
+
+/// An angle [rad] in degrees: 51.4°.
+inline std::string degrees(double angle, int digits = 4) {
+  return number(angle * 180 / std::numbers::pi, digits) + "°";
 }
 
 /// A time [s] in the unit that fits: ns, µs, ms or s.
