@@ -122,7 +122,7 @@ std::string sheared_figure() {
     pictures.push_back(
         {viewer() * R, number(seconds) + " s: volume × " + number(R.determinant(), 3)});
   }
-  return support::gallery("Euler steps of Ṙ = [ω]×R, nothing repaired", mesh, 0.37, pictures);
+  return support::gallery("Euler steps of Ṙ = [ω]×R, nothing repaired", mesh, 0.42, pictures);
 }
 
 std::string drift_figure() {
