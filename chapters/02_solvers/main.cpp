@@ -2,7 +2,10 @@
 /// Chapter 2: steps that suit the motion, steps that stiffness forces, and what each error costs.
 #include "adaptive.hpp"
 #include "hard_cases.hpp"
+#include "oscillator.hpp"
 #include "race.hpp"
+#include "stability.hpp"
+#include "stiff.hpp"
 #include "support/chapter.hpp"
 
 using namespace tumble;

@@ -1,7 +1,9 @@
 #include "book/tool/maths.hpp"
 
 #include <cctype>
+#include <iterator>
 #include <set>
+#include <sstream>
 
 namespace tumble::book {
 
@@ -30,201 +32,30 @@ std::vector<InlineFormula> formulas_in(const std::string& line) {
 
 namespace {
 
-/// The commands that the book uses: all known to KaTeX 0.16 and to GitHub's MathJax 3.
-const std::set<std::string>& known_commands() {
-  static const std::set<std::string> known{"alpha",
-                                           "beta",
-                                           "gamma",
-                                           "delta",
-                                           "epsilon",
-                                           "varepsilon",
-                                           "zeta",
-                                           "eta",
-                                           "theta",
-                                           "kappa",
-                                           "lambda",
-                                           "mu",
-                                           "nu",
-                                           "xi",
-                                           "pi",
-                                           "rho",
-                                           "sigma",
-                                           "tau",
-                                           "phi",
-                                           "varphi",
-                                           "chi",
-                                           "psi",
-                                           "omega",
-                                           "Gamma",
-                                           "Delta",
-                                           "Theta",
-                                           "Lambda",
-                                           "Sigma",
-                                           "Phi",
-                                           "Psi",
-                                           "Omega",
-                                           "times",
-                                           "cdot",
-                                           "cdots",
-                                           "ldots",
-                                           "dots",
-                                           "vdots",
-                                           "ddots",
-                                           "pm",
-                                           "mp",
-                                           "le",
-                                           "leq",
-                                           "ge",
-                                           "geq",
-                                           "ll",
-                                           "gg",
-                                           "ne",
-                                           "neq",
-                                           "approx",
-                                           "equiv",
-                                           "sim",
-                                           "propto",
-                                           "perp",
-                                           "parallel",
-                                           "in",
-                                           "notin",
-                                           "subset",
-                                           "to",
-                                           "mapsto",
-                                           "rightarrow",
-                                           "Rightarrow",
-                                           "leftarrow",
-                                           "iff",
-                                           "implies",
-                                           "infty",
-                                           "partial",
-                                           "nabla",
-                                           "forall",
-                                           "exists",
-                                           "sum",
-                                           "prod",
-                                           "int",
-                                           "iint",
-                                           "iiint",
-                                           "oint",
-                                           "lim",
-                                           "max",
-                                           "min",
-                                           "sin",
-                                           "cos",
-                                           "tan",
-                                           "arcsin",
-                                           "arccos",
-                                           "arctan",
-                                           "exp",
-                                           "log",
-                                           "ln",
-                                           "det",
-                                           "frac",
-                                           "tfrac",
-                                           "dfrac",
-                                           "sqrt",
-                                           "dot",
-                                           "ddot",
-                                           "hat",
-                                           "bar",
-                                           "vec",
-                                           "tilde",
-                                           "widehat",
-                                           "overline",
-                                           "underline",
-                                           "mathbf",
-                                           "mathbb",
-                                           "mathrm",
-                                           "mathcal",
-                                           "mathsf",
-                                           "boldsymbol",
-                                           "text",
-                                           "operatorname",
-                                           "left",
-                                           "right",
-                                           "big",
-                                           "Big",
-                                           "bigl",
-                                           "bigr",
-                                           "Bigl",
-                                           "Bigr",
-                                           "langle",
-                                           "rangle",
-                                           "lvert",
-                                           "rvert",
-                                           "lVert",
-                                           "rVert",
-                                           "vert",
-                                           "Vert",
-                                           "lfloor",
-                                           "rfloor",
-                                           "lceil",
-                                           "rceil",
-                                           "quad",
-                                           "qquad",
-                                           "begin",
-                                           "end",
-                                           "top",
-                                           "intercal",
-                                           "circ",
-                                           "prime",
-                                           "star",
-                                           "ast",
-                                           "underbrace",
-                                           "overbrace",
-                                           "binom",
-                                           "not",
-                                           "mid",
-                                           "cap",
-                                           "cup",
-                                           "land",
-                                           "lor",
-                                           "neg",
-                                           "ell",
-                                           "Re",
-                                           "Im",
-                                           "displaystyle",
-                                           "textstyle",
-                                           "limits",
-                                           "nolimits",
-                                           "hline",
-                                           "otimes",
-                                           "oplus",
-                                           "simeq",
-                                           "cong",
-                                           "phantom",
-                                           "hspace",
-                                           "tag",
-                                           "Bigg",
-                                           "biggl",
-                                           "biggr",
-                                           "angle",
-                                           "longrightarrow",
-                                           "xrightarrow",
-                                           "succ",
-                                           "prec",
-                                           "colon",
-                                           "dagger",
-                                           "triangleq",
-                                           "because",
-                                           "therefore",
-                                           "quad",
-                                           "mathit",
-                                           "boxed",
-                                           "cancel",
-                                           "color",
-                                           "substack",
-                                           "stackrel"};
-  return known;
+std::set<std::string> words_of(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
 }
 
-const std::set<std::string>& known_environments() {
-  static const std::set<std::string> known{"aligned", "matrix",     "pmatrix", "bmatrix",
-                                           "vmatrix", "cases",      "array",   "gathered",
-                                           "split",   "smallmatrix"};
-  return known;
-}
+/// The commands that the book may use: all known to KaTeX 0.16 and to GitHub's MathJax 3.
+const std::set<std::string> known_commands = words_of(R"(
+alpha angle approx arccos arcsin arctan ast bar because begin beta big Big Bigg biggl biggr bigl
+Bigl Bigr bigr binom boldsymbol boxed cancel cap cdot cdots chi circ colon color cong cos cup
+dagger ddot ddots Delta delta det dfrac displaystyle dot dots ell end epsilon equiv eta exists
+exp forall frac gamma Gamma ge geq gg hat hline hspace iff iiint iint Im implies in infty int
+intercal kappa lambda Lambda land langle lceil ldots le left leftarrow leq lfloor lim limits ll
+ln log longrightarrow lor lVert lvert mapsto mathbb mathbf mathcal mathit mathrm mathsf max mid
+min mp mu nabla ne neg neq nolimits not notin nu oint Omega omega operatorname oplus otimes
+overbrace overline parallel partial perp phantom Phi phi pi pm prec prime prod propto Psi psi
+qquad quad rangle rceil Re rfloor rho right Rightarrow rightarrow rVert rvert Sigma sigma sim
+simeq sin sqrt stackrel star subset substack succ sum tag tan tau text textstyle tfrac therefore
+Theta theta tilde times to top triangleq underbrace underline varepsilon varphi vdots vec Vert
+vert widehat xi xrightarrow zeta
+)");
+
+const std::set<std::string> known_environments = words_of(R"(
+aligned array bmatrix cases gathered matrix pmatrix smallmatrix split vmatrix
+)");
 
 std::string word_at(const std::string& tex, std::size_t at) {
   std::string word;
@@ -253,9 +84,9 @@ std::string mistake_in(const std::string& tex) {
       continue;
     }
     i += command.size();
-    if (!known_commands().contains(command)) return "unknown command \\" + command;
+    if (!known_commands.contains(command)) return "unknown command \\" + command;
     const std::string environment = braced_at(tex, i + 1);
-    if (command == "begin" && !known_environments().contains(environment))
+    if (command == "begin" && !known_environments.contains(environment))
       return "unknown environment " + environment;
     if (command == "begin") open.push_back(environment);
     if (command == "end" && (open.empty() || open.back() != environment))
