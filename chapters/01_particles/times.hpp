@@ -11,14 +11,15 @@
 
 namespace particles_chapter {
 
+inline constexpr double short_step = 1e-9;  // [s], so that nothing moves far
+
 /// What a step takes: Euler's as a time, the others as a multiple of it.
 template <class State, class F>
 void add_times(Table& table, const std::string& what, const F& f, const State& start, int batch) {
-  constexpr double h = 1e-9;  // [s], so that nothing moves far
   support::Stopwatch stopwatch;
   for_each_method([&](const std::string& name, auto method, int) {
     const auto step = [&f, y = start]() mutable {
-      y = decltype(method)::step(f, 0., y, h);
+      y = decltype(method)::step(f, 0., y, short_step);
       support::keep(y);
     };
     stopwatch.add(name, step, batch);
