@@ -160,8 +160,8 @@ inline std::vector<double> times_to(const std::vector<Runner>& runners, double g
 /// Times, and how many times that of a method of reference.
 inline Table times_table() {
   constexpr std::size_t dp54 = 3, radau5 = 6;
-  Table table(
-      {"method", "comet, 1e-6", "× DP 5(4)", "comet, 1e-9", "× DP 5(4)", "dust, 1e-6", "× Radau5"});
+  Table table({"method", "comet, 1e-6", "of DP 5(4)", "comet, 1e-9", "of DP 5(4)", "dust, 1e-6",
+               "of Radau5"});
   const std::vector<double> comet_6 = times_to(comet_runners(), 1e-6),
                             comet_9 = times_to(comet_runners(), 1e-9),
                             dust_6 = times_to(dust_runners(), 1e-6);
@@ -170,7 +170,7 @@ inline Table times_table() {
     const auto add = [&](double seconds, double reference) {
       const bool reached = std::isfinite(seconds);
       row.push_back(reached ? support::duration(seconds) : "–");
-      row.push_back(reached ? ratio_number(seconds / reference) : "–");
+      row.push_back(reached ? ratio_number(seconds / reference) + " ×" : "–");
     };
     add(comet_6[i], comet_6[dp54]);
     add(comet_9[i], comet_9[dp54]);

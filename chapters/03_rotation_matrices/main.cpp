@@ -239,8 +239,8 @@ Table times_table() {
   const std::vector<support::Timing> timings = stopwatch.timings();
   Table table({"what", "time", "midpoint steps"});
   for (const support::Timing& each : timings)
-    table.add(
-        {each.name, support::duration(each.seconds), number(each.seconds / timings[0].seconds, 2)});
+    table.add({each.name, support::duration(each.seconds),
+               number(each.seconds / timings[0].seconds, 2) + " ×"});
   return table;
 }
 

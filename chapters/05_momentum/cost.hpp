@@ -151,8 +151,8 @@ inline Table times_table() {
   const std::vector<support::Timing> timings = stopwatch.timings();
   Table table({"from L to ω", "time", "as a ratio"});
   for (const support::Timing& each : timings)
-    table.add(
-        {each.name, support::duration(each.seconds), number(each.seconds / timings[0].seconds, 2)});
+    table.add({each.name, support::duration(each.seconds),
+               number(each.seconds / timings[0].seconds, 2) + " ×"});
   return table;
 }
 

@@ -15,6 +15,9 @@ string(REPLACE "$mathjax" [[
 <script src="$relpath^doxygen-awesome-paragraph-link.js"></script>
 <script src="$relpath^book.js"></script>
 ]] header "${header}")
+if(NOT header MATCHES "katex.min.js")
+  message(FATAL_ERROR "Doxygen's header has no place for our scripts")
+endif()
 file(WRITE ${site}/header.html "${header}")
 
 file(REMOVE_RECURSE ${site}/html)
@@ -30,10 +33,10 @@ file(COPY ${katex}/contrib/auto-render.js DESTINATION ${site}/html/katex/contrib
 message(STATUS "The book: ${site}/html/index.html")
 
 # The site is read offline: nothing in it may ask the network.
-file(GLOB files ${site}/html/*.html ${site}/html/*.css ${site}/html/*.js)
-set(loads "(src=|<link[^>]*href=|url\\(|@import |fetch\\(|import\\()[\"']?(https?:)?//")
+file(GLOB_RECURSE files ${site}/html/*.html ${site}/html/*.css ${site}/html/*.js)
+set(loads "((src|srcset|data|poster) *= *|<link[^>]*href *= *|url\\(|@import |fetch\\(|import\\()[\"']?(https?:)?//")
 foreach(file IN LISTS files)
-  file(STRINGS ${file} requests REGEX "${loads}")
+  file(STRINGS ${file} requests REGEX "${loads}" ENCODING UTF-8)
   if(requests)
     message(FATAL_ERROR "${file} would ask the network: ${requests}")
   endif()

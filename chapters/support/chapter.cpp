@@ -73,9 +73,9 @@ int Chapter::run(int argc, char** argv) const {
   app.add_option("--out", out, "folder for figures (SVG) and tables (CSV)")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
-    if (!only.empty())
+    if (app.count("--only") > 0)
       print_only(only);
-    else if (!figures.empty())
+    else if (app.count("--figures") > 0)
       write_figures(figures);
     else
       show_all(out);

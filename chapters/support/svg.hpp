@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "tumble/core/require.hpp"
+
 namespace tumble::support {
 
 /// A number with at most `digits` behind the point, without trailing zeros, the same
@@ -17,6 +19,7 @@ inline std::string svg_number(double value, int digits = 1) {
   std::array<char, 64> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
                                  std::chars_format::fixed, digits);
+  require(std::isfinite(value) && end.ec == std::errc{}, "a figure cannot show the number ", value);
   std::string s(text.data(), end.ptr);
   if (s.find('.') != std::string::npos) {
     s.erase(s.find_last_not_of('0') + 1);

@@ -32,7 +32,7 @@ inline std::string error_number(double value) {
 /// The same, or that it is not worth telling from rounding: what decides such digits is chance.
 inline std::string error_or_rounding(double value) {
   if (std::isnan(value)) return "not a number";
-  return value < 1e-14 ? "< 1e-14" : error_number(value);
+  return std::abs(value) < 1e-14 ? "< 1e-14" : error_number(value);
 }
 
 /// An angle [rad] in degrees: 51.4°.

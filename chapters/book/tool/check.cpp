@@ -26,7 +26,7 @@ std::string at(const Page& page, std::size_t line) {
 std::vector<std::string> unannounced_fences(const Page& page) {
   std::vector<std::string> bad;
   for (const Fence& fence : fences_of(page))
-    if (fence.source.empty() && (fence.language == "cpp" || fence.language == "text"))
+    if (fence.source.empty() && fence.language != "math" && fence.language != "sh")
       bad.push_back(at(page, fence.opening) +
                     "nothing says where this comes from: announce it "
                     "with <!-- snippet: …#… -->, signature, output or measured");
@@ -39,7 +39,9 @@ std::vector<std::string> wide_tables(const Page& page) {
   std::vector<std::string> bad;
   for (const Fence& fence : fences_of(page)) {
     if (fence.language != "text") continue;
-    const std::size_t width = support::characters(page.lines[fence.opening + 1]);
+    std::size_t width = 0;
+    for (std::size_t i = fence.opening + 1; i < fence.closing; ++i)
+      width = std::max(width, support::characters(page.lines[i]));
     if (width > most)
       bad.push_back(at(page, fence.opening) + "this table is " + std::to_string(width) +
                     " characters wide, and " + std::to_string(most) + " fit");

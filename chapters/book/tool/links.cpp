@@ -72,9 +72,17 @@ std::vector<std::string> dead_links(const Page& page) {
   const std::vector<Fence> fences = fences_of(page);
   for (std::size_t i = 0; i < page.lines.size(); ++i) {
     if (is_inside(fences, i)) continue;
-    for (const Link& link : links_in(page.lines[i]))
-      if (const std::string why = why_dead(page, link.target); !why.empty())
-        dead.push_back(page.file.string() + ":" + std::to_string(i + 1) + ": " + why);
+    const std::string& line = page.lines[i];
+    const auto complain = [&](const std::string& what) {
+      dead.push_back(page.file.string() + ":" + std::to_string(i + 1) + ": " + what);
+    };
+    for (const Link& link : links_in(line)) {
+      if (const std::string why = why_dead(page, link.target); !why.empty()) complain(why);
+      if (link.image && (link.begin != 0 || link.end != line.size()))
+        complain("a figure stands in a line of its own");
+    }
+    if (without_code_spans(line).find("<img") != std::string::npos)
+      complain("a figure is written as ![caption](file)");
   }
   return dead;
 }

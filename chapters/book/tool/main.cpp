@@ -9,6 +9,20 @@
 
 using namespace tumble::book;
 
+namespace {
+
+/// All pages or, if something goes wrong, none.
+void write_all(const Places& places) {
+  std::vector<Page> changed;
+  for (const fs::path& file : pages_of(places.root)) {
+    const Page page = read_page(file), fresh = refreshed(places, page);
+    if (fresh.lines != page.lines) changed.push_back(fresh);
+  }
+  for (const Page& page : changed) write_page(page);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   CLI::App app("the pages of the book");
   app.require_subcommand(1);
@@ -29,9 +43,7 @@ int main(int argc, char** argv) {
       for (const std::string& mistake : mistakes) std::cout << mistake << "\n";
       return mistakes.empty() ? 0 : 1;
     }
-    if (*writing)
-      for (const fs::path& page : pages_of(places.root))
-        write_page(refreshed(places, read_page(page)));
+    if (*writing) write_all(places);
     if (*figures) fill_in_figures(places.root, file);
     if (*filter) std::cout << for_doxygen(places.root, read_page(file));
     return 0;

@@ -12,7 +12,7 @@ std::vector<InlineFormula> formulas_in(const std::string& line) {
   bool in_code = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '`') in_code = !in_code;
-    if (line[i] == '\\') ++i;
+    if (line[i] == '\\' && !in_code) ++i;
     if (in_code || i >= line.size() || line[i] != '$' || i + 1 >= line.size()) continue;
     const bool quoted = line[i + 1] == '`';
     if (line[i + 1] == ' ') continue;

@@ -24,7 +24,7 @@ bool read_directive(const std::string& line, Fence& fence) {
     fence.source = kind;
     fence.path = what.substr(0, hash);
     fence.region = hash == std::string::npos ? "" : what.substr(hash + 1);
-    return true;
+    return !fence.path.empty() && !fence.region.empty();
   }
   return false;
 }
@@ -40,13 +40,20 @@ Page read_page(const fs::path& file) {
   if (!in) throw PageError(file.string() + ":1: cannot be read");
   Page page{file, {}};
   for (std::string line; std::getline(in, line);) page.lines.push_back(line);
+  if (in.bad()) throw PageError(file.string() + ":1: cannot be read to its end");
   return page;
 }
 
 void write_page(const Page& page) {
-  std::ofstream out(page.file);
+  const fs::path fresh = page.file.string() + ".new";
+  std::ofstream out(fresh, std::ios::binary);
   for (const std::string& line : page.lines) out << line << "\n";
-  if (!out.flush()) throw PageError(page.file.string() + ":1: cannot be written");
+  out.close();
+  if (!out) {
+    fs::remove(fresh);
+    throw PageError(page.file.string() + ":1: cannot be written");
+  }
+  fs::rename(fresh, page.file);
 }
 
 std::vector<Fence> fences_of(const Page& page) {
@@ -57,14 +64,26 @@ std::vector<Fence> fences_of(const Page& page) {
     const bool comment = page.lines[i].starts_with("<!--");
     if (comment) ++i;
     const bool opens = i < page.lines.size() && page.lines[i].starts_with("```");
-    if (announced && !opens) fail(page, i, "this comment wants a fence in the line below");
+    if (comment && !page.lines[i - 1].ends_with("-->"))
+      fail(page, i - 1, "a comment ends in its line");
+    if (announced && !opens) fail(page, i - 1, "this comment wants a fence in the line below");
+    if (comment && !opens) --i;  // an announcement may follow
     if (comment && opens && !announced)
-      fail(page, i - 1, "a fence is announced by snippet:, signature:, output: or measured:");
+      fail(page, i - 1,
+           "a fence is announced by snippet:, signature:, output: or measured: path#name");
+    const bool elsewhere =
+        i < page.lines.size() && !opens &&
+        page.lines[i].find_first_not_of(" >-*\t") != std::string::npos &&
+        (trimmed(page.lines[i]).starts_with("```") || trimmed(page.lines[i]).starts_with("~~~"));
+    if (elsewhere) fail(page, i, "a fence begins with ``` in the first column");
     if (!opens) continue;
     fence.opening = i;
     fence.language = trimmed(page.lines[i].substr(3));
-    while (++i < page.lines.size() && page.lines[i] != "```") {
-    }
+    while (++i < page.lines.size() && page.lines[i] != "```")
+      if (trimmed(page.lines[i]).starts_with("```"))
+        fail(page, i,
+             "a fence within the one of line " + std::to_string(fence.opening + 1) +
+                 ", or blanks around its end");
     if (i == page.lines.size()) fail(page, fence.opening, "this fence is not closed");
     fence.closing = i;
     fences.push_back(fence);
@@ -85,14 +104,18 @@ bool is_inside(const std::vector<Fence>& fences, std::size_t line) {
 }
 
 std::string without_code_spans(const std::string& line) {
-  std::string text;
-  bool inside = false;
+  std::string text = line;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    // $`…`$ is a formula that Markdown leaves alone, not code.
-    const bool formula =
-        (i > 0 && line[i - 1] == '$') || (i + 1 < line.size() && line[i + 1] == '$');
-    if (line[i] == '`' && !formula) inside = !inside;
-    text += inside || line[i] == '`' ? ' ' : line[i];
+    if (line[i] == '$' && i + 1 < line.size() && line[i + 1] == '`') {  // a formula, not code
+      const auto end = line.find("`$", i + 2);
+      if (end != std::string::npos) i = end + 1;
+      continue;
+    }
+    if (line[i] != '`') continue;
+    const auto end = line.find('`', i + 1);
+    if (end == std::string::npos) break;
+    text.replace(i, end - i + 1, end - i + 1, ' ');
+    i = end;
   }
   return text;
 }

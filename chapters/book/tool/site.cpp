@@ -7,6 +7,7 @@
 
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
+#include "support/svg.hpp"
 
 namespace tumble::book {
 
@@ -34,10 +35,11 @@ std::string caption_html(const std::string& caption) {
   std::string result;
   std::size_t at = 0;
   for (const InlineFormula& formula : formulas_in(caption)) {
-    result += caption.substr(at, formula.begin - at) + "\\(" + formula.tex + "\\)";
+    result += support::svg_text(caption.substr(at, formula.begin - at)) + "\\(" +
+              support::svg_text(formula.tex) + "\\)";
     at = formula.end;
   }
-  return result + caption.substr(at);
+  return result + support::svg_text(caption.substr(at));
 }
 
 class Converter {

@@ -108,8 +108,14 @@ std::string snippet(const std::filesystem::path& file, const std::string& name) 
 
 std::string signature(const std::filesystem::path& file, const std::string& name) {
   const std::string text = snippet(file, name);
-  std::string head = text.substr(0, text.find('{'));
-  if (const auto equals = head.find(" = "); equals != std::string::npos) head.resize(equals);
+  int depth = 0;  // of parentheses: a default argument may have braces and an =
+  std::size_t end = 0;
+  for (; end < text.size(); ++end) {
+    if (text[end] == '(') ++depth;
+    if (text[end] == ')') --depth;
+    if (depth == 0 && (text[end] == '{' || text.compare(end, 3, " = ") == 0)) break;
+  }
+  std::string head = text.substr(0, end);
   head.erase(head.find_last_not_of(" \n;") + 1);
   return head + ";\n";
 }

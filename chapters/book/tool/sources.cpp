@@ -4,15 +4,22 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 
 #include "book/tool/snippet.hpp"
 
 namespace tumble::book {
 
 namespace {
+
+/// One word for the shell, whatever it contains.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
 
 /// Standard output of a command.
 std::string output_of(const std::string& command) {
@@ -22,27 +29,34 @@ std::string output_of(const std::string& command) {
   std::array<char, 4096> buffer{};
   while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe))
     text.append(buffer.data(), got);
-  if (const int status = pclose(pipe); status != 0)
-    throw std::runtime_error(command + " fails with status " + std::to_string(WEXITSTATUS(status)));
+  if (const int status = pclose(pipe); status != 0) {
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    throw std::runtime_error(command + " fails with status " + std::to_string(code));
+  }
   return text;
 }
 
-bool is_one_of(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
+bool is_number(const std::string& word) {
+  char* end = nullptr;
+  std::strtod(word.c_str(), &end);
+  return end == word.c_str() + word.size();
+}
 
-/// The words of a table, without its numbers, their units and the widths of its columns: what two
-/// measurements have in common.
+/// A table without its times, its multiples (1.9 ×) and the widths of its columns: what two
+/// measurements have in common, every other number included.
 std::string words_of(const std::string& table) {
-  std::string words;
   std::istringstream in(table);
-  bool after_number = false;
+  std::vector<std::string> words;
   for (std::string word; in >> word;) {
-    const bool is_unit = word == "ns" || word == "µs" || word == "ms" || word == "s";
-    const bool is_number = is_one_of(word[0], "0123456789");
-    const bool is_rule = word.starts_with("─");
-    if (!is_number && !is_rule && !(is_unit && after_number)) words += word + " ";
-    after_number = is_number;
+    const bool measure = word == "ns" || word == "µs" || word == "ms" || word == "s" || word == "×";
+    if (measure && !words.empty() && is_number(words.back()))
+      words.back() = "#";
+    else if (!word.starts_with("─"))
+      words.push_back(word);
   }
-  return words;
+  std::string text;
+  for (const std::string& word : words) text += word + " ";
+  return text;
 }
 
 /// Whether the fence says what it should: letter for letter, or but for times that were measured.
@@ -57,7 +71,7 @@ std::string wanted_content(const Places& places, const Fence& fence) {
   if (fence.source == "snippet") return snippet(places.root / fence.path, fence.region);
   if (fence.source == "signature") return signature(places.root / fence.path, fence.region);
   const fs::path program = places.programs / fence.path;
-  return output_of("'" + program.string() + "' --only '" + fence.region + "'");
+  return output_of(quoted(program.string()) + " --only " + quoted(fence.region));
 }
 
 std::vector<std::string> stale_fences(const Places& places, const Page& page) {
@@ -76,13 +90,26 @@ std::vector<std::string> stale_fences(const Places& places, const Page& page) {
   return stale;
 }
 
+namespace {
+
+/// wanted_content(), with the fence's place in what goes wrong.
+std::string wanted_at(const Places& places, const Page& page, const Fence& fence) {
+  try {
+    return wanted_content(places, fence);
+  } catch (const std::exception& error) {
+    fail(page, fence.opening, error.what());
+  }
+}
+
+}  // namespace
+
 Page refreshed(const Places& places, const Page& page) {
   Page result{page.file, {}};
   std::size_t next = 0;
   for (const Fence& fence : fences_of(page)) {
     if (fence.source.empty()) continue;
     for (; next <= fence.opening; ++next) result.lines.push_back(page.lines[next]);
-    const std::string shown = content_of(page, fence), wanted = wanted_content(places, fence);
+    const std::string shown = content_of(page, fence), wanted = wanted_at(places, page, fence);
     std::istringstream content(is_fresh(shown, wanted, fence) ? shown : wanted);
     for (std::string line; std::getline(content, line);) result.lines.push_back(line);
     next = fence.closing;

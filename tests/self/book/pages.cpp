@@ -79,8 +79,13 @@ TEST_CASE("numbers that the program does not print") {
   CHECK(contains(book.mistakes(fence("output: 02_two#drift", "text", "drift  1.6\n")), "fails"));
 }
 
-TEST_CASE("times may be others, but not the words") {
+TEST_CASE("times may be others, but neither the words nor the counts") {
   const SmallBook book;
+  book.write("programs/01_one", "#!/bin/sh\necho 'sum  3 ns  1.5 ×  400'\n");
+  CHECK(book.mistakes(fence("measured: 01_one#times", "text", "sum  7 µs  9 ×  400\n")) == "");
+  CHECK(contains(book.mistakes(fence("measured: 01_one#times", "text", "sum  3 ns  1.5 ×  401\n")),
+                 "has changed"));
+  book.write("programs/01_one", "#!/bin/sh\necho 'sum  3 ns'\n");
   CHECK(book.mistakes(fence("measured: 01_one#times", "text", "sum  17.5 µs\n")) == "");
   CHECK(contains(book.mistakes(fence("measured: 01_one#times", "text", "mean  3 ns\n")),
                  "has changed"));
@@ -94,6 +99,20 @@ TEST_CASE("code and output that nothing keeps true") {
                  ":3: a fence is announced by"));
   CHECK(contains(book.mistakes("<!-- output: 01_one#drift -->\ntext\n"), "wants a fence"));
   CHECK(contains(book.mistakes("```sh\nls\n"), "not closed"));
+  CHECK(contains(book.mistakes("```c++\nint x;\n```\n"), "nothing says where"));
+  CHECK(contains(book.mistakes("   ```cpp\n   int x;\n   ```\n"), "in the first column"));
+  CHECK(contains(book.mistakes("<!-- output: 01_one -->\n```text\n```\n"), "path#name"));
+  CHECK(contains(book.mistakes("<!-- a note\n-->\n"), ":3: a comment ends in its line"));
+  CHECK(contains(book.mistakes("<!-- a note -->\n" + fence("output: 01_one#drift", "sh", "ls\n")),
+                 "has changed"));
+}
+
+TEST_CASE("a fence that is closed badly does not swallow what follows") {
+  const SmallBook book;
+  const std::string next = "Precious.\n\n" + fence("output: 01_one#drift", "text", "drift  1.5\n");
+  CHECK(contains(book.mistakes("<!-- output: 01_one#drift -->\n```text\ndrift\n" + next),
+                 "a fence within the one of line 4"));
+  CHECK(contains(book.mistakes("```sh\nls\n``` \n" + next), ":5: a fence within"));
 }
 
 TEST_CASE("a table that would be cut off") {
@@ -110,6 +129,9 @@ TEST_CASE("links, headings and figures that are not there") {
                  ":3: there is no ../02_two/README.md"));
   CHECK(contains(book.mistakes("See [below](#below).\n"), "there is no heading #below"));
   CHECK(contains(book.mistakes("![A drawing](figures/b.svg)\n"), "there is no figures/b.svg"));
+  CHECK(contains(book.mistakes("Here: ![A drawing](figures/a.svg)\n"), "a line of its own"));
+  CHECK(contains(book.mistakes("<img src=\"figures/a.svg\">\n"), "is written as"));
+  CHECK(contains(book.mistakes("Set `$HOME` and see [two](none.md).\n"), "there is no none.md"));
 }
 
 TEST_CASE("formulas that cannot be set, or that Markdown would change") {
@@ -118,6 +140,7 @@ TEST_CASE("formulas that cannot be set, or that Markdown would change") {
   CHECK(contains(book.mistakes("$\\frac{1{2}$\n"), "a { without a }"));
   CHECK(contains(book.mistakes("```math\n\\begin{aligned} x\n```\n"), "is not closed"));
   CHECK(contains(book.mistakes("$a\\,b$\n"), "Markdown changes \\,"));
+  CHECK(contains(book.mistakes("A `\\` and $\\foo$.\n"), "unknown command \\foo"));
   CHECK(contains(book.mistakes("$\\dot{x}_i$ and $y_i$\n"), "Markdown changes }_"));
   CHECK(contains(book.mistakes("| a |\n|---|\n| $|x|$ |\n"), ":5: | ends the cell"));
 }
@@ -132,4 +155,21 @@ TEST_CASE("writing takes over what has changed, and nothing else") {
   CHECK(std::string(std::istreambuf_iterator<char>(in), {}) ==
         "# One\n\nText.\n\n" + fence("output: 01_one#drift", "text", "drift  1.5\n") + "\nMore.\n" +
             fence("snippet: code.hpp#twice", "cpp", twice));
+}
+
+TEST_CASE("if one page cannot be refreshed, its fence is named and no page is lost") {
+  const SmallBook book;
+  book.mistakes("Text.\n\n" + fence("output: 01_one#drift", "text", "old\n"));
+  book.write("programs/01_one", "#!/bin/sh\nexit 3\n");
+  const Page page = read_page(book.chapter());
+  CHECK_THROWS_WITH_AS(refreshed(book.places(), page), doctest::Contains("README.md:6: "),
+                       PageError);
+  CHECK_THROWS_WITH(refreshed(book.places(), page), doctest::Contains("status 3"));
+}
+
+TEST_CASE("a signature keeps its default arguments") {
+  const SmallBook book;
+  book.write("code.hpp", "int scaled(int x, int by = 3, Way way = {}) {\n  return x * by;\n}\n");
+  CHECK(book.mistakes(fence("signature: code.hpp#scaled", "cpp",
+                            "int scaled(int x, int by = 3, Way way = {});\n")) == "");
 }

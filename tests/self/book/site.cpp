@@ -64,6 +64,8 @@ TEST_CASE("a figure's place is kept, and the drawing is put there when Doxygen i
   const Project project;
   const std::string site = project.converted("![How $x$ falls.](figures/a.svg)\n");
   CHECK(mentions(site, "<figure>", "<figcaption>How \\(x\\) falls.</figcaption>"));
+  CHECK(mentions(project.converted("![If $a<b$ & c.](figures/a.svg)\n"),
+                 "<figcaption>If \\(a&lt;b\\) &amp; c.</figcaption>"));
   project.write("html/page.html", "before " + site + " after");
   fill_in_figures(project.path(), project.path() / "html");
   std::ifstream in(project.path() / "html/page.html");
