@@ -4,6 +4,7 @@
 
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
+#include "book/tool/tex.hpp"
 #include "support/table.hpp"
 
 namespace tumble::book {

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Formulas: where they stand in a line, and whether they are sound.
+/// Formulas in Markdown: where they stand in a line, and what Markdown would do to them.
 
 #include <cstddef>
 #include <string>
@@ -17,10 +17,6 @@ struct InlineFormula {
 /// The formulas of a line that is outside of fences. A dollar followed by a blank or preceded by
 /// one is a dollar, and so is what stands in a code span.
 std::vector<InlineFormula> formulas_in(const std::string& line);
-
-/// What is wrong with a formula: braces that do not match, an environment that is not closed, a
-/// command that neither GitHub nor the site knows. Empty if nothing is.
-std::string mistake_in(const std::string& tex);
 
 /// What GitHub's Markdown would change in `$…$` before the formula is set, such as \, or \{
 /// (escapes) or }_ (emphasis): such a formula has to be written with backticks. Empty if nothing.

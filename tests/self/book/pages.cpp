@@ -139,6 +139,10 @@ TEST_CASE("formulas that cannot be set, or that Markdown would change") {
   CHECK(contains(book.mistakes("$\\foo$\n"), ":3: unknown command \\foo"));
   CHECK(contains(book.mistakes("$\\frac{1{2}$\n"), "a { without a }"));
   CHECK(contains(book.mistakes("```math\n\\begin{aligned} x\n```\n"), "is not closed"));
+  for (const char* bad : {"\\frac{1}", "x^2^3", "x_", "a & b", "\\sqrt", "{x^}", "\\left"})
+    CHECK_MESSAGE(contains(book.mistakes(std::string("$`") + bad + "`$\n"), ":3: "), bad);
+  for (const char* good : {"x_i^2", "x^{a^b}", "\\sqrt[3]{x}", "\\frac12", "\\left( x \\right]"})
+    CHECK_MESSAGE(book.mistakes(std::string("$`") + good + "`$\n") == "", good);
   CHECK(contains(book.mistakes("$a\\,b$\n"), "Markdown changes \\,"));
   CHECK(contains(book.mistakes("A `\\` and $\\foo$.\n"), "unknown command \\foo"));
   CHECK(contains(book.mistakes("$\\dot{x}_i$ and $y_i$\n"), "Markdown changes }_"));
