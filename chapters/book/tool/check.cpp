@@ -1,6 +1,7 @@
 #include "book/tool/check.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
@@ -62,6 +63,21 @@ std::string mistake_of(const InlineFormula& formula, const std::string& line) {
   return {};
 }
 
+/// A dollar that seems to begin or end a formula, but has no partner in its line.
+bool has_lonely_dollar(const std::string& line, const std::vector<InlineFormula>& formulas) {
+  const std::string visible = without_code_spans(line);
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    if (visible[i] != '$' || (i > 0 && visible[i - 1] == '\\')) continue;
+    const bool inside = std::any_of(
+        formulas.begin(), formulas.end(),
+        [i](const InlineFormula& formula) { return formula.begin <= i && i < formula.end; });
+    const bool price =
+        i + 1 < visible.size() && std::isdigit(static_cast<unsigned char>(visible[i + 1])) != 0;
+    if (!inside && !price) return true;
+  }
+  return false;
+}
+
 std::vector<std::string> bad_formulas(const Page& page) {
   std::vector<std::string> bad;
   const std::vector<Fence> fences = fences_of(page);
@@ -71,7 +87,10 @@ std::vector<std::string> bad_formulas(const Page& page) {
         bad.push_back(at(page, fence.opening) + what);
   for (std::size_t i = 0; i < page.lines.size(); ++i) {
     if (is_inside(fences, i)) continue;
-    for (const InlineFormula& formula : formulas_in(page.lines[i]))
+    const std::vector<InlineFormula> formulas = formulas_in(page.lines[i]);
+    if (has_lonely_dollar(page.lines[i], formulas))
+      bad.push_back(at(page, i) + "this $ has no partner in its line");
+    for (const InlineFormula& formula : formulas)
       if (const std::string what = mistake_of(formula, page.lines[i]); !what.empty())
         bad.push_back(at(page, i) + what);
   }

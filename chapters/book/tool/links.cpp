@@ -1,5 +1,6 @@
 #include "book/tool/links.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 namespace tumble::book {
@@ -76,12 +77,20 @@ std::vector<std::string> dead_links(const Page& page) {
     const auto complain = [&](const std::string& what) {
       dead.push_back(page.file.string() + ":" + std::to_string(i + 1) + ": " + what);
     };
-    for (const Link& link : links_in(line)) {
+    const std::vector<Link> links = links_in(line);
+    const std::string visible = without_code_spans(line);
+    for (auto at = visible.find("]("); at != std::string::npos; at = visible.find("](", at + 1)) {
+      const bool known = std::any_of(links.begin(), links.end(), [at](const Link& link) {
+        return link.begin <= at && at < link.end;
+      });
+      if (!known) complain("a link stands in one line, from [ to )");
+    }
+    for (const Link& link : links) {
       if (const std::string why = why_dead(page, link.target); !why.empty()) complain(why);
       if (link.image && (link.begin != 0 || link.end != line.size()))
         complain("a figure stands in a line of its own");
     }
-    if (without_code_spans(line).find("<img") != std::string::npos)
+    if (visible.find("<img") != std::string::npos)
       complain("a figure is written as ![caption](file)");
   }
   return dead;

@@ -130,6 +130,8 @@ TEST_CASE("links, headings and figures that are not there") {
   CHECK(contains(book.mistakes("See [below](#below).\n"), "there is no heading #below"));
   CHECK(contains(book.mistakes("![A drawing](figures/b.svg)\n"), "there is no figures/b.svg"));
   CHECK(contains(book.mistakes("Here: ![A drawing](figures/a.svg)\n"), "a line of its own"));
+  CHECK(
+      contains(book.mistakes("See [two\nand more](none.md).\n"), ":4: a link stands in one line"));
   CHECK(contains(book.mistakes("<img src=\"figures/a.svg\">\n"), "is written as"));
   CHECK(contains(book.mistakes("Set `$HOME` and see [two](none.md).\n"), "there is no none.md"));
 }
@@ -144,6 +146,7 @@ TEST_CASE("formulas that cannot be set, or that Markdown would change") {
   for (const char* good : {"x_i^2", "x^{a^b}", "\\sqrt[3]{x}", "\\frac12", "\\left( x \\right]"})
     CHECK_MESSAGE(book.mistakes(std::string("$`") + good + "`$\n") == "", good);
   CHECK(contains(book.mistakes("$a\\,b$\n"), "Markdown changes \\,"));
+  CHECK(contains(book.mistakes("$x^2 open\n"), ":3: this $ has no partner"));
   CHECK(contains(book.mistakes("A `\\` and $\\foo$.\n"), "unknown command \\foo"));
   CHECK(contains(book.mistakes("$\\dot{x}_i$ and $y_i$\n"), "Markdown changes }_"));
   CHECK(contains(book.mistakes("| a |\n|---|\n| $|x|$ |\n"), ":5: | ends the cell"));
