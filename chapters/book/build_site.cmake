@@ -1,5 +1,6 @@
 # Builds the site: Doxygen's own header with our scripts instead of its (which would ask the network),
 # then Doxygen, then KaTeX beside the pages.
+cmake_minimum_required(VERSION 3.25)
 file(MAKE_DIRECTORY ${site})
 execute_process(COMMAND ${doxygen} -w html ${site}/header.html ${site}/footer.html ${site}/style.css
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

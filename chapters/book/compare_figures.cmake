@@ -4,7 +4,7 @@ execute_process(COMMAND ${program} --figures ${fresh} COMMAND_ERROR_IS_FATAL ANY
 file(GLOB drawn RELATIVE ${fresh} ${fresh}/*)
 file(GLOB kept RELATIVE ${figures} ${figures}/*)
 if(NOT drawn STREQUAL kept)
-  message(FATAL_ERROR "drawn: ${drawn}; in ${figures}: ${kept}")
+  message(FATAL_ERROR "drawn: ${drawn}; in ${figures}: ${kept} (./tumble book --write; remove what is not drawn any more)")
 endif()
 foreach(figure IN LISTS drawn)
   file(SHA256 ${fresh}/${figure} now)

@@ -3,6 +3,7 @@
 /// A folder of its own for a test, gone afterwards.
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>

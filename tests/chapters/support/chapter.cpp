@@ -12,6 +12,7 @@
 
 #include "support/command.hpp"
 #include "support/refusal.hpp"
+#include "support/temporary_folder.hpp"
 
 using tumble::test::CommandResult;
 using tumble::test::mentions;
@@ -19,7 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path folder = fs::temp_directory_path() / "tumble_test_chapter";
+const tumble::test::TemporaryFolder temporary;
+const fs::path folder = temporary.path() / "figures";
 
 /// The program of chapter 3, as a reader runs it.
 CommandResult chapter(const std::string& arguments) {
