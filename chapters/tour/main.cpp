@@ -42,7 +42,7 @@ Subject make_subject(const std::string& name, const PolygonMesh& mesh, const Pol
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(name + ": " + error.what());
   }
-  return {name, mesh, drawing, density, exact_tetrahedra(mesh, density)};
+  return {name, mesh, drawing, density, unchecked_mass_properties(mesh, density)};
 }
 
 Subject load(const Options& options) {

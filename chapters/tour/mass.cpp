@@ -100,10 +100,14 @@ void measure_integrals(const Subject& subject, Measurements& all, support::Plot&
     extend(series, all.measure(name, method));
     plot.series.push_back(series);
   };
-  point("Mirtich", [&] { return unchecked_mirtich(mesh, density); });
-  point("tetrahedra", [&] { return fast_tetrahedra(mesh, density); });
-  point("precise tetrahedra", [&] { return precise_tetrahedra(mesh, density); });
-  all.measure("precise, mesh diagnosed first", [&] { return mesh_mass_properties(mesh, density); });
+  const auto integrals = [&](Accuracy accuracy) {
+    return
+        [&mesh, density, accuracy] { return unchecked_mass_properties(mesh, density, accuracy); };
+  };
+  point("Mirtich", integrals(Accuracy::textbook));
+  point("tetrahedra", integrals(Accuracy::fast));
+  point("tetrahedra, tight", integrals(Accuracy::tight));
+  all.measure("tight, mesh diagnosed first", [&] { return mesh_mass_properties(mesh, density); });
 }
 
 }  // namespace

@@ -24,10 +24,10 @@ double relative(const DoubleDouble& difference, const DoubleDouble& size) {
 }  // namespace
 
 TEST_CASE("two_sum: nothing is lost, whichever is larger") {
-  const DoubleDouble small_first = two_sum(0x1p-60, 1), large_first = two_sum(1, 0x1p-60);
+  const DoubleDouble small_first = two_sum(0x1p-60, 1.0), large_first = two_sum(1.0, 0x1p-60);
   CHECK(small_first == DoubleDouble(1, 0x1p-60));
   CHECK(large_first == DoubleDouble(1, 0x1p-60));
-  CHECK(two_diff(1, 0x1p-60) == DoubleDouble(1, -0x1p-60));
+  CHECK(DoubleDouble(two_diff(1.0, 0x1p-60)) == DoubleDouble(1, -0x1p-60));
 }
 
 TEST_CASE("two_prod: the product of 53-bit numbers has 106 bits, all of them there") {
@@ -44,7 +44,7 @@ TEST_CASE("two_prod: agrees with the fused multiply-add of the standard library 
     const double a = rng.uniform(), b = std::ldexp(rng.uniform(), 30);
     CAPTURE(a);
     CAPTURE(b);
-    CHECK(two_prod(a, b) == DoubleDouble(a * b, std::fma(a, b, -(a * b))));
+    CHECK(DoubleDouble(two_prod(a, b)) == DoubleDouble(a * b, std::fma(a, b, -(a * b))));
   }
 }
 

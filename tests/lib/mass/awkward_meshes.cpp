@@ -5,8 +5,6 @@
 
 #include "lib/mass/meshes.hpp"
 #include "support/refusal.hpp"
-#include "tumble/mass/mesh_mass_properties.hpp"
-#include "tumble/mass/mirtich/mirtich.hpp"
 #include "tumble/mass/transform.hpp"
 
 using namespace tumble;
@@ -22,22 +20,20 @@ struct Method {
   BoundedMassProperties (*compute)(const PolygonMesh&, double);
 };
 
-constexpr Method plain[] = {{"Mirtich", unchecked_mirtich}, {"fast", fast_tetrahedra}};
-constexpr Method all[] = {{"Mirtich", unchecked_mirtich},
-                          {"fast", fast_tetrahedra},
-                          {"precise", precise_tetrahedra},
-                          {"the door", unchecked_mass_properties}};
+constexpr Method plain[] = {{"textbook", test::textbook}, {"fast", test::fast}};
+constexpr Method all[] = {
+    {"textbook", test::textbook}, {"fast", test::fast}, {"tight", test::tight}};
 
 PolygonMesh thin(const Vec3& size) { return test::mapped(test::box_mesh(size), askew()); }
 
 }  // namespace
 
-TEST_CASE("meshes far away: as exact as near the origin, to the last bit of the centre") {
+TEST_CASE("meshes far away: as exact as near the origin, and the centre is too, in two parts") {
   for (const double distance : {1e3, 1e6, 1e8}) {
     for (const PolygonMesh& shape :
          {test::sphere(2), test::box_mesh(Vec3(1, 2, 3)), test::unit_tetrahedron()}) {
       const PolygonMesh mesh = test::mapped(shape, askew(), Vec3(distance, -distance, distance));
-      const BoundedMassProperties exact = exact_tetrahedra(mesh, 1);
+      const MassProperties exact = test::exact_mass_properties(mesh, 1);
       for (const Method& method : all) {
         const BoundedMassProperties body = method.compute(mesh, 1);
         CAPTURE(distance);
@@ -45,6 +41,9 @@ TEST_CASE("meshes far away: as exact as near the origin, to the last bit of the 
         CHECK(mass_error(body.mass, mesh) <= 1e-15);
         CHECK(inertia_error(body.inertia, exact.inertia) <= 2e-15);
         CHECK((body.centre - exact.centre).cwiseAbs().maxCoeff() <= 2 * eps * distance);
+        // And the rest holds what a double cannot: as good as near the origin.
+        CHECK(test::centre_error(body, mesh) <= body.centre_error_bound);
+        CHECK(test::centre_error(body, mesh) <= 1e-15);
       }
     }
   }
@@ -52,7 +51,7 @@ TEST_CASE("meshes far away: as exact as near the origin, to the last bit of the 
 
 TEST_CASE("meshes tiny and huge: no threshold has a unit") {
   const PolygonMesh shape = test::torus_mesh(20, 10, 1, 0.4);
-  const BoundedMassProperties one = exact_tetrahedra(shape, 1);
+  const MassProperties one = test::exact_mass_properties(shape, 1);
   for (const double s : {0x1p-40, 1e-6, 1e6, 0x1p40}) {
     const PolygonMesh mesh = test::mapped(shape, s * Mat3::Identity());
     const MassProperties expected = scaled(one, s);
@@ -69,10 +68,9 @@ TEST_CASE("meshes tiny and huge: no threshold has a unit") {
   }
 }
 
-TEST_CASE(
-    "a plate 1 × 1 × 1e-8, askew: plain doubles keep 7 digits and say so, the door keeps all") {
+TEST_CASE("a plate 1 × 1 × 1e-8, askew: plain doubles keep 7 digits and say so, tight keeps all") {
   const PolygonMesh mesh = thin(Vec3(1, 1, 1e-8));
-  const BoundedMassProperties exact = exact_tetrahedra(mesh, 1);
+  const MassProperties exact = test::exact_mass_properties(mesh, 1);
   for (const Method& method : plain) {
     const BoundedMassProperties body = method.compute(mesh, 1);
     CAPTURE(std::string(method.name));
@@ -83,29 +81,24 @@ TEST_CASE(
     CHECK(body.mass_error_bound >= 1e-9);
     CHECK(inertia_error(body.inertia, exact.inertia) <= body.inertia_error_bound);
   }
-  const BoundedMassProperties precise = precise_tetrahedra(mesh, 1);
-  CHECK(mass_error(precise.mass, mesh) <= 2 * eps);
-  CHECK(inertia_error(precise.inertia, exact.inertia) <= precise.inertia_error_bound);
-  const BoundedMassProperties door = unchecked_mass_properties(mesh, 1);
-  CHECK(mass_error(door.mass, mesh) <= 2 * eps);
-  CHECK(inertia_error(door.inertia, exact.inertia) <= 4 * eps);
-  CHECK(door.inertia_error_bound <= 64 * eps);
+  const BoundedMassProperties tight = test::tight(mesh, 1);
+  CHECK(mass_error(tight.mass, mesh) <= 2 * eps);
+  CHECK(inertia_error(tight.inertia, exact.inertia) <= 2 * eps);
+  CHECK(tight.inertia_error_bound <= 4 * eps);
 }
 
-TEST_CASE("two plates at a right angle: where weights cancel the door goes on in double-double") {
+TEST_CASE("two plates at a right angle, where tetrahedra cancel: tight keeps all") {
   constexpr double t = 1e-8;
   const PolygonMesh angle = test::prism({{0, 0}, {1, 0}, {1, t}, {t, t}, {t, 1}, {0, 1}}, 1);
   const PolygonMesh mesh = test::mapped(angle, askew());
-  const BoundedMassProperties exact = exact_tetrahedra(mesh, 1),
-                              precise = precise_tetrahedra(mesh, 1);
-  CHECK(precise.inertia_error_bound > 64 * eps);
-  CHECK(inertia_error(precise.inertia, exact.inertia) <= precise.inertia_error_bound);
-  CHECK(unchecked_mass_properties(mesh, 1).inertia == exact.inertia);
-  CHECK(exact.inertia_error_bound <= 4 * eps);
+  const MassProperties exact = test::exact_mass_properties(mesh, 1);
+  const BoundedMassProperties tight = test::tight(mesh, 1);
+  CHECK(inertia_error(tight.inertia, exact.inertia) <= 2 * eps);
+  CHECK(tight.inertia_error_bound <= 4 * eps);
 }
 
 TEST_CASE(
-    "a needle 1 × 1e-8 × 1e-8, askew: plain doubles keep nothing and say so, the door keeps all") {
+    "a needle 1 × 1e-8 × 1e-8, askew: plain doubles keep nothing and say so, tight keeps all") {
   const PolygonMesh mesh = thin(Vec3(1, 1e-8, 1e-8));
   for (const Method& method : plain) {
     CAPTURE(std::string(method.name));
@@ -113,7 +106,8 @@ TEST_CASE(
     CHECK(mass_error(method.compute(mesh, 1).mass, mesh) <=
           method.compute(mesh, 1).mass_error_bound);
   }
-  CHECK_REFUSED(require_volume(unchecked_mirtich(mesh, 1)), "relative error of up to");
+  CHECK_REFUSED(mesh_mass_properties(mesh, 1, {.accuracy = Accuracy::textbook}),
+                "relative error of up to");
   const BoundedMassProperties door = mesh_mass_properties(mesh, 1);
   CHECK(mass_error(door.mass, mesh) <= 2 * eps);
   CHECK(door.mass_error_bound <= 1e-13);
@@ -122,22 +116,22 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "thin shapes of all proportions, anywhere: errors stay below the bounds, the door below 64 "
-    "eps") {
+    "thin shapes of all proportions, anywhere: errors stay below the bounds, tight below 4 eps") {
   test::Random rng(81);
   for (int i = 0; i < 300; ++i) {
     const Vec3 size(std::pow(10, rng.uniform(-6, 0)), std::pow(10, rng.uniform(-6, 0)), 1);
     const PolygonMesh base = i % 2 == 0 ? test::sphere(1) : test::torus_mesh(8, 6, 1, 0.4);
     const Mat3 R = Eigen::AngleAxisd(rng.uniform(-3, 3), rng.direction()).toRotationMatrix();
     const PolygonMesh mesh = test::mapped(base, R * size.asDiagonal(), 10 * rng.vector());
-    const BoundedMassProperties exact = exact_tetrahedra(mesh, 1);
+    const MassProperties exact = test::exact_mass_properties(mesh, 1);
     CAPTURE(size.transpose());
     for (const Method& method : all) {
       const BoundedMassProperties body = method.compute(mesh, 1);
       CAPTURE(std::string(method.name));
       CHECK(mass_error(body.mass, mesh) <= body.mass_error_bound);
       CHECK(inertia_error(body.inertia, exact.inertia) <= body.inertia_error_bound + eps);
+      CHECK(test::centre_error(body, mesh) <= body.centre_error_bound);
     }
-    CHECK(unchecked_mass_properties(mesh, 1).inertia_error_bound <= 64 * eps);
+    CHECK(test::tight(mesh, 1).inertia_error_bound <= 4 * eps);
   }
 }

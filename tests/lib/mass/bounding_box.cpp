@@ -41,7 +41,7 @@ TEST_CASE("box_mass_properties: m (b² + c²)/12, turned and moved") {
                       rotate_inertia(box.R, Vec3(13, 10, 5).asDiagonal().toDenseMatrix())) <=
         8 * eps);
   const PolygonMesh mesh = test::mapped(test::box_mesh(box.size), box.R, box.centre);
-  CHECK(inertia_error(body.inertia, exact_tetrahedra(mesh, 2).inertia) <= 64 * eps);
+  CHECK(inertia_error(body.inertia, test::exact_mass_properties(mesh, 2).inertia) <= 64 * eps);
 }
 
 TEST_CASE("OrientedBox: contains its corners moved in, not moved out, and its bounds hold them") {
@@ -107,7 +107,7 @@ TEST_CASE("fit_oriented_box: finds a turned cube, whose principal axes say nothi
 
 TEST_CASE("shrunk_to: keeps place and proportions, and is nearer to the truth for a ball") {
   const PolygonMesh ball = test::sphere(3);
-  const MassProperties truth = exact_tetrahedra(ball, 1);
+  const MassProperties truth = test::exact_mass_properties(ball, 1);
   const OrientedBox box = aligned_box(ball.vertices), shrunk = shrunk_to(box, truth.mass);
   CHECK(std::abs(shrunk.volume() - truth.mass) <= 8 * eps * truth.mass);
   CHECK(shrunk.centre == box.centre);

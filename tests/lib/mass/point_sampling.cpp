@@ -126,7 +126,7 @@ TEST_CASE("sample_mass_properties: meshes are solids, and agree with their integ
   for (const PolygonMesh& mesh :
        {test::unit_tetrahedron(), test::torus_mesh(24, 12, 1, 0.4),
         test::mapped(test::box_mesh(Vec3(1, 2, 3)), test::askew(), Vec3(1, 2, 3))}) {
-    const MassProperties truth = exact_tetrahedra(mesh, 1);
+    const MassProperties truth = test::exact_mass_properties(mesh, 1);
     const SampledMassProperties body =
         sample_mass_properties(MeshSolid(mesh), 1, RandomPoints(20000, 4));
     CHECK(std::abs(body.mass - truth.mass) <= 4 * body.mass_standard_error);

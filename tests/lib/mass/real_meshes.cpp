@@ -6,8 +6,6 @@
 #include "lib/mass/meshes.hpp"
 #include "reference/meshes.hpp"
 #include "support/scanned_meshes.hpp"
-#include "tumble/mass/mesh_mass_properties.hpp"
-#include "tumble/mass/mirtich/mirtich.hpp"
 #include "tumble/mesh/read_obj.hpp"
 
 using namespace tumble;
@@ -32,7 +30,7 @@ TEST_CASE("real meshes: every method finds the true mass properties") {
     const MassProperties truth = reference.mass_properties();
     const double size = bounds(mesh).sizes().norm();
     CAPTURE(reference.file);
-    for (const auto method : {unchecked_mirtich, fast_tetrahedra}) {
+    for (const auto method : {test::textbook, test::fast}) {
       const BoundedMassProperties body = method(mesh, 1);
       // The bounds themselves, and the rounding of the truth.
       check_within(body, truth, size,
@@ -40,8 +38,7 @@ TEST_CASE("real meshes: every method finds the true mass properties") {
       CHECK(body.mass_error_bound <= 1e-14);
       CHECK(body.inertia_error_bound <= 1e-14);
     }
-    for (const auto method : {precise_tetrahedra, exact_tetrahedra, unchecked_mass_properties})
-      check_within(method(mesh, 1), truth, size, 4 * eps);
+    check_within(test::tight(mesh, 1), truth, size, 2 * eps);
   }
 }
 
@@ -50,10 +47,10 @@ TEST_CASE("real meshes: the doors let the good ones in, and refuse the scan that
   for (const char* file : {"spot.obj", "spot_low.obj", "fish_low.obj"}) {
     const PolygonMesh mesh = read_obj(test::scanned_mesh(file));
     CAPTURE(std::string(file));
-    CHECK(std::abs(mesh_mass_properties(mesh, 1000).mass - 1000 * exact_tetrahedra(mesh, 1).mass) <=
-          4 * eps * (1000 * exact_tetrahedra(mesh, 1).mass));
+    CHECK(std::abs(mesh_mass_properties(mesh, 1000).mass -
+                   1000 * test::exact_mass_properties(mesh, 1).mass) <=
+          4 * eps * (1000 * test::exact_mass_properties(mesh, 1).mass));
   }
   const PolygonMesh open = read_obj(test::scanned_mesh("demosthenes_open.obj"));
   CHECK_THROWS_AS(mesh_mass_properties(open, 1000), std::invalid_argument);
-  CHECK_THROWS_AS(mirtich_mass_properties(open, 1000), std::invalid_argument);
 }

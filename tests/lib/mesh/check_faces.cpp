@@ -46,3 +46,23 @@ TEST_CASE("degeneracy: says what is wrong with a face, and nothing of one that i
   CHECK(what({0, 1, 2, 3}) == "has an area of exactly 0");
   CHECK(what({0, 1, 2, 4}) == "");  // three corners in a line are no harm
 }
+
+TEST_CASE("find_nonplanar_faces: says how far a corner is from the plane, and forgives rounding") {
+  PolygonMesh mesh = test::cube();
+  CHECK(find_nonplanar_faces(mesh).empty());
+  mesh.vertices.back() += Vec3(0.1, 0, 0);  // in the planes of two of its three faces
+  const std::vector<Finding> findings = find_nonplanar_faces(mesh);
+  REQUIRE(findings.size() == 1);
+  const Planarity one = planarity(mesh, mesh.face(findings[0].face));
+  // Three corners of a square and one 0.1 off: the best plane is 0.1/4 from each, nearly.
+  CHECK(std::abs(one.distance - 0.025) <= 0.025 * 0.01);
+  CHECK(findings[0].message.find("its 4 corners are up to 0.0249 m") != std::string::npos);
+  CHECK(find_nonplanar_faces(test::triangulated(mesh)).empty());
+  // Seven digits, as files have them, are no fault; nor is a strip, however thin.
+  const Mat3 R = Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  for (const double thin : {1.0, 1e-4, 1e-9}) {
+    PolygonMesh strip = test::box(Vec3::Zero(), Vec3(1, thin, 1));
+    for (Vec3& p : strip.vertices) p = R * p + Vec3(10, 20, 30);
+    CHECK(find_nonplanar_faces(strip).empty());
+  }
+}

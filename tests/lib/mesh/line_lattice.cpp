@@ -78,3 +78,25 @@ TEST_CASE("LineList: a rectangle gets exactly the lines in it") {
     check_rectangles(LineList(box, points), box);
   }
 }
+
+TEST_CASE("LatticeFilter: leaves no rectangle out that has a line in it, and most that have none") {
+  for (const Eigen::AlignedBox3d& box : boxes) {
+    const LineLattice lines(box, 1024);
+    CAPTURE(box.min().transpose());
+    Random rng(6);
+    int passed = 0, with_lines = 0;
+    for (int k = 0; k < 20000; ++k) {
+      const Vec3 p = box.center() + 0.5 * rng.vector().cwiseProduct(box.sizes());
+      const Vec3 size = std::pow(10, rng.uniform(-4, -1)) * box.sizes();
+      Rectangle r{p.x(), p.x() + size.x(), p.y(), p.y() + size.y()};
+      if (k % 3 == 0) r.x0 = lines.line(k % lines.size()).x();
+      if (k % 5 == 0) r.y1 = lines.line(k % lines.size()).y();
+      using P = simd::FourDoubles;
+      const P near = lines.filter().near<P>(P{} + r.x0, P{} + r.x1, P{} + r.y0, P{} + r.y1);
+      const bool has_line = !slow_but_correct(lines, r).empty();
+      passed += near[0] != 0, with_lines += has_line;
+      if (has_line) CHECK(near[0] == 1);
+    }
+    if (box.sizes().x() > 1e-6) CHECK(passed <= 2 * with_lines);
+  }
+}

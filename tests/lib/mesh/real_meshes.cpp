@@ -2,11 +2,13 @@
 
 #include <string>
 
+#include "lib/mesh/parts.hpp"
 #include "support/scanned_meshes.hpp"
 #include "tumble/mesh/diagnose.hpp"
 #include "tumble/mesh/read_obj.hpp"
 
 using namespace tumble;
+using test::parts_of;
 
 TEST_CASE("diagnose: finds nothing wrong with closed real meshes") {
   if (!test::have_scanned_meshes()) return;
@@ -29,17 +31,23 @@ TEST_CASE("diagnose: names the open edges of a scan") {
   CHECK_THROWS_AS(require_body(mesh), std::invalid_argument);
 }
 
-TEST_CASE("diagnose: finds that a control cage of polygons passes through itself") {
+TEST_CASE("diagnose: a control cage of polygons passes through itself, and they are not plane") {
   if (!test::have_scanned_meshes()) return;
   const std::string path = test::scanned_mesh("spot_control.obj");
   const std::vector<Finding> findings = diagnose(read_obj(path));
-  REQUIRE(findings.size() > 0);
-  for (const Finding& finding : findings) CHECK(finding.kind == FindingKind::self_crossing);
+  const auto count = [&](FindingKind kind) {
+    return std::count_if(findings.begin(), findings.end(),
+                         [=](const Finding& finding) { return finding.kind == kind; });
+  };
+  CHECK(count(FindingKind::self_crossing) > 0);
+  CHECK(count(FindingKind::nonplanar_face) == FindingsOfOneKind::most);
+  CHECK(count(FindingKind::self_crossing) + FindingsOfOneKind::most ==
+        static_cast<std::ptrdiff_t>(findings.size()));
 }
 
 TEST_CASE("components: a real mesh encloses what rational arithmetic says") {
   if (!test::have_scanned_meshes()) return;
   const std::string path = test::scanned_mesh("spot.obj");
-  const Component part = components(read_obj(path)).parts.at(0);
+  const Component part = parts_of(read_obj(path)).parts.at(0);
   CHECK(std::abs(part.volume - 7.1825878809986468231744395113720e-1) <= part.rounding);
 }

@@ -2,18 +2,13 @@
 /// @file
 /// A number as the unevaluated sum hi + lo of two doubles: about 32 decimal digits.
 ///
-/// Error-free transformations: a + b = s + e and a·b = p + e hold exactly, e a double.
-/// Source: Joldes, Muller & Popescu, "Tight and rigorous error bounds for basic building blocks of
-/// double-word arithmetic", ACM TOMS 44(2), 2017: algorithms 1–4, 6, 7, 11 and 17.
+/// Unlike a Pair it is normalised after each operation, so that nothing is lost however long the
+/// computation. Source: Joldes, Muller & Popescu, "Tight and rigorous error bounds for basic
+/// building blocks of double-word arithmetic", ACM TOMS 44(2), 2017: algorithms 4, 6, 7, 11, 17.
 /// Relative error at most 3u² for a sum, 7u² for a product, 15u² for a quotient, u = 2⁻⁵³.
 
-#include <cmath>
-
+#include "tumble/core/pair.hpp"
 #include "tumble/core/types.hpp"
-
-#ifdef __FAST_MATH__
-#error "tumble/double_double.hpp: -ffast-math takes the error terms away; compile without it"
-#endif
 
 namespace tumble {
 
@@ -24,48 +19,15 @@ struct DoubleDouble {
   constexpr DoubleDouble() = default;
   constexpr DoubleDouble(double x) : hi(x) {}  // implicit: every double is one
   constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
+  DoubleDouble(const Pair<double>& x) : DoubleDouble(normalised(x.hi, x.lo)) {}
   explicit constexpr operator double() const { return hi + lo; }
+
+ private:
+  static constexpr DoubleDouble normalised(double high, double low) {
+    const double sum = high + low;
+    return {sum, low - (sum - high)};
+  }
 };
-
-/// a + b exactly, if |a| ≥ |b| or a = 0 (Fast2Sum, 3 operations).
-inline DoubleDouble fast_two_sum(double a, double b) {
-  const double s = a + b;
-  return {s, b - (s - a)};
-}
-
-/// a + b exactly (2Sum, 6 operations).
-inline DoubleDouble two_sum(double a, double b) {
-  const double s = a + b;
-  const double b_part = s - a;
-  return {s, (a - (s - b_part)) + (b - b_part)};
-}
-
-/// a − b exactly.
-inline DoubleDouble two_diff(double a, double b) { return two_sum(a, -b); }
-
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
-/// a·b exactly, unless it underflows (2Prod: the processor has a fused multiply-add).
-inline DoubleDouble two_prod(double a, double b) {
-  const double p = a * b;
-  return {p, std::fma(a, b, -p)};
-}
-#else
-/// x as the exact sum of two numbers of 26 bits (Veltkamp), for |x| < 2⁹⁹⁶.
-inline DoubleDouble split(double x) {
-  const double scaled = 134217729.0 * x;  // 2²⁷ + 1
-  const double hi = scaled - (scaled - x);
-  return {hi, x - hi};
-}
-
-/// a·b exactly, unless it underflows (Dekker: where std::fma would be a slow library call).
-inline DoubleDouble two_prod(double a, double b) {
-  const double p = a * b;
-  const DoubleDouble x = split(a), y = split(b);
-  return {p, ((x.hi * y.hi - p) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
-}
-#endif
-
-// ── Arithmetic ──
 
 inline DoubleDouble operator-(const DoubleDouble& x) { return {-x.hi, -x.lo}; }
 

@@ -3,45 +3,48 @@
 /// How many digits of an integral over a mesh can be trusted, found while it is computed.
 ///
 /// The signed tetrahedron at a reference point over a triangle with corner a and edges e, f has a
-/// rounding error of a few eps |e|₁ |f|₁ |a|₁ in 6 V, and r² times that in 120 ∫ r rᵀ dV, with
-/// r = |a|₁ + |e|₁ + |f|₁ beyond its farthest corner. The bounds are the sums over the mesh.
-/// Source: first-order rounding analysis, Higham, "Accuracy and Stability of Numerical Algorithms"
-/// (2nd ed. 2002), §3.1; the factor 4 in front is twice the largest that was seen.
+/// rounding error of a few eps |e|₁ |f|₁ |a|₁ in 6 V; in 24 ∫ r dV it is r times that, and in
+/// 120 ∫ r rᵀ dV r² times, with r = |a|₁ + |e|₁ + |f|₁ beyond its farthest corner. The bounds are
+/// the sums over the mesh. Source: first-order rounding analysis, Higham, "Accuracy and Stability
+/// of Numerical Algorithms" (2nd ed. 2002), §3.1; the factor 4 in front is twice the largest seen.
 
 #include <cmath>
 #include <limits>
 
 #include "tumble/mass/moments.hpp"
-#include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble {
 
-/// Mass properties and how wrong rounding can have made them, relative: 1e-15 means that 15 digits
-/// hold, 1 or more that none does. The shape of the mesh itself is taken as exact.
+/// Mass properties and how wrong rounding can have made them. The shape of the mesh itself is taken
+/// as exact. A relative error of 1e-15 means that 15 digits hold, 1 or more that none does.
 struct BoundedMassProperties : MassProperties {
-  double mass_error_bound = std::numeric_limits<double>::quiet_NaN();     ///< of the mass
-  double inertia_error_bound = std::numeric_limits<double>::quiet_NaN();  ///< of the inertia's norm
+  /// What rounding took from `centre` [m]: the true centre of mass is centre + centre_rest. Far
+  /// from the origin a double cannot hold more digits than `centre` has.
+  Vec3 centre_rest = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  double mass_error_bound = std::numeric_limits<double>::quiet_NaN();     ///< relative
+  double centre_error_bound = std::numeric_limits<double>::quiet_NaN();   ///< of centre + rest [m]
+  double inertia_error_bound = std::numeric_limits<double>::quiet_NaN();  ///< relative, of the norm
 };
 
-/// A point in the middle of a mesh, for integrals to be taken about: the centre of the box around
-/// the faces' first corners. Vertices that no face uses do not count.
-inline Vec3 reference_point(const PolygonMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (int f = 0; f < mesh.face_count(); ++f)
-    if (!mesh.face(f).empty()) box.extend(mesh.vertex(mesh.face(f).front()));
-  return box.isEmpty() ? Vec3(0, 0, 0) : Vec3(box.center());
-}
-
 /// The sums over all triangles that bound the rounding errors, without eps and constant factors.
+template <class T>
 struct RoundingSums {
-  double volume = 0;   ///< Σ |e|₁ |f|₁ |a|₁, for 6 V [m³]
-  double inertia = 0;  ///< Σ |e|₁ |f|₁ |a|₁ r², for 120 ∫ r rᵀ dV [m⁵]
+  T volume{};   ///< Σ |e|₁ |f|₁ |a|₁, for 6 V [m³]
+  T first{};    ///< Σ |e|₁ |f|₁ |a|₁ r, for 24 ∫ r dV [m⁴]
+  T inertia{};  ///< Σ |e|₁ |f|₁ |a|₁ r², for 120 ∫ r rᵀ dV [m⁵]
 
-  /// A triangle with corner a (from the reference point) and edges e and f from it.
-  void add(const Vec3& a, const Vec3& e, const Vec3& f) {
-    const double a1 = a.lpNorm<1>(), e1 = e.lpNorm<1>(), f1 = f.lpNorm<1>(), r = a1 + e1 + f1;
-    volume += e1 * f1 * a1;
-    inertia += e1 * f1 * a1 * (r * r);
+  /// A triangle with a corner `a1` away from the reference point and edges `e1` and `f1` from it,
+  /// all in the 1-norm.
+  TUMBLE_INLINE void add(const T& a1, const T& e1, const T& f1) {
+    const T r = a1 + e1 + f1, product = e1 * f1 * a1;
+    volume += product;
+    first += product * r;
+    inertia += product * (r * r);
+  }
+
+  RoundingSums& operator+=(const RoundingSums& other) {
+    volume += other.volume, first += other.first, inertia += other.inertia;
+    return *this;
   }
 };
 
@@ -50,17 +53,24 @@ inline double inertia_size(const Moments<DoubleDouble>& m) {
   return double(m.xx + m.yy + m.zz - (m.x * m.x + m.y * m.y + m.z * m.z) / m.one);
 }
 
-/// The mass properties with their error bounds: eps for the rounding of the result, and a few units
+/// The mass properties with their error bounds: the rounding of the result (2 eps), and a few units
 /// u of the arithmetic times the sums.
-/// @param u       2⁻⁵³ when all was done in double, 2⁻¹⁰⁴ for double-double
-/// @param weights what rounding in the corners adds to the error of 120 ∫ r rᵀ dV [m⁵]
+/// @param u 2⁻⁵³ when all was done in double, 2⁻¹⁰⁴ for pairs of doubles
 inline BoundedMassProperties bounded(const Moments<DoubleDouble>& m, const Vec3& reference,
-                                     double density, double u, const RoundingSums& sums,
-                                     double weights = 0) {
+                                     double density, double u, const RoundingSums<double>& sums) {
   constexpr double eps = 0x1p-53;
-  return {mass_properties(m, reference, density),
-          2 * eps + 4 * u * sums.volume / (6 * std::abs(double(m.one))),
-          2 * eps + (4 * u * sums.inertia + weights) / (120 * std::abs(inertia_size(m)))};
+  const double volume = std::abs(double(m.one));
+  BoundedMassProperties body{mass_properties(m, reference, density)};
+  const Vector3<DoubleDouble> offset = centre_from_reference(m);
+  const Vector3<DoubleDouble> rest =
+      offset + reference.cast<DoubleDouble>() - body.centre.cast<DoubleDouble>();
+  body.centre_rest = to_double(rest);
+  const double c1 = to_double(offset).lpNorm<1>();
+  body.mass_error_bound = 2 * eps + 4 * u * sums.volume / (6 * volume);
+  body.centre_error_bound = 8 * eps * eps * (c1 + reference.lpNorm<1>()) +
+                            4 * u * (sums.first / 24 + c1 * sums.volume / 6) / volume;
+  body.inertia_error_bound = 2 * eps + 4 * u * sums.inertia / (120 * std::abs(inertia_size(m)));
+  return body;
 }
 
 }  // namespace tumble

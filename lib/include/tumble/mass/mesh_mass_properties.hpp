@@ -2,35 +2,69 @@
 /// @file
 /// Mass properties of a mesh: the door to use.
 ///
-/// First the mesh is diagnosed; then the integrals are sums over signed tetrahedra with volumes to
-/// the last bit (precise_tetrahedra()); where the bound says that this lost digits of the inertia,
-/// all is done again in double-double (exact_tetrahedra()); then the result is looked at.
+/// First the mesh is diagnosed; then the integrals are computed as accurately as was asked for;
+/// then the result is looked at.
 
-#include "tumble/mass/closed_mesh.hpp"
-#include "tumble/mass/exact_tetrahedra.hpp"
-#include "tumble/mass/precise_tetrahedra.hpp"
+#include <vector>
+
+#include "tumble/mass/mirtich/mirtich.hpp"
+#include "tumble/mass/require_volume.hpp"
+#include "tumble/mass/tetrahedra.hpp"
+#include "tumble/mesh/diagnose.hpp"
 
 namespace tumble {
 
-/// Mass properties of a mesh that is known to be closed; nothing is checked.
+/// How the integrals over a mesh are computed.
+enum class Accuracy {
+  fast,   ///< doubles, many triangles at once: 1e-15 for ordinary shapes, the bounds say for which
+  tight,  ///< pairs of doubles: right to the last bit for every shape, some four times as long
+  textbook,  ///< Mirtich's way over faces, shadows and edges: as good as `fast`, some 25 times as
+             ///< long
+};
+
+/// What to compute, and how.
+struct MassOptions {
+  Accuracy accuracy = Accuracy::tight;
+  Policy policy = Policy::refuse;
+  LoopOptions loop = {};
+};
+
+/// Mass properties of a mesh that is known to be closed; nothing is checked. A face that is not
+/// plane counts as the fan of triangles from its first corner.
+/// @param mesh    indices in range; faces counter-clockwise seen from outside [m]
 /// @param density [kg/m³]
-inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, double density) {
-  constexpr double good_enough =
-      64 * 0x1p-53;  // errors are a tenth of the bound: still the last digit
-  const BoundedMassProperties body = precise_tetrahedra(mesh, density);
-  return body.inertia_error_bound <= good_enough ? body : exact_tetrahedra(mesh, density);
+inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, double density,
+                                                       Accuracy accuracy = Accuracy::tight,
+                                                       const LoopOptions& loop = {}) {
+  if (accuracy == Accuracy::textbook) return unchecked_mirtich(mesh, density);
+  const bool fast = accuracy == Accuracy::fast;
+  const Vec3 p = reference_point(mesh);
+  const TetrahedronSums sums = fast ? sum_in_doubles(mesh, p, loop) : sum_in_pairs(mesh, p, loop);
+  return bounded(with_factors(sums.raw), p, density, fast ? 0x1p-53 : 0x1p-104, sums.rounding);
 }
+
+/// Mass properties of a mesh, and everything that was found about it.
+struct MeshMassProperties : BoundedMassProperties {
+  std::vector<Finding> findings;  ///< what diagnose() says; with Policy::refuse nothing that spoils
+};
 
 /// Mass, centre of mass and inertia of the body that a mesh encloses, with bounds of their rounding
 /// errors. A face that is not plane counts as the fan of triangles from its first corner.
 /// @param mesh    closed, faces counter-clockwise seen from outside [m]
 /// @param density the same everywhere [kg/m³]
-/// @throws std::invalid_argument if the density is not positive and finite, the mesh is not the
-///         boundary of a body, is inside out, or encloses no volume; the message says what and
-///         where
-inline BoundedMassProperties mesh_mass_properties(const PolygonMesh& mesh, double density) {
-  require_measurable(mesh, density);
-  return require_volume(unchecked_mass_properties(mesh, density));
+/// @throws std::invalid_argument if the density is not positive and finite; with Policy::refuse
+/// also
+///         if the mesh is not the boundary of a body, is inside out, or encloses no volume, and
+///         with Policy::accept if there is nothing to integrate over (no faces, vertices that do
+///         not exist or are not finite); the message says what and where
+inline MeshMassProperties mesh_mass_properties(const PolygonMesh& mesh, double density,
+                                               const MassOptions& options = {}) {
+  require_density(density);
+  const std::vector<Finding> findings = diagnose(mesh, options.loop);
+  require_body(findings, options.policy);
+  const BoundedMassProperties body =
+      unchecked_mass_properties(mesh, density, options.accuracy, options.loop);
+  return {options.policy == Policy::refuse ? require_volume(body) : body, findings};
 }
 
 }  // namespace tumble

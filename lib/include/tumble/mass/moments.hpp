@@ -19,7 +19,7 @@ struct Moments {
   T xx{}, yy{}, zz{}, xy{}, yz{}, zx{};  ///< the above · m²
 
   template <class U>
-  Moments& operator+=(const Moments<U>& m) {
+  TUMBLE_INLINE Moments& operator+=(const Moments<U>& m) {
     one += m.one;
     x += m.x, y += m.y, z += m.z;
     xx += m.xx, yy += m.yy, zz += m.zz;
@@ -34,21 +34,30 @@ inline Moments<double> unit_moments(const Vec3& r) {
   return {1, x, y, z, x * x, y * y, z * z, x * y, y * z, z * x};
 }
 
+/// Each number rounded to a double.
+inline Vec3 to_double(const Vector3<DoubleDouble>& v) {
+  return {double(v.x()), double(v.y()), double(v.z())};
+}
+
+/// Where the centre of mass is, from the point that the moments are about [m].
+inline Vector3<DoubleDouble> centre_from_reference(const Moments<DoubleDouble>& m) {
+  return {m.x / m.one, m.y / m.one, m.z / m.one};
+}
+
 /// Mass properties from moments about `reference`.
 /// @param reference the point p that the moments are about [m]
 /// @param density   [kg/m³], or 1 for moments that have masses in them already
 inline MassProperties mass_properties(const Moments<DoubleDouble>& m, const Vec3& reference,
                                       double density) {
   using T = DoubleDouble;
-  const T cx = m.x / m.one, cy = m.y / m.one, cz = m.z / m.one;
+  const Vector3<T> c = centre_from_reference(m);
   // ∫ (r − c)(r − c)ᵀ = ∫ r rᵀ − c ∫ rᵀ
-  const T xx = m.xx - cx * m.x, yy = m.yy - cy * m.y, zz = m.zz - cz * m.z;
-  const double xy = double(m.xy - cx * m.y), yz = double(m.yz - cy * m.z),
-               zx = double(m.zx - cz * m.x);
+  const T xx = m.xx - c.x() * m.x, yy = m.yy - c.y() * m.y, zz = m.zz - c.z() * m.z;
+  const double xy = double(m.xy - c.x() * m.y), yz = double(m.yz - c.y() * m.z),
+               zx = double(m.zx - c.z() * m.x);
   MassProperties result;
   result.mass = density * double(m.one);
-  result.centre = {double(cx + reference.x()), double(cy + reference.y()),
-                   double(cz + reference.z())};
+  result.centre = to_double(c + reference.cast<T>());
   // clang-format off
   result.inertia << double(yy + zz), -xy, -zx,
                     -xy, double(zz + xx), -yz,

@@ -1,89 +1,128 @@
 #pragma once
 /// @file
-/// Mass properties of a closed mesh as a sum of signed tetrahedra, one on each triangle
-/// of its faces.
+/// The sum over all tetrahedra of a mesh, as many at once as the processor can, in doubles or in
+/// pairs of doubles.
 ///
-/// With the corners a, b, c about a reference point, 6V = ((b − a) × (c − a)) · a and s = a + b +
-/// c: ∫ r dV = 6V/24 s,  ∫ r rᵀ dV = 6V/120 (s sᵀ + a aᵀ + b bᵀ + c cᵀ). Source: e.g. Blow &
-/// Binstock, "How to find the inertia tensor (or other mass properties) of a 3D solid body
-/// represented by a triangle mesh" (2004). Edges before the cross product, a reference point in the
-/// middle and blocked sums are what keeps the digits.
+/// Blocks of some hundred triangles are summed lane by lane, the blocks in double-double: the error
+/// of a million terms is that of some ten. The blocks are the same however many threads there are,
+/// and so is every bit of the result.
 
 #include "tumble/mass/error_bound.hpp"
+#include "tumble/mass/tetrahedron.hpp"
+#include "tumble/mesh/reference_point.hpp"
+#include "tumble/mesh/sum_over_blocks.hpp"
+#include "tumble/simd/corners.hpp"
 
 namespace tumble {
 
-/// 6V of the tetrahedron on the triangle a, b, c with its apex in the origin: positive if they go
-/// round counter-clockwise seen from outside [m³].
-template <class T>
-T six_volume(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c) {
-  const T ex = b.x() - a.x(), ey = b.y() - a.y(), ez = b.z() - a.z();
-  const T fx = c.x() - a.x(), fy = c.y() - a.y(), fz = c.z() - a.z();
-  return (ey * fz - ez * fy) * a.x() + (ez * fx - ex * fz) * a.y() + (ex * fy - ey * fx) * a.z();
-}
+/// What the triangles of a mesh add up to.
+struct TetrahedronSums {
+  Moments<DoubleDouble> raw;      ///< without their factors: see raw_moments()
+  RoundingSums<double> rounding;  ///< what their rounding is bounded by
 
-/// The moments of a signed tetrahedron without their factors: 6 ∫ dV, 24 ∫ r dV, 120 ∫ r rᵀ dV.
-/// @param v its 6V; the corners a, b, c and the apex as in six_volume()
-template <class T>
-Moments<T> raw_moments(const T& v, const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c) {
-  const T ax = a.x(), ay = a.y(), az = a.z(), bx = b.x(), by = b.y(), bz = b.z(), cx = c.x(),
-          cy = c.y(), cz = c.z();
-  const T sx = ax + bx + cx, sy = ay + by + cy, sz = az + bz + cz;
-  return {v,
-          v * sx,
-          v * sy,
-          v * sz,
-          v * (sx * sx + ax * ax + bx * bx + cx * cx),
-          v * (sy * sy + ay * ay + by * by + cy * cy),
-          v * (sz * sz + az * az + bz * bz + cz * cz),
-          v * (sx * sy + ax * ay + bx * by + cx * cy),
-          v * (sy * sz + ay * az + by * bz + cy * cz),
-          v * (sz * sx + az * ax + bz * bx + cz * cx)};
-}
-
-/// The moments from sums of raw_moments().
-inline Moments<DoubleDouble> with_factors(Moments<DoubleDouble> m) {
-  const auto divide = [](DoubleDouble& x, double factor) { x = x / DoubleDouble(factor); };
-  divide(m.one, 6);
-  for (DoubleDouble* first : {&m.x, &m.y, &m.z}) divide(*first, 24);
-  for (DoubleDouble* second : {&m.xx, &m.yy, &m.zz, &m.xy, &m.yz, &m.zx}) divide(*second, 120);
-  return m;
-}
-
-/// The sum of what `term(a, b, c)` gives for every triangle: plain within some 100 faces, the
-/// rest in double-double.
-template <class Term>
-Moments<DoubleDouble> sum_over_triangles(const PolygonMesh& mesh, Term&& term) {
-  constexpr int block = 128;
-  Moments<DoubleDouble> total;
-  for (int first = 0; first < mesh.face_count(); first += block) {
-    const int end = std::min(first + block, mesh.face_count());
-    Moments<double> sum;
-    for (int f = first; f < end; ++f) {
-      const std::span<const int> face = mesh.face(f);
-      for (std::size_t k = 2; k < face.size(); ++k)
-        sum += term(mesh.vertex(face[0]), mesh.vertex(face[k - 1]), mesh.vertex(face[k]));
-    }
-    total += sum;
+  TetrahedronSums& operator+=(const TetrahedronSums& other) {
+    raw += other.raw, rounding += other.rounding;
+    return *this;
   }
-  return total;
+};
+
+namespace detail {
+
+/// x − reference, rounded.
+template <class P>
+TUMBLE_INLINE void subtract(const P& x, double reference, P& difference) {
+  difference = x - reference;
+}
+/// x − reference, exactly.
+template <class P, Fma fma>
+TUMBLE_INLINE void subtract(const P& x, double reference, Pair<P, fma>& difference) {
+  difference = two_diff<fma>(x, P{} + reference);
 }
 
-/// Mass properties of a closed mesh, fast: everything in double, about 1e-15 for ordinary shapes.
-/// Thin shapes that lie askew lose digits: the bounds say how many (the error is below them on
-/// every mesh tried). Nothing is checked: see mesh_mass_properties().
-/// @param mesh    closed, faces counter-clockwise seen from outside
-/// @param density [kg/m³]
-inline BoundedMassProperties fast_tetrahedra(const PolygonMesh& mesh, double density) {
-  const Vec3 p = reference_point(mesh);
-  RoundingSums rounding;
-  const Moments<DoubleDouble> sum =
-      sum_over_triangles(mesh, [&](const Vec3& first, const Vec3& second, const Vec3& third) {
-        const Vec3 a = first - p, b = second - p, c = third - p;
-        rounding.add(a, b - a, c - a);
-        return raw_moments<double>(six_volume<double>(a, b, c), a, b, c);
-      });
-  return bounded(with_factors(sum), p, density, 0x1p-53, rounding);
+template <class P, class Number>
+TUMBLE_INLINE simd::Point<Number> corner(const TriangleBlock& block, const int* corners, int k,
+                                         const Vec3& reference) {
+  const simd::Point<P> x = simd::load_corners<P>(block.coordinates, corners, k);
+  simd::Point<Number> r;
+  subtract(x.x, reference.x(), r.x);
+  subtract(x.y, reference.y(), r.y);
+  subtract(x.z, reference.z(), r.z);
+  return r;
+}
+
+template <class P>
+DoubleDouble total(const P& lanes) {
+  return simd::sum_of_lanes(lanes);
+}
+template <class P, Fma fma>
+DoubleDouble total(const Pair<P, fma>& lanes) {
+  DoubleDouble sum;
+  for (int i = 0; i < simd::lanes<P>; ++i)
+    sum += DoubleDouble(Pair<double>{lanes.hi[i], lanes.lo[i]});
+  return sum;
+}
+template <class T>
+Moments<DoubleDouble> total(const Moments<T>& m) {
+  return {total(m.one), total(m.x),  total(m.y),  total(m.z),  total(m.xx),
+          total(m.yy),  total(m.zz), total(m.xy), total(m.yz), total(m.zx)};
+}
+
+/// Sums one block. `Numbers<P, fma>` is what it computes with: P or a Pair of them.
+template <template <class, Fma> class Numbers>
+struct BlockSum {
+  const TriangleBlock& block;
+  const Vec3& reference;
+  TetrahedronSums& result;
+
+  template <class P, Fma fma>
+  TUMBLE_INLINE void run() const {
+    using Number = Numbers<P, fma>;
+    Moments<Number> moments;
+    RoundingSums<P> rounding;
+    const int* corners = block.corners;
+    for (int i = 0; i < block.size; i += simd::lanes<P>, corners += 3 * simd::lanes<P>) {
+      const simd::Point<Number> a = corner<P, Number>(block, corners, 0, reference),
+                                b = corner<P, Number>(block, corners, 1, reference),
+                                c = corner<P, Number>(block, corners, 2, reference);
+      const simd::Point<Number> e = b - a, f = c - a, n = cross(e, f);
+      moments += raw_moments<fma>(dot<fma>(n, a), a, b, c);
+      rounding.add(norm1(a), norm1(e), norm1(f));
+    }
+    result.raw += total(moments);
+    result.rounding += {simd::sum_of_lanes(rounding.volume), simd::sum_of_lanes(rounding.first),
+                        simd::sum_of_lanes(rounding.inertia)};
+  }
+};
+
+template <class P, Fma>
+using InDoubles = P;
+template <class P, Fma fma>
+using InPairs = Pair<P, fma>;
+
+template <template <class, Fma> class Numbers>
+TetrahedronSums sum_tetrahedra(const PolygonMesh& mesh, const Vec3& reference,
+                               const LoopOptions& options) {
+  const auto add = [&](const TriangleBlock& block, TetrahedronSums& sum) {
+    dispatch(options.instructions, BlockSum<Numbers>{block, reference, sum});
+  };
+  return sum_over_blocks<TetrahedronSums>(mesh, options.threads, add);
+}
+
+}  // namespace detail
+
+/// The sums with everything in double: about 1e-15 for ordinary shapes. Thin shapes that lie askew
+/// lose digits; `rounding` says how many.
+/// @param mesh      indices in range
+/// @param reference the point that the moments are about; near the body nothing cancels [m]
+inline TetrahedronSums sum_in_doubles(const PolygonMesh& mesh, const Vec3& reference,
+                                      const LoopOptions& options = {}) {
+  return detail::sum_tetrahedra<detail::InDoubles>(mesh, reference, options);
+}
+
+/// The sums in pairs of doubles, about 30 digits: of what a double can show all, on every shape.
+inline TetrahedronSums sum_in_pairs(const PolygonMesh& mesh, const Vec3& reference,
+                                    const LoopOptions& options = {}) {
+  return detail::sum_tetrahedra<detail::InPairs>(mesh, reference, options);
 }
 
 }  // namespace tumble

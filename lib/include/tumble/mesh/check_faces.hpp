@@ -30,7 +30,9 @@ inline std::vector<Finding> find_bad_indices(const PolygonMesh& mesh) {
     return findings;
   }
   const auto exists = [=](int v) { return v >= 0 && v < vertex_count; };
-  if (std::all_of(mesh.corners.begin(), mesh.corners.end(), exists)) return findings;
+  int all_exist = 1;  // no way out of the loop: then the compiler makes packs of it
+  for (const int v : mesh.corners) all_exist &= exists(v);
+  if (all_exist) return findings;
   for (int f = 0; f < mesh.face_count(); ++f)
     for (const int v : mesh.face(f))
       if (!exists(v))
@@ -87,6 +89,14 @@ inline const char* degeneracy(const PolygonMesh& mesh, std::span<const int> face
   return "has an area of exactly 0";
 }
 
+/// Whether a face has less than three corners.
+inline bool has_short_faces(const PolygonMesh& mesh) {
+  int any = 0;
+  for (std::size_t f = 1; f < mesh.first_corner.size(); ++f)
+    any |= mesh.first_corner[f] - mesh.first_corner[f - 1] < 3;
+  return any;
+}
+
 /// Finds faces without area.
 inline std::vector<Finding> find_degenerate_faces(const PolygonMesh& mesh) {
   FindingsOfOneKind bad(FindingKind::degenerate_face);
@@ -98,6 +108,61 @@ inline std::vector<Finding> find_degenerate_faces(const PolygonMesh& mesh) {
       for (std::size_t k = 0; k < mesh.face(f).size() && k < 3; ++k)
         text += (k == 0 ? ": " : ", ") + describe_vertex(mesh, mesh.face(f)[k]);
       return text;
+    });
+  }
+  std::vector<Finding> findings;
+  bad.append_to(findings);
+  return findings;
+}
+
+/// How a polygon lies to a plane.
+struct Planarity {
+  double distance;  ///< of a corner from the plane, at most [m]
+  double size;      ///< of a corner from the first one, at most [m]
+  double rounding;  ///< what rounding, of the corners too, may have done to `distance` [m]
+};
+
+/// Measures against the plane through the mean of the corners, across their vector area (Newell).
+inline Planarity planarity(const PolygonMesh& mesh, std::span<const int> face) {
+  const Vec3& first = mesh.vertex(face[0]);
+  Vec3 area = Vec3::Zero(), mean = Vec3::Zero();  // from the first corner
+  Planarity result{0, 0, 0};
+  for (std::size_t k = 1; k < face.size(); ++k) {
+    const Vec3 r = mesh.vertex(face[k]) - first;
+    result.size = std::max(result.size, r.norm());
+    mean += r / static_cast<double>(face.size());
+    if (k > 1) area += (mesh.vertex(face[k - 1]) - first).cross(r);
+  }
+  const Vec3 n = area.normalized();
+  for (const int v : face)
+    result.distance = std::max(result.distance, std::abs(n.dot(mesh.vertex(v) - first - mean)));
+  // Each corner, itself rounded to ε |x|, and each product move the area by a few ε |x| size: the
+  // normal of a thin face is turned.
+  constexpr double eps = 0x1p-53;
+  const double x = result.size + first.lpNorm<1>();
+  const double turned = 8 * eps * static_cast<double>(face.size()) * x * result.size / area.norm();
+  result.rounding = turned * result.size;
+  return result;
+}
+
+/// Finds polygons that are not plane by more than a millionth of their size: what a file with seven
+/// digits makes of a plane one is not told.
+inline std::vector<Finding> find_nonplanar_faces(const PolygonMesh& mesh) {
+  FindingsOfOneKind bad(FindingKind::nonplanar_face);
+  const std::size_t faces = mesh.first_corner.size() - 1;
+  if (mesh.corners.size() == 3 * faces && !has_short_faces(mesh)) return {};  // all triangles
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const std::span<const int> face = mesh.face(f);
+    if (face.size() < 4) continue;
+    const Planarity found = planarity(mesh, face);
+    if (!(found.distance > 1e-6 * found.size + found.rounding)) continue;
+    bad.add(f, {-1, -1}, [&] {
+      std::ostringstream text;
+      text.precision(3);
+      text << "face #" << f + 1 << " is not plane: its " << face.size() << " corners are up to "
+           << found.distance << " m (" << 100 * found.distance / found.size
+           << " % of its size) from a plane; it counts as triangles from its first corner";
+      return text.str();
     });
   }
   std::vector<Finding> findings;

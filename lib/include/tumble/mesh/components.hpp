@@ -3,9 +3,8 @@
 /// The parts of a surface: faces that hang together by shared vertices, and what
 /// each part encloses.
 ///
-/// 6 V = Σ (a − o) · ((b − a) × (c − a)) over the part's triangles, o one of its own vertices:
-/// nothing is lost when the part is small or far away. Source: the divergence theorem; for the
-/// parts Tarjan, "Efficiency of a good but not linear set union algorithm", J. ACM 22 (1975).
+/// Source: for the parts Tarjan, "Efficiency of a good but not linear set union algorithm", J. ACM
+/// 22 (1975); for their volumes see enclosed_volume.hpp.
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "tumble/mesh/enclosed_volume.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
-#include "tumble/mesh/precise_volume.hpp"
 
 namespace tumble {
 
@@ -29,7 +28,6 @@ struct Component {
 struct Components {
   std::vector<Component> parts;
   std::vector<int> of_vertex;
-  int doubtful_faces = 0;  ///< faces that may have no area: degeneracy() knows
 
   int of(int vertex) const { return of_vertex[static_cast<std::size_t>(vertex)]; }
 };
@@ -81,16 +79,22 @@ inline Components label_components(const PolygonMesh& mesh) {
   return result;
 }
 
-/// Adds the triangle a, b, c to what a part encloses.
-/// @return whether its area may be 0
-inline bool add_triangle(Component& part, const Vec3& o, const Vec3& a, const Vec3& b,
-                         const Vec3& c) {
-  const Vec3 r = a - o, u = b - a, v = c - a, n = u.cross(v);
-  const double size = u.lpNorm<1>() * v.lpNorm<1>();
-  constexpr double eps = 0x1p-53;
-  part.volume += r.dot(n);
-  part.rounding += r.lpNorm<1>() * size;
-  return !(n.lpNorm<1>() > 8 * eps * size);
+/// What each part encloses, without factors.
+inline std::vector<EnclosedVolume> enclosed_by_parts(const PolygonMesh& mesh,
+                                                     const Components& surface) {
+  std::vector<EnclosedVolume> result(surface.parts.size());
+  const auto point = [&](int v) -> simd::Point<double> {
+    return {mesh.vertex(v).x(), mesh.vertex(v).y(), mesh.vertex(v).z()};
+  };
+  for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
+    const int part = surface.of(t[0]);
+    if (part < 0) return;  // three times a vertex that nothing else uses
+    const auto i = static_cast<std::size_t>(part);
+    const VolumeTerms<double> terms(point(t[0]), point(t[1]), point(t[2]),
+                                    point(surface.parts[i].a_vertex));
+    result[i] += {terms.six_volume, terms.magnitude, terms.doubtful};
+  });
+  return result;
 }
 
 /// Measures the parts again that double cannot tell from flat ones, with twice the digits: needles
@@ -115,24 +119,17 @@ inline void measure_thin_parts(const PolygonMesh& mesh, Components& surface) {
 
 /// The parts with what they enclose.
 /// @param mesh indices in range, positions finite
-inline Components components(const PolygonMesh& mesh) {
+/// @param all  what the whole mesh encloses, about a point on it or near
+inline Components components(const PolygonMesh& mesh, const EnclosedVolume& all) {
   Components result = label_components(mesh);
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const std::span<const int> face = mesh.face(f);
-    const int i = face.empty() ? -1 : result.of(face[0]);
-    bool doubtful = face.size() < 3 || i < 0;
-    for (std::size_t k = 2; k < face.size() && i >= 0; ++k) {
-      Component& part = result.parts[static_cast<std::size_t>(i)];
-      doubtful |= add_triangle(part, mesh.vertex(part.a_vertex), mesh.vertex(face[0]),
-                               mesh.vertex(face[k - 1]), mesh.vertex(face[k]));
-    }
-    result.doubtful_faces += doubtful;
-  }
+  const std::vector<EnclosedVolume> enclosed =
+      result.parts.size() == 1 ? std::vector{all} : enclosed_by_parts(mesh, result);
   // A term has 8 roundings at most; those of the sum grow like √n when they fall at random.
   constexpr double eps = 0x1p-53;
-  for (Component& part : result.parts) {
-    part.volume /= 6;
-    part.rounding *= (8 + std::sqrt(static_cast<double>(mesh.corners.size()))) * eps / 6;
+  const double roundings = 8 + std::sqrt(static_cast<double>(mesh.corners.size()));
+  for (std::size_t i = 0; i < enclosed.size(); ++i) {
+    result.parts[i].volume = enclosed[i].six_volume / 6;
+    result.parts[i].rounding = enclosed[i].magnitude * roundings * eps / 6;
   }
   measure_thin_parts(mesh, result);
   return result;

@@ -17,7 +17,9 @@
 #include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/check_parts.hpp"
 #include "tumble/mesh/components.hpp"
+#include "tumble/mesh/edge_balance.hpp"
 #include "tumble/mesh/finding.hpp"
+#include "tumble/mesh/finite_bounds.hpp"
 
 namespace tumble {
 
@@ -25,9 +27,34 @@ namespace tumble {
 /// a thousandth of what is seen from above.
 inline constexpr int diagnosis_lines = 1024;
 
+/// What one pass over the triangles tells.
+struct Survey {
+  std::uint64_t balance = 0;  ///< 0: closed, and the faces agree on what is outside
+  EnclosedVolume enclosed;
+  TrianglesNearLines near_lines;
+
+  Survey& operator+=(const Survey& other) {
+    balance += other.balance, enclosed += other.enclosed, near_lines += other.near_lines;
+    return *this;
+  }
+};
+
+/// Goes over all triangles once.
+/// @param mesh indices in range, positions finite
+inline Survey survey(const PolygonMesh& mesh, const LatticeFilter& filter,
+                     const LoopOptions& options) {
+  const Vec3 origin = mesh.corners.empty() ? Vec3(0, 0, 0) : mesh.vertex(mesh.corners[0]);
+  const auto add = [&](const TriangleBlock& block, Survey& sum) {
+    dispatch(options.instructions, BlockBalance{block, sum.balance});
+    dispatch(options.instructions, BlockVolume{block, origin, sum.enclosed});
+    dispatch(options.instructions, BlockNearLines{block, filter, sum.near_lines});
+  };
+  return sum_over_blocks<Survey>(mesh, options.threads, add);
+}
+
 /// Everything that is wrong with the mesh; empty when it bounds a body. At most a few findings of
 /// each kind are listed, and the last one says how many more there are.
-inline std::vector<Finding> diagnose(const PolygonMesh& mesh) {
+inline std::vector<Finding> diagnose(const PolygonMesh& mesh, const LoopOptions& options = {}) {
   std::vector<Finding> findings = find_bad_indices(mesh);
   if (!findings.empty()) return findings;
   if (mesh.face_count() == 0)
@@ -35,19 +62,26 @@ inline std::vector<Finding> diagnose(const PolygonMesh& mesh) {
   const auto add = [&findings](const std::vector<Finding>& more) {
     findings.insert(findings.end(), more.begin(), more.end());
   };
-  const bool closed = is_closed(mesh);
-  findings = find_not_finite(mesh);
-  const bool finite = findings.empty();
-  if (!closed) {
+  const auto add_open_edges = [&] {
     add(find_duplicate_faces(mesh));
     add(find_uneven_edges(mesh));
+  };
+  const FiniteBounds bounds = finite_bounds(mesh, options.instructions);
+  if (!bounds.finite) {
+    add(find_not_finite(mesh));
+    if (!is_closed(mesh, options)) add_open_edges();
+    return findings;
   }
-  if (!finite) return findings;
-  const Components surface = components(mesh);
-  if (surface.doubtful_faces > 0) add(find_degenerate_faces(mesh));
-  if (!closed) return findings;
+  const LineLattice lattice(bounds.box, diagnosis_lines);
+  const Survey all = survey(mesh, lattice.filter(), options);
+  if (all.balance != 0) add_open_edges();
+  if (all.enclosed.doubtful > 0 || has_short_faces(mesh)) add(find_degenerate_faces(mesh));
+  add(find_nonplanar_faces(mesh));
+  if (all.balance != 0) return findings;
+  const Components surface = components(mesh, all.enclosed);
   add(find_flat_parts(mesh, surface));
-  add(find_wrong_depth(mesh, surface, hits_of_bundle(mesh, surface, diagnosis_lines)));
+  add(find_wrong_depth(mesh, surface,
+                       hits_of_bundle(mesh, surface, bounds.box, lattice, all.near_lines)));
   return findings;
 }
 
@@ -59,17 +93,26 @@ inline std::string findings_text(const std::vector<Finding>& findings) {
   return text;
 }
 
-/// Lets a mesh pass that bounds a body, and refuses any other: what a computation of mass asks
-/// first. Real meshes have faces without area; they add nothing to an integral and alone are no
-/// reason to refuse here: require_faultless() does.
+/// What happens to a mesh that does not bound a body.
+enum class Policy {
+  refuse,  ///< an exception that says what is wrong and where
+  accept,  ///< integrals as they come, and the findings beside them
+};
+
+/// Lets findings pass with which the integrals over a mesh are right, or with Policy::accept at
+/// least possible. Real meshes have faces without area; they add nothing to an integral and alone
+/// are no reason to refuse here: require_faultless() does.
 /// @throws std::invalid_argument with all findings, one a line
-inline void require_body(const PolygonMesh& mesh) {
-  const std::vector<Finding> findings = diagnose(mesh);
-  const bool good = std::none_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return spoils_integrals(finding.kind);
-  });
+inline void require_body(const std::vector<Finding>& findings, Policy policy = Policy::refuse) {
+  const auto refused = policy == Policy::refuse ? spoils_integrals : prevents_integrals;
+  const bool good = std::none_of(findings.begin(), findings.end(),
+                                 [&](const Finding& finding) { return refused(finding.kind); });
   require(good, "the mesh does not bound a body:", findings_text(findings));
 }
+
+/// Lets a mesh pass that bounds a body, and refuses any other.
+/// @throws std::invalid_argument with all findings, one a line
+inline void require_body(const PolygonMesh& mesh) { require_body(diagnose(mesh)); }
 
 /// Lets a mesh pass in which nothing at all was found, degenerate faces included: what a program
 /// asks that divides by a face's area or needs its normal.

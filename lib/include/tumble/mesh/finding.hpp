@@ -2,8 +2,8 @@
 /// @file
 /// What can be wrong with a mesh, and how it is said.
 ///
-/// Fields are indices into the mesh, from 0. Numbers in the text, behind a number sign, count from 1,
-/// as an OBJ file does: the first face is `mesh.face(0)`.
+/// Fields are indices into the mesh, from 0. Numbers in the text, behind a number sign, count from
+/// 1, as an OBJ file does: the first face is `mesh.face(0)`.
 
 #include <array>
 #include <ostream>
@@ -21,6 +21,7 @@ enum class FindingKind {
   index_out_of_range,        ///< a corner names a vertex that does not exist
   not_finite,                ///< a coordinate is NaN or infinite
   degenerate_face,           ///< fewer than 3 corners, a corner twice, or an area of exactly 0
+  nonplanar_face,            ///< a polygon whose corners are not in one plane
   open_edge,                 ///< an edge with a face on one side only
   inconsistent_orientation,  ///< two neighbours go round in opposite senses
   duplicate_face,            ///< the same face twice
@@ -50,6 +51,8 @@ inline const char* name(FindingKind kind) {
       return "not_finite";
     case FindingKind::degenerate_face:
       return "degenerate_face";
+    case FindingKind::nonplanar_face:
+      return "nonplanar_face";
     case FindingKind::open_edge:
       return "open_edge";
     case FindingKind::inconsistent_orientation:
@@ -73,8 +76,18 @@ inline const char* name(FindingKind kind) {
 inline std::ostream& operator<<(std::ostream& out, FindingKind kind) { return out << name(kind); }
 
 /// Whether an integral over the mesh is wrong with it. All are but a degenerate face, which has no
-/// area to add (a method that divides by the length of its normal gives NaN all the same).
-inline bool spoils_integrals(FindingKind kind) { return kind != FindingKind::degenerate_face; }
+/// area to add (a method that divides by the length of its normal gives NaN all the same), and a
+/// face that is not plane, which is what its fan of triangles is (other programs may cut it along
+/// another diagonal).
+inline bool spoils_integrals(FindingKind kind) {
+  return kind != FindingKind::degenerate_face && kind != FindingKind::nonplanar_face;
+}
+
+/// Whether there is nothing that could be integrated over.
+inline bool prevents_integrals(FindingKind kind) {
+  return kind == FindingKind::no_faces || kind == FindingKind::index_out_of_range ||
+         kind == FindingKind::not_finite;
+}
 
 /// "vertex #3 at (0, 1, 0.5)".
 inline std::string describe_vertex(const PolygonMesh& mesh, int v) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tumble/mesh/components.hpp"
-#include "tumble/mesh/line_lattice.hpp"
+#include "tumble/mesh/near_lines.hpp"
 #include "tumble/mesh/orientation.hpp"
 
 namespace tumble {
@@ -83,27 +83,39 @@ inline LineHits sort_hits(const std::vector<LineHit>& hits, const std::vector<in
   return sorted;
 }
 
-/// Where the lines (a LineLattice or a LineList) meet the mesh.
+/// Gathers the crossings of lines and triangles.
 template <class Lines>
-LineHits hits_of_lines(const PolygonMesh& mesh, const Components& surface, double largest,
-                       const Lines& lines) {
-  std::vector<LineHit> hits;
-  std::vector<int> line_of_hit;
-  for_each_triangle(mesh, [&](int f, const std::array<int, 3>& t) {
-    const int part = surface.of(t[0]);
+class HitCollector {
+ public:
+  /// @param largest the largest absolute coordinate of the mesh
+  HitCollector(const PolygonMesh& mesh, const Components& surface, double largest,
+               const Lines& lines)
+      : mesh_(mesh), surface_(surface), largest_(largest), lines_(lines) {}
+
+  void add(int face, const std::array<int, 3>& t) {
+    const int part = surface_.of(t[0]);
     if (part < 0) return;  // three times the same vertex
-    const Vec3 &a = mesh.vertex(t[0]), &b = mesh.vertex(t[1]), &c = mesh.vertex(t[2]);
-    lines.for_each_in(rectangle_of(a, b, c), [&](int i) {
-      const PlanePoint line = lines.line(i);
+    const Vec3 &a = mesh_.vertex(t[0]), &b = mesh_.vertex(t[1]), &c = mesh_.vertex(t[2]);
+    lines_.for_each_in(rectangle_of(a, b, c), [&](int i) {
+      const PlanePoint line = lines_.line(i);
       const int crossing = line_crossing(a, b, c, line.x(), line.y());
       if (crossing == 0) return;
-      hits.push_back({line, f, part, -crossing, 0, 0});
-      set_height(hits.back(), a, b, c, largest);
-      line_of_hit.push_back(i);
+      hits_.push_back({line, face, part, -crossing, 0, 0});
+      set_height(hits_.back(), a, b, c, largest_);
+      line_of_hit_.push_back(i);
     });
-  });
-  return sort_hits(hits, line_of_hit, lines.size());
-}
+  }
+
+  LineHits sorted() const { return sort_hits(hits_, line_of_hit_, lines_.size()); }
+
+ private:
+  const PolygonMesh& mesh_;
+  const Components& surface_;
+  double largest_;
+  const Lines& lines_;
+  std::vector<LineHit> hits_;
+  std::vector<int> line_of_hit_;
+};
 
 /// A vertical line through each part: through the middle of its widest triangle.
 inline std::vector<PlanePoint> lines_through_parts(const PolygonMesh& mesh,
@@ -117,15 +129,22 @@ inline std::vector<PlanePoint> lines_through_parts(const PolygonMesh& mesh,
   return lines;
 }
 
-/// Where a bundle of vertical lines meets the mesh: about `spread` evenly over it, and when it has
-/// several parts, one through each.
-inline LineHits hits_of_bundle(const PolygonMesh& mesh, const Components& surface, int spread) {
-  const Eigen::AlignedBox3d box = bounds(mesh);
+/// Where a bundle of vertical lines meets the mesh: those of a lattice, and when it has several
+/// parts, one through each.
+/// @param box  around all vertices
+/// @param near all triangles that may meet a line of the lattice
+inline LineHits hits_of_bundle(const PolygonMesh& mesh, const Components& surface,
+                               const Eigen::AlignedBox3d& box, const LineLattice& lattice,
+                               const TrianglesNearLines& near) {
   const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  LineHits hits = hits_of_lines(mesh, surface, largest, LineLattice(box, spread));
+  HitCollector on_lattice(mesh, surface, largest, lattice);
+  for (const FaceTriangle& triangle : near.list) on_lattice.add(triangle.face, triangle.vertices);
+  LineHits hits = on_lattice.sorted();
   if (surface.parts.size() == 1) return hits;
   const LineList through_parts(box, lines_through_parts(mesh, surface));
-  hits.append(hits_of_lines(mesh, surface, largest, through_parts));
+  HitCollector on_parts(mesh, surface, largest, through_parts);
+  for_each_triangle(mesh, [&](int f, const std::array<int, 3>& t) { on_parts.add(f, t); });
+  hits.append(on_parts.sorted());
   return hits;
 }
 

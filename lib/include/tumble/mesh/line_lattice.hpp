@@ -13,15 +13,54 @@
 #include <vector>
 
 #include "tumble/mesh/xy_grid.hpp"
+#include "tumble/simd/pack.hpp"
 
 namespace tumble {
+
+/// Which packs of triangles may have a line of a lattice, seen from above: none that has one is
+/// left out.
+class LatticeFilter {
+ public:
+  /// @param nx, ny columns and rows of the lattice over the box
+  LatticeFilter(const Eigen::AlignedBox3d& box, int nx, int ny)
+      : low_x_(box.min().x()), low_y_(box.min().y()) {
+    const double width = box.sizes().x(), height = box.sizes().y();
+    per_x_ = nx / width, per_y_ = ny / height;
+    // The lines' coordinates are rounded, and so is what is computed here.
+    constexpr double eps = 0x1p-53;
+    slack_x_ = 16 * eps * (nx + (std::abs(low_x_) + width) * per_x_);
+    slack_y_ = 16 * eps * (nx + ny + (std::abs(low_y_) + height) * per_y_);
+    useful_ = width > 0 && height > 0 && slack_x_ < 0.1 && slack_y_ < 0.1;
+  }
+
+  /// 1 in the lanes whose rectangle may have a line in it, 0 in the others.
+  template <class P>
+  TUMBLE_INLINE P near(const P& x0, const P& x1, const P& y0, const P& y1) const {
+    if (!useful_) return P{} + 1;
+    // Column i stands at i + ½, where the cells are the unit.
+    const P first = simd::rounded((x0 - low_x_) * per_x_ - slack_x_);
+    const P last = simd::rounded((x1 - low_x_) * per_x_ + slack_x_) - 1;
+    // The rows of the first column stand at j + ½ + shift.
+    const P turns = first * (1 / std::numbers::phi);
+    const P shift = turns - simd::rounded(turns);
+    const P lowest = simd::rounded((y0 - low_y_) * per_y_ - shift - slack_y_);
+    const P highest = simd::rounded((y1 - low_y_) * per_y_ - shift + slack_y_) - 1;
+    const P in_column = simd::one_unless_greater(lowest, highest);
+    const P in_others = simd::one_unless_greater(first + 1, last);
+    return simd::one_unless_greater(first, last) * simd::larger(in_column, in_others);
+  }
+
+ private:
+  double low_x_, low_y_, per_x_, per_y_, slack_x_, slack_y_;
+  bool useful_;
+};
 
 /// Lines in a shifted lattice: one in each cell of a grid.
 class LineLattice {
  public:
   /// About `count` lines, four times as many columns as rows.
   LineLattice(const Eigen::AlignedBox3d& box, int count)
-      : nx_(2 * side(count)), ny_(side(count) / 2), grid_(box, nx_, ny_) {
+      : nx_(2 * side(count)), ny_(side(count) / 2), grid_(box, nx_, ny_), filter_(box, nx_, ny_) {
     const double infinity = std::numeric_limits<double>::infinity();
     for (int i = 0; i < nx_; ++i) {
       const double shift = 0.5 + i / std::numbers::phi;
@@ -36,6 +75,7 @@ class LineLattice {
 
   int size() const { return nx_ * ny_; }
   PlanePoint line(int i) const { return {x_[index(i / ny_)], y_[index(i)]}; }
+  const LatticeFilter& filter() const { return filter_; }
 
   /// Calls `visit(i)` for the lines in a rectangle. (Most rectangles have none: no
   /// branch is taken.)
@@ -58,6 +98,7 @@ class LineLattice {
 
   int nx_, ny_;
   XyGrid grid_;
+  LatticeFilter filter_;
   std::vector<double> x_, y_;
 };
 

@@ -6,8 +6,9 @@
 /// mesh's bounding box, so that a body far from the origin loses no digits.
 /// Source: Mirtich, "Fast and Accurate Computation of Polyhedral Mass Properties", JGT 1(2), 1996.
 
-#include "tumble/mass/closed_mesh.hpp"
+#include "tumble/mass/error_bound.hpp"
 #include "tumble/mass/mirtich/volume_integrals.hpp"
+#include "tumble/mesh/reference_point.hpp"
 
 namespace tumble {
 
@@ -15,21 +16,13 @@ namespace tumble {
 /// @param density [kg/m³]
 inline BoundedMassProperties unchecked_mirtich(const PolygonMesh& mesh, double density) {
   const Vec3 p = reference_point(mesh);
-  RoundingSums rounding;
+  RoundingSums<double> rounding;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     const Vec3& a = mesh.vertex(t[0]);
-    rounding.add(a - p, mesh.vertex(t[1]) - a, mesh.vertex(t[2]) - a);
+    rounding.add((a - p).lpNorm<1>(), (mesh.vertex(t[1]) - a).lpNorm<1>(),
+                 (mesh.vertex(t[2]) - a).lpNorm<1>());
   });
   return bounded(mirtich::volume_integrals(mesh, p), p, density, 0x1p-53, rounding);
-}
-
-/// Mass properties of a mesh after Mirtich.
-/// @param density [kg/m³]
-/// @throws std::invalid_argument as mesh_mass_properties(); also if the shape is so thin that no
-///         digit of its volume is certain this way (mesh_mass_properties() still finds it)
-inline BoundedMassProperties mirtich_mass_properties(const PolygonMesh& mesh, double density) {
-  require_measurable(mesh, density);
-  return require_volume(unchecked_mirtich(mesh, density));
 }
 
 }  // namespace tumble

@@ -1,22 +1,19 @@
 #pragma once
 /// @file
-/// What a mesh must be before its mass properties mean anything, and what they must be after.
+/// What a density must be before mass properties mean anything, and what they must be after.
 
 #include <cmath>
 
 #include "tumble/core/require.hpp"
 #include "tumble/mass/error_bound.hpp"
-#include "tumble/mesh/diagnose.hpp"
 
 namespace tumble {
 
-/// Refuses what has no mass properties.
-/// @throws std::invalid_argument if the density is not positive and finite, or the mesh is not the
-///         boundary of a body (open, inside out, …: the message says which face or edge)
-inline void require_measurable(const PolygonMesh& mesh, double density) {
+/// Refuses a density that nothing has.
+/// @throws std::invalid_argument if the density is not positive and finite
+inline void require_density(double density) {
   require(density > 0 && std::isfinite(density), "the density ", density,
           " kg/m³ is not positive and finite");
-  require_body(mesh);
 }
 
 /// Passes on mass properties that can be those of a body.

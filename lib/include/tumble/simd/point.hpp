@@ -1,0 +1,54 @@
+#pragma once
+/// @file
+/// Points whose coordinates are numbers of any kind: doubles, Pairs, Packs, or Pairs of Packs.
+
+#include "tumble/core/pair.hpp"
+
+namespace tumble::simd {
+
+/// A point or vector.
+template <class T>
+struct Point {
+  T x, y, z;
+};
+
+template <class T>
+TUMBLE_INLINE Point<T> operator-(const Point<T>& a, const Point<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// a × b
+template <class T>
+TUMBLE_INLINE Point<T> cross(const Point<T>& a, const Point<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// a · b. @tparam fma how products are added up: see multiply_add()
+template <Fma fma = baseline_fma, class T>
+TUMBLE_INLINE T dot(const Point<T>& a, const Point<T>& b) {
+  return multiply_add<fma>(a.x, b.x, multiply_add<fma>(a.y, b.y, a.z * b.z));
+}
+
+template <class P>
+TUMBLE_INLINE const P& leading(const P& x) {
+  return x;
+}
+template <class P, Fma fma>
+TUMBLE_INLINE const P& leading(const Pair<P, fma>& x) {
+  return x.hi;
+}
+
+/// |x| + |y| + |z|, of Pairs that of their leading parts.
+template <class T>
+TUMBLE_INLINE auto norm1(const Point<T>& p) {
+  return absolute(leading(p.x)) + absolute(leading(p.y)) + absolute(leading(p.z));
+}
+
+/// 6V of the tetrahedron on the triangle a, b, c with its apex in the origin: positive if they go
+/// round counter-clockwise seen from outside.
+template <Fma fma = baseline_fma, class T>
+TUMBLE_INLINE T six_volume(const Point<T>& a, const Point<T>& b, const Point<T>& c) {
+  return dot<fma>(cross(b - a, c - a), a);
+}
+
+}  // namespace tumble::simd

@@ -1,0 +1,14 @@
+#pragma once
+/// @file
+/// The parts of a mesh, as diagnose() asks for them.
+
+#include "tumble/mesh/diagnose.hpp"
+
+namespace tumble::test {
+
+inline Components parts_of(const PolygonMesh& mesh) {
+  const LineLattice lattice(bounds(mesh), 16);
+  return components(mesh, survey(mesh, lattice.filter(), {}).enclosed);
+}
+
+}  // namespace tumble::test
