@@ -39,18 +39,29 @@ class LatticeFilter {
     if (!useful_) return P{} + 1;
     // Column i stands at i + ½, where the cells are the unit.
     const P first = simd::rounded((x0 - low_x_) * per_x_ - slack_x_);
-    const P last = simd::rounded((x1 - low_x_) * per_x_ + slack_x_) - 1;
-    // The rows of the first column stand at j + ½ + shift.
-    const P turns = first * (1 / std::numbers::phi);
-    const P shift = turns - simd::rounded(turns);
-    const P lowest = simd::rounded((y0 - low_y_) * per_y_ - shift - slack_y_);
-    const P highest = simd::rounded((y1 - low_y_) * per_y_ - shift + slack_y_) - 1;
-    const P in_column = simd::one_unless_greater(lowest, highest);
-    const P in_others = simd::one_unless_greater(first + 1, last);
-    return simd::one_unless_greater(first, last) * simd::larger(in_column, in_others);
+    const P columns = simd::rounded((x1 - low_x_) * per_x_ + slack_x_) - first;
+    const P low = (y0 - low_y_) * per_y_ - slack_y_, high = (y1 - low_y_) * per_y_ + slack_y_;
+    // Counts of columns and rows, cut off at 0 and 1, are a no or a yes.
+    P any = at_most_1(columns - 3);
+    for (int k = 0; k < 3; ++k)
+      any = simd::larger(any, at_most_1(columns - k) * in_column(first + k, low, high));
+    return any;
   }
 
  private:
+  template <class P>
+  TUMBLE_INLINE static P at_most_1(const P& count) {
+    return simd::smaller(simd::larger(count, P{}), P{} + 1);
+  }
+  /// Whether a line of column i stands between low and high: they are at j + ½ + i/φ, whole turns
+  /// left out.
+  template <class P>
+  TUMBLE_INLINE static P in_column(const P& i, const P& low, const P& high) {
+    const P turns = i * (1 / std::numbers::phi);
+    const P shift = turns - simd::rounded(turns);
+    return at_most_1(simd::rounded(high - shift) - simd::rounded(low - shift));
+  }
+
   double low_x_, low_y_, per_x_, per_y_, slack_x_, slack_y_;
   bool useful_;
 };

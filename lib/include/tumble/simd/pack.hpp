@@ -83,11 +83,11 @@ TUMBLE_INLINE P rounded(const P& x) {
 }
 
 /// The sum of all lanes.
-template <class P>
-TUMBLE_INLINE double sum_of_lanes(const P& x) {
-  double sum = x[0];
-  for (int i = 1; i < lanes<P>; ++i) sum += x[i];
-  return sum;
+TUMBLE_INLINE double sum_of_lanes(const FourDoubles& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
+TUMBLE_INLINE double sum_of_lanes(const EightDoubles& x) {
+  const FourDoubles halves = __builtin_shufflevector(x, x, 0, 1, 2, 3) +
+                             __builtin_shufflevector(x, x, 4, 5, 6, 7);
+  return sum_of_lanes(halves);
 }
 
 /// Whether a·b + c has an instruction of its own, with one rounding.

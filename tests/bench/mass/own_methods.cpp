@@ -1,0 +1,104 @@
+// The library's methods, and the two loops that every program has: what theirs are measured by.
+#include <memory>
+
+#include "bench/mass/case.hpp"
+#include "tumble/mass/bounding_box.hpp"
+#include "tumble/mass/low_discrepancy_points.hpp"
+#include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mass/point_sampling.hpp"
+#include "tumble/mass/random_points.hpp"
+#include "tumble/mesh/mesh_solid.hpp"
+
+namespace tumble::bench {
+namespace {
+
+/// Reading every vertex and every index once: what no method can be faster than.
+Answer read_once(const PolygonMesh& mesh) {
+  double sum[3] = {};
+  for (const Vec3& v : mesh.vertices)
+    for (int k = 0; k < 3; ++k) sum[k] += v[k];
+  std::int64_t indices = 0;
+  for (const int v : mesh.corners) indices += v;
+  Answer answer;  // NaN, but a compiler cannot know
+  answer.centre *= sum[0] + sum[1] + sum[2] + static_cast<double>(indices);
+  return answer;
+}
+
+/// One triangle after the other, ten sums in double.
+Answer plain_loop(const PolygonMesh& mesh, const Vec3& p) {
+  using Point = simd::Point<double>;
+  Moments<double> sum;
+  const auto from_p = [&](int v) -> Point {
+    const Vec3& x = mesh.vertex(v);
+    return {x.x() - p.x(), x.y() - p.y(), x.z() - p.z()};
+  };
+  for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
+    const Point a = from_p(mesh.corners[i]), b = from_p(mesh.corners[i + 1]),
+                c = from_p(mesh.corners[i + 2]);
+    sum += raw_moments(simd::six_volume(a, b, c), a, b, c);
+  }
+  Moments<DoubleDouble> all;
+  return mass_properties(with_factors(all += sum), p, 1);
+}
+
+template <class F>
+Method on_mesh(const std::string& name, const F& compute) {
+  return {name, [compute](const Body& body) -> Run {
+            return [compute, &mesh = body.mesh] { return Answer(compute(mesh)); };
+          }};
+}
+
+Method integrals(const std::string& name, Accuracy accuracy, int threads = 1) {
+  return on_mesh(name, [=](const PolygonMesh& mesh) {
+    return unchecked_mass_properties(mesh, 1, accuracy, {.threads = threads});
+  });
+}
+
+/// With everything that the door looks at.
+Method diagnosed(const std::string& name, Accuracy accuracy) {
+  return on_mesh(name, [=](const PolygonMesh& mesh) -> BoundedMassProperties {
+    return mesh_mass_properties(mesh, 1, {.accuracy = accuracy});
+  });
+}
+
+/// @tparam Points RandomPoints or R3Points
+template <class Points>
+void add_sampling(std::vector<Method>& methods, const std::string& curve) {
+  for (const int n : {1'000, 10'000, 100'000})
+    methods.push_back({curve + ", " + std::to_string(n),
+                       [n](const Body& body) -> Run {
+                         const auto solid = std::make_shared<MeshSolid>(body.mesh);
+                         return [n, solid]() -> Answer {
+                           return MassProperties(sample_mass_properties(*solid, 1, Points(n)));
+                         };
+                       },
+                       true, curve});
+}
+
+}  // namespace
+
+std::vector<Method> own_methods() {
+  std::vector<Method> methods = {
+      on_mesh("read once", read_once),
+      on_mesh("plain loop",
+              [](const PolygonMesh& mesh) { return plain_loop(mesh, reference_point(mesh)); }),
+      on_mesh("plain loop about the origin",
+              [](const PolygonMesh& mesh) { return plain_loop(mesh, Vec3(0, 0, 0)); }),
+      integrals("fast", Accuracy::fast),
+      integrals("fast, 2 threads", Accuracy::fast, 2),
+      integrals("tight", Accuracy::tight),
+      integrals("tight, 2 threads", Accuracy::tight, 2),
+      integrals("textbook (Mirtich)", Accuracy::textbook),
+      diagnosed("fast, diagnosed", Accuracy::fast),
+      diagnosed("tight, diagnosed", Accuracy::tight),
+      {"box along the axes, true mass", [](const Body& body) -> Run {
+         return [&body]() -> Answer {
+           return box_mass_properties(aligned_box(body.mesh.vertices), body.truth.mass);
+         };
+       }}};
+  add_sampling<RandomPoints>(methods, "random points");
+  add_sampling<R3Points>(methods, "R3 points");
+  return methods;
+}
+
+}  // namespace tumble::bench
