@@ -19,12 +19,26 @@
 
 namespace mirtich {
 
+/// The plane n · x + w = 0 of a face: w is minus its distance from the origin, along n.
+struct Plane {
+  Eigen::Vector3d n;  ///< unit normal, to the side from which the face is seen; in x, y, z
+  double w;           ///< [m]
+};
+
 /// ∬ f dα dβ over a shadow.
 struct ProjectionIntegrals {
   double one;                 ///< of 1                  [m²]
   double a, b;                ///< of α, β               [m³]
   double aa, ab, bb;          ///< of α², αβ, β²         [m⁴]
   double aaa, aab, abb, bbb;  ///< of α³, α²β, αβ², β³   [m⁵]
+};
+
+/// ∬ f dA over a face in space, with its true area.
+struct FaceIntegrals {
+  double a, b, c;        ///< of α, β, γ            [m³]
+  double aa, bb, cc;     ///< of α², β², γ²         [m⁴]
+  double aaa, bbb, ccc;  ///< of α³, β³, γ³         [m⁵]
+  double aab, bbc, cca;  ///< of α²β, β²γ, γ²α      [m⁵]
 };
 
 // == 8.1 projection_integrals: from a shadow to its edges
@@ -40,5 +54,18 @@ struct ProjectionIntegrals {
 /// @return the ten integrals, to rounding: the errors may grow with the number of corners, and that
 ///         of ∬ αⁱβʲ with the farthest corner's coordinate to the power i + j + 2
 ProjectionIntegrals projection_integrals(const std::vector<Eigen::Vector3d>& corners, int gamma);
+
+// == 8.2 face_integrals: from a face to its shadow
+/// The corners of a face go round counter-clockwise, seen from the side to which its normal n
+/// points. So its shadow along γ goes round counter-clockwise where n_γ is positive, and clockwise
+/// where it is negative. The face's own area is positive in both cases.
+/// @param shadow what 8.1 gives for the face's corners and this γ: negative where n_γ is
+/// @param plane  the face's plane. n_γ is not 0, and usually the largest of n's three numbers in
+///               size, but any other will do.
+/// @param gamma  the axis along which the shadow was cast: 0, 1 or 2
+/// @return the twelve integrals; all 0 where those of the shadow are. To rounding: the errors may
+///         grow with 1/n_γ to the power that the formulas have it in, and with the distance of the
+///         face's farthest corner from the origin.
+FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& plane, int gamma);
 
 }  // namespace mirtich
