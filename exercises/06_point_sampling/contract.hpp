@@ -1,0 +1,35 @@
+#pragma once
+/// @file
+/// Chapter 6, point sampling: what is to be written, one function a file.
+///
+/// An inertia tensor says how hard it is to turn a body: L = I ω. Its products, the numbers off the
+/// diagonal, carry the minus sign: I_xy = −∫ x y dm. Unless something else is said, it is about the
+/// centre of mass. "To rounding" means: off by some roundings of a double, not more.
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "../05_momentum/contract.hpp"
+#include "not_implemented.hpp"
+
+namespace point_sampling {
+
+using momentum::PointMass;
+
+/// The surface of a body, made of triangles that share vertices.
+struct Mesh {
+  std::vector<Eigen::Vector3d> vertices;      ///< positions [m]
+  std::vector<std::array<int, 3>> triangles;  ///< three numbers of vertices each, from 0 on:
+                                              ///< counter-clockwise, seen from outside the body
+};
+
+/// What the motion of a rigid body needs to know of its shape and material.
+struct MassProperties {
+  double mass;              ///< [kg]
+  Eigen::Vector3d centre;   ///< centre of mass [m]
+  Eigen::Matrix3d inertia;  ///< about the centre of mass [kg m²], products with the minus sign
+};
+
+}  // namespace point_sampling
