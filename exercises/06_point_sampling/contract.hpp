@@ -32,4 +32,14 @@ struct MassProperties {
   Eigen::Matrix3d inertia;  ///< about the centre of mass [kg m²], products with the minus sign
 };
 
+// == 6.1 inertia_of_points: the discrete inertia sum
+/// @param points masses in points of the world: none, one or many, each 0 or between 1e-100 and
+///               1e100 kg
+/// @param about  the point that the inertia is asked for about [m]; not always the centre of mass
+/// @return the inertia tensor in world axes [kg m²], to rounding; zero if there are no points.
+///         Where the points and `about` are together 1e8 m away from the origin, no digit may be
+///         lost by that; with the number of points the errors may grow.
+Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
+                                  const Eigen::Vector3d& about);
+
 }  // namespace point_sampling
