@@ -42,4 +42,22 @@ struct MassProperties {
 Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
                                   const Eigen::Vector3d& about);
 
+// == 6.4 parallel_axis: the same body about another point
+/// @param I      inertia about the point `from` [kg m²]
+/// @param mass   of the body [kg]
+/// @param centre its centre of mass [m]
+/// @param from   the point that I is about [m]; only sometimes the centre of mass
+/// @param to     the point that the inertia is asked for about [m]; it may be the centre of mass
+/// @return the inertia about `to` [kg m²], to rounding: the errors may grow with the mass and with
+///         the squares of the distances of both points from the centre. Where all three are
+///         together 1e8 m away from the origin, no digit may be lost by that.
+Eigen::Matrix3d parallel_axis(const Eigen::Matrix3d& I, double mass, const Eigen::Vector3d& centre,
+                              const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+// == 6.5 rotate_inertia: the tensor of a body that is turned
+/// @param R      orientation, body → world: a rotation to rounding
+/// @param I_body inertia in body axes [kg m²], symmetric, but not always diagonal
+/// @return the inertia about the same point in world axes [kg m²], to rounding
+Eigen::Matrix3d rotate_inertia(const Eigen::Matrix3d& R, const Eigen::Matrix3d& I_body);
+
 }  // namespace point_sampling
