@@ -10,14 +10,27 @@
 /// or (z, x, y), and whoever looks from the tip of the γ axis sees α go to the right and β go up.
 /// The shadow of a point has its coordinates α and β; its γ is dropped.
 ///
+/// The cross product a × b is `rotation_matrices::skew(a) * b`, with 3.2; or write its three
+/// components out. Eigen's own `.cross()` is not among what an exercise has.
+///
 /// "To rounding" means: off by some roundings of a double, not more.
 
 #include <Eigen/Core>
 #include <vector>
 
+#include "../06_point_sampling/contract.hpp"
 #include "not_implemented.hpp"
 
 namespace mirtich {
+
+using point_sampling::MassProperties;
+
+/// A body, given by the plane polygons that bound it.
+struct Polyhedron {
+  std::vector<Eigen::Vector3d> vertices;  ///< positions [m]
+  std::vector<std::vector<int>> faces;    ///< each the numbers of its corners' vertices, from 0 on:
+                                          ///< counter-clockwise, seen from outside the body
+};
 
 /// The plane n · x + w = 0 of a face: w is minus its distance from the origin, along n.
 struct Plane {
@@ -39,6 +52,14 @@ struct FaceIntegrals {
   double aa, bb, cc;     ///< of α², β², γ²         [m⁴]
   double aaa, bbb, ccc;  ///< of α³, β³, γ³         [m⁵]
   double aab, bbc, cca;  ///< of α²β, β²γ, γ²α      [m⁵]
+};
+
+/// ∫ f dV over a body.
+struct VolumeIntegrals {
+  double one;                ///< of 1             [m³]
+  Eigen::Vector3d r;         ///< of x, y, z       [m⁴]
+  Eigen::Vector3d squares;   ///< of x², y², z²    [m⁵]
+  Eigen::Vector3d products;  ///< of xy, yz, zx    [m⁵]
 };
 
 // == 8.1 projection_integrals: from a shadow to its edges
@@ -63,9 +84,24 @@ ProjectionIntegrals projection_integrals(const std::vector<Eigen::Vector3d>& cor
 /// @param plane  the face's plane. n_γ is not 0, and usually the largest of n's three numbers in
 ///               size, but any other will do.
 /// @param gamma  the axis along which the shadow was cast: 0, 1 or 2
-/// @return the twelve integrals; all 0 where those of the shadow are. To rounding: the errors may
-///         grow with 1/n_γ to the power that the formulas have it in, and with the distance of the
-///         face's farthest corner from the origin.
+/// @return the twelve integrals, to rounding; all 0 where those of the shadow are. The errors may
+///         grow with the distance of the farthest corner from the origin and with 1/n_γ, in the
+///         powers in which both enter.
 FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& plane, int gamma);
+
+// == 8.3 volume_integrals: from a volume to its surface
+/// The integrals over what the faces enclose, about the origin of the coordinates.
+/// - Faces are plane to rounding and of any shape, as in 8.1: a face may have a dent at its first
+///   corners, or its first three corners on one line.
+/// - A face without area brings nothing: fewer than three corners, all in one point, or all on one
+///   line. All others count, however small.
+/// - The faces of a cavity are seen from within the cavity: it is taken off.
+/// - A body inside out, whose faces all go round clockwise seen from outside, has the negatives of
+///   all integrals. Without a face they are 0.
+/// @param body closed: along every edge two faces meet. Between 1e-40 and 1e40 m large
+/// @return the ten integrals, to rounding: the errors may grow with the number of corners, and
+/// those
+///         of an integrand of degree d with the farthest coordinate to the power d + 3
+VolumeIntegrals volume_integrals(const Polyhedron& body);
 
 }  // namespace mirtich
