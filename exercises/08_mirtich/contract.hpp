@@ -104,4 +104,19 @@ FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& pla
 ///         of an integrand of degree d with the farthest coordinate to the power d + 3
 VolumeIntegrals volume_integrals(const Polyhedron& body);
 
+// == 8.4 mass_properties: mass, centre of mass and inertia
+/// - Where the body is up to 1e8 m away from the origin, mass and inertia may lose no digit by
+/// that,
+///   and the centre no more than a place so far out has to.
+/// - A body inside out has the negatives of its mass and its inertia, so that it can be told from a
+///   good one, and its centre where it is.
+/// - Where there is no volume at all, because there are no faces or all corners are in one point,
+///   mass, centre and inertia are 0.
+/// @param body    as in 8.3; every vertex belongs to a face, if there is a face
+/// @param density [kg/m³], positive, the same all over the body
+/// @return its mass properties, to rounding: the errors may grow with the number of corners and,
+///         for a body with the diameter d, those of the mass with d³, those of the inertia with d⁵,
+///         each times the density, and those of the centre with d⁴ over the volume
+MassProperties mass_properties(const Polyhedron& body, double density);
+
 }  // namespace mirtich
