@@ -80,7 +80,7 @@ ProjectionIntegrals projection_integrals(const std::vector<Eigen::Vector3d>& cor
 /// The corners of a face go round counter-clockwise, seen from the side to which its normal n
 /// points. So its shadow along γ goes round counter-clockwise where n_γ is positive, and clockwise
 /// where it is negative. The face's own area is positive in both cases.
-/// @param shadow what 8.1 gives for the face's corners and this γ: negative where n_γ is
+/// @param shadow what 8.1 gives for the face's corners and this γ: an area with the sign of n_γ
 /// @param plane  the face's plane. n_γ is not 0, and usually the largest of n's three numbers in
 ///               size, but any other will do.
 /// @param gamma  the axis along which the shadow was cast: 0, 1 or 2
@@ -99,15 +99,13 @@ FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& pla
 /// - A body inside out, whose faces all go round clockwise seen from outside, has the negatives of
 ///   all integrals. Without a face they are 0.
 /// @param body closed: along every edge two faces meet. Between 1e-40 and 1e40 m large
-/// @return the ten integrals, to rounding: the errors may grow with the number of corners, and
-/// those
-///         of an integrand of degree d with the farthest coordinate to the power d + 3
+/// @return the ten integrals, to rounding: the errors may grow with the number of corners, and for
+///         an integrand of degree d with the farthest coordinate to the power d + 3
 VolumeIntegrals volume_integrals(const Polyhedron& body);
 
 // == 8.4 mass_properties: mass, centre of mass and inertia
-/// - Where the body is up to 1e8 m away from the origin, mass and inertia may lose no digit by
-/// that,
-///   and the centre no more than a place so far out has to.
+/// - The body may be up to 1e8 m away from the origin: mass and inertia lose no digit by that, and
+///   the centre no more than a place so far out has to.
 /// - A body inside out has the negatives of its mass and its inertia, so that it can be told from a
 ///   good one, and its centre where it is.
 /// - Where there is no volume at all, because there are no faces or all corners are in one point,
