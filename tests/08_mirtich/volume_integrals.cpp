@@ -101,6 +101,22 @@ Polyhedron beginning_later(Polyhedron body, std::size_t k) {
   return body;
 }
 
+/// One of the meshes that `any()` gives, where no number of a face's normal is near 0.
+template <class Any>
+PolygonMesh leaning(const Any& any) {
+  for (;;) {
+    const PolygonMesh mesh = any();
+    double smallest = 1;
+    for (int f = 0; f < mesh.face_count(); ++f) {
+      Corners corners;
+      for (const int v : mesh.face(f)) corners.push_back(mesh.vertex(v));
+      const Vec3 n = tumble::mirtich::vector_area(corners).normalized();
+      smallest = std::fmin(smallest, n.cwiseAbs().minCoeff());
+    }
+    if (smallest > 0.1) return mesh;
+  }
+}
+
 // ── Mistakes ──
 
 /// The integrals over what lies between a face and the origin, negative if it is seen from there.
@@ -174,9 +190,10 @@ Vec3 in_cycle(const Vec3& v, int gamma) {
 
 TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("any body, turned in any way, anywhere") {
-    for (const int n : {4, 3, 5, 8}) {
-      demand(polyhedron_of(any_prism(n, somewhere())));
-      demand(polyhedron_of(any_tetrahedron()));
+    for (const int n : {4, 3, 5, 6}) {
+      // With no face nearly upright or level: what goes wrong there has its own cases.
+      demand(polyhedron_of(leaning([&] { return any_prism(n, somewhere()); })));
+      demand(polyhedron_of(leaning([] { return any_tetrahedron(); })));
     }
   }
 
@@ -204,23 +221,18 @@ TEST_SUITE(TUMBLE_UNIT) {
       const PolygonMesh one = any_prism(5, somewhere());
       const PolygonMesh other = test::mapped(any_tetrahedron(), Mat3::Identity(), 6 * Vec3::Ones());
       const Polyhedron both = polyhedron_of(test::together(one, other));
-      const auto a = student::volume_integrals(polyhedron_of(one));
-      const auto b = student::volume_integrals(polyhedron_of(other));
-      REQUIRE(student::volume_integrals(both) ==
-              close_to(a.value() + b.value(), 2 * rounding(both)));
+      const VolumeIntegrals a = reference(polyhedron_of(one));
+      demand(both, a + reference(polyhedron_of(other)));
       const PolygonMesh hollow =
           test::together(test::box(-3 * Vec3::Ones(), 3 * Vec3::Ones()), test::inside_out(one));
-      demand(polyhedron_of(hollow), of_box(-3 * Vec3::Ones(), 3 * Vec3::Ones()) + -1 * a.value());
+      demand(polyhedron_of(hollow), of_box(-3 * Vec3::Ones(), 3 * Vec3::Ones()) + -1 * a);
     }
   }
 
   TEST_CASE("inside out, every integral changes its sign") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(5, somewhere());
-      const auto v = student::volume_integrals(polyhedron_of(mesh));
-      const Polyhedron inside_out = polyhedron_of(test::inside_out(mesh));
-      REQUIRE(student::volume_integrals(inside_out) ==
-              close_to(-1 * v.value(), 2 * rounding(inside_out)));
+      demand(polyhedron_of(test::inside_out(mesh)), -1 * reference(polyhedron_of(mesh)));
     }
   }
 
@@ -249,10 +261,8 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("faces cut into triangles enclose the same") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(6, somewhere());
-      const auto v = student::volume_integrals(polyhedron_of(mesh));
-      const Polyhedron triangles = polyhedron_of(test::triangulated(mesh));
-      REQUIRE(student::volume_integrals(triangles) ==
-              close_to(v.value(), rounding(polyhedron_of(mesh)) + rounding(triangles)));
+      demand(polyhedron_of(mesh));
+      demand(polyhedron_of(test::triangulated(mesh)), reference(polyhedron_of(mesh)));
     }
     demand(polyhedron_of(test::triangulated(test::torus_mesh(8, 5, 1, 0.4))));
   }
@@ -261,14 +271,15 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(5, somewhere());
       const Vec3 d = any_vector(3);
-      const auto [V, r, squares, products] = student::volume_integrals(polyhedron_of(mesh)).value();
+      const auto [V, r, squares, products] = reference(polyhedron_of(mesh));
       const Vec3 next_r(r.y(), r.z(), r.x()), next_d(d.y(), d.z(), d.x());
       // x² grows by 2 x d_x + d_x², x y by x d_y + y d_x + d_x d_y.
       const VolumeIntegrals expected{
           V, r + V * d, squares + 2 * d.cwiseProduct(r) + V * d.cwiseAbs2(),
           products + r.cwiseProduct(next_d) + next_r.cwiseProduct(d) + V * d.cwiseProduct(next_d)};
       const Polyhedron moved = polyhedron_of(test::mapped(mesh, Mat3::Identity(), d));
-      REQUIRE(student::volume_integrals(moved) == close_to(expected, 4 * rounding(moved)));
+      // Moving rounds the vertices.
+      REQUIRE(student::volume_integrals(moved) == close_to(expected, 2 * rounding(moved)));
     }
   }
 
@@ -303,6 +314,17 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
       [](const Polyhedron& body) {
         return with_view(body, [](const Corners& corners, View) {
           return view_of({corners[0], corners[1], corners[2]});
+        });
+      }},
+     {"faces left out that begin straight",
+      "A face whose first three corners lie on one line was left out, as if it had no area. Look "
+      "at "
+      "all of its corners before you say so.",
+      "Bad meshes",
+      [](const Polyhedron& body) {
+        return over_faces(body, [](const Corners& corners) {
+          const Vec3 first = tumble::mirtich::vector_area({{corners[0], corners[1], corners[2]}});
+          return first.isZero(0) ? zero() : of_face(corners, view_of(corners));
         });
       }},
      {"shadows always along z",
