@@ -2,7 +2,6 @@
 /// @file
 /// Polyhedra that the specs of this chapter try.
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -32,7 +31,8 @@ inline PolygonMesh mesh_of(const Polyhedron& body) {
 inline PolygonMesh any_prism(int n, const Vec3& middle, double size = 1) {
   std::vector<Eigen::Vector2d> base;
   for (const Vec3& x : any_star(n, size)) base.emplace_back(x.head<2>());
-  return test::mapped(test::prism(base, size * any_number(0.3, 1)), any_rotation(), middle);
+  const double height = size * any_number(0.3, 1);
+  return test::mapped(test::prism(base, height), any_rotation(), middle);
 }
 
 /// A tetrahedron with any four corners that are not nearly in one plane.

@@ -1,8 +1,6 @@
 /// @file
 /// 8.2 face_integrals: its laws, and what goes wrong.
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include "08_mirtich/contract.hpp"
@@ -57,7 +55,13 @@ Face placed(const Corners& polygon, const Mat3& R, const Vec3& middle) {
   return {mapped(polygon, R, middle), {n, -n.dot(middle)}};
 }
 
-Face any_face(int n = 5) { return placed(any_star(n, 1.5), any_rotation(), any_vector(1.5)); }
+/// A face of n corners, leaning in any way.
+Face any_face(int n, double size, const Vec3& middle) {
+  const Corners polygon = any_star(n, size);
+  return placed(polygon, any_rotation(), middle);
+}
+
+Face any_face(int n = 5) { return any_face(n, 1.5, any_vector(1.5)); }
 
 /// The axis that n is nearest to.
 int best_axis(const Face& face) { return tumble::mirtich::projection_axis(face.plane.n); }
@@ -261,7 +265,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       const int gamma = best_axis(face);
       REQUIRE(student::face_integrals(ProjectionIntegrals{}, face.plane, gamma) ==
               close_to(FaceIntegrals{}, 0));
-      face = placed(any_star(5), any_rotation(), Vec3::Zero());
+      face = any_face(5, 1, Vec3::Zero());
       face.plane.w = 0;
       const int axis = best_axis(face);
       REQUIRE(ask(face, axis) ==
@@ -277,10 +281,8 @@ TEST_SUITE(TUMBLE_UNIT) {
                          error(f, reference(face.shadow(gamma), face.plane, gamma), face, gamma),
                          1));
     };
-    for (const double size : {1e-40, 1e-8, 1e8, 1e40})
-      demand(placed(any_star(6, size), any_rotation(), any_vector(size)));
-    for (const double far : {10., 1e3, 1e6})
-      demand(placed(any_star(6), any_rotation(), far * any_direction()));
+    for (const double size : {1e-40, 1e-8, 1e8, 1e40}) demand(any_face(6, size, any_vector(size)));
+    for (const double far : {10., 1e3, 1e6}) demand(any_face(6, 1, far * any_direction()));
   }
 }
 

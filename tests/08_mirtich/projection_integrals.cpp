@@ -80,7 +80,12 @@ double error(const ProjectionIntegrals& p, const ProjectionIntegrals& expected,
 }
 
 /// A polygon of any shape, anywhere, turned in any way.
-Corners any_polygon(int n) { return mapped(any_star(n, 1.5), any_rotation(), any_vector(1.5)); }
+Corners any_polygon(int n, const Vec3& middle) {
+  const Corners star = any_star(n, 1.5);
+  return mapped(star, any_rotation(), middle);
+}
+
+Corners any_polygon(int n) { return any_polygon(n, any_vector(1.5)); }
 
 /// Corners at these (α, β), and anywhere along γ.
 Corners at(const std::vector<std::pair<double, double>>& places, int gamma) {
@@ -195,7 +200,7 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("cut in two, the parts add up to the whole, wherever the cut goes") {
     for (int n = 0; n < 6; ++n) {
       const Vec3 centre = any_vector(1.5);
-      const Corners corners = mapped(any_star(7, 1.5), any_rotation(), centre);
+      const Corners corners = any_polygon(7, centre);
       // From the first corner to the centre, and on to one of the others.
       Corners first(corners.begin(), corners.begin() + n + 1);
       Corners second(corners.begin() + n, corners.end());
@@ -256,7 +261,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       }
     }
     for (const double far : {10., 1e3, 1e6}) {
-      const Corners corners = mapped(any_polygon(6), Mat3::Identity(), far * any_direction());
+      const Corners corners = any_polygon(6, far * any_direction());
       for (int gamma = 0; gamma < 3; ++gamma) {
         const auto p = student::projection_integrals(corners, gamma);
         REQUIRE(p == obeys("every integral is right to its rounding",

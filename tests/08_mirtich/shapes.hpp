@@ -3,7 +3,6 @@
 /// Polygons that the specs of this chapter try.
 
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <vector>
 

@@ -211,7 +211,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (std::size_t k = 0; k < L.size(); ++k)
       demand(beginning_later(polyhedron_of(test::prism(L, 1)), k), of_L());
     for (std::size_t k = 0; k < L.size(); ++k) {
-      const PolygonMesh turned = test::mapped(test::prism(L, 1), any_rotation(), somewhere());
+      const Mat3 R = any_rotation();
+      const PolygonMesh turned = test::mapped(test::prism(L, 1), R, somewhere());
       demand(beginning_later(polyhedron_of(turned), k));
     }
   }
