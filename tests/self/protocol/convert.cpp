@@ -13,6 +13,15 @@ struct Pair {
   Eigen::Vector3d second;
 };
 
+struct Seven {
+  double a, b, c, d, e, f, g;
+};
+
+struct Twelve {
+  double a, b, c, d, e, f, g, h, i, j, k;
+  Eigen::Vector3d l;
+};
+
 template <class T>
 bool refuses(const Value& value) {
   try {
@@ -58,4 +67,17 @@ TEST_CASE("a struct is a list of its members") {
   CHECK(from_value<Pair>(value).second == Eigen::Vector3d(2, 3, 4));
   CHECK(refuses<Pair>(List{1.0}));
   CHECK(refuses<Pair>(List{1.0, List{2.0, 3.0, 4.0}, 5.0}));
+}
+
+TEST_CASE("a struct of up to twelve members keeps them in their order") {
+  const Seven seven = from_value<Seven>(to_value(Seven{1, 2, 3, 4, 5, 6, 7}));
+  CHECK(seven.a == 1);
+  CHECK(seven.g == 7);
+  const Value value = to_value(Twelve{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, {12, 13, 14}});
+  REQUIRE(list_of(value).size() == 12);
+  for (std::size_t i = 0; i < 11; ++i)
+    CHECK(*list_of(value)[i].as<double>() == static_cast<double>(i) + 1);
+  CHECK(from_value<Twelve>(value).k == 11);
+  CHECK(from_value<Twelve>(value).l == Eigen::Vector3d(12, 13, 14));
+  CHECK(refuses<Seven>(value));
 }
