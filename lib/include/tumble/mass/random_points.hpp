@@ -2,8 +2,8 @@
 /// @file
 /// Independent random points of the unit cube, the same on every platform (random_fraction.hpp).
 
+#include "tumble/core/random_fraction.hpp"
 #include "tumble/core/require.hpp"
-#include "tumble/mass/random_fraction.hpp"
 #include "tumble/mass/sample_points.hpp"
 
 namespace tumble {

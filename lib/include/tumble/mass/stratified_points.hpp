@@ -7,8 +7,8 @@
 /// surface do. The error of a volume falls with N^(−2/3). Source: Haber, "A modified Monte-Carlo
 /// quadrature", Math. Comp. 20 (1966).
 
+#include "tumble/core/random_fraction.hpp"
 #include "tumble/core/require.hpp"
-#include "tumble/mass/random_fraction.hpp"
 #include "tumble/mass/sample_points.hpp"
 
 namespace tumble {
