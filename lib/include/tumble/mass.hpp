@@ -4,6 +4,7 @@
 /// with them. For one thing alone, include its header.
 
 #include "tumble/mass/bounding_box.hpp"
+#include "tumble/mass/column_mass_properties.hpp"
 #include "tumble/mass/grid_points.hpp"
 #include "tumble/mass/low_discrepancy_points.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
