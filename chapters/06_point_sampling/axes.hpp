@@ -1,0 +1,98 @@
+#pragma once
+/// @file
+/// The same body about other points, and far from the origin of the world.
+
+#include "common.hpp"
+#include "support/plot.hpp"
+
+namespace point_sampling_chapter {
+
+// ── Parallel axes ──
+
+inline const MassProperties& racket() {
+  static const MassProperties body = [] {
+    const objects::Object& object = objects::all[2];
+    return mesh_mass_properties(object.mesh(2), object.density);
+  }();
+  return body;
+}
+
+inline std::string gram_square_metres(double I) { return number(1000 * I, 4) + " g m²"; }
+
+/// How hard a racket is to swing about an axis across its handle, in the plane of the strings.
+inline Table racket_table() {
+  Table table({"about an axis through", "from the centre of mass", "I_yy", "of it m d²"});
+  constexpr double end = -0.52;  // of the handle, in the mesh's axes [m]
+  const Vec3 centre = racket().centre;
+  const auto add = [&](const std::string& name, double x) {
+    const double d = x - centre.x(),
+                 I = parallel_axis(racket().inertia, racket().mass, Vec3(d, 0, 0))(1, 1);
+    table.add({name, number(1000 * std::abs(d), 3) + " mm", gram_square_metres(I),
+               percent(racket().mass * d * d / I, 3)});
+  };
+  add("the centre of mass", centre.x());
+  add("the hand, 10 cm from the end", end + 0.1);
+  add("the end of the handle", end);
+  add("the tip", bounds(objects::all[2].mesh(2)).max().x());
+  return table;
+}
+
+// ── Far from the origin ──
+
+/// Points on a grid of 2⁻²⁰ m: they can be moved by 2²⁰ m or 2³⁰ m without being rounded.
+inline std::vector<PointMass> points_of_mug() {
+  std::vector<PointMass> points;
+  RandomPoints random(4000, 3);
+  const Eigen::AlignedBox3d box = mug_solid().bounds();
+  while (points.size() < 300) {
+    const Vec3 p = box.min() + random.next().cwiseProduct(box.sizes());
+    if (mug_solid().contains(p)) points.push_back({0.001, (p * 0x1p20).array().round() * 0x1p-20});
+  }
+  return points;
+}
+
+/// About the origin of the world, then moved to the centre of mass.
+inline Mat3 by_way_of_the_origin(const std::vector<PointMass>& points) {
+  Mat3 about_origin = Mat3::Zero();
+  Vec3 first = Vec3::Zero();
+  double mass = 0;
+  for (const PointMass& p : points) {
+    about_origin += point_inertia(p.mass, p.position);
+    first += p.mass * p.position;
+    mass += p.mass;
+  }
+  return inertia_about_centre(about_origin, mass, first / mass);
+}
+
+/// Differences first: the arms from the centre of mass, then their squares.
+inline Mat3 by_differences(const std::vector<PointMass>& points) {
+  const Vec3 centre = centre_of_mass(points);
+  Mat3 sum = Mat3::Zero();
+  for (const PointMass& p : points) sum += point_inertia(p.mass, p.position - centre);
+  return sum;
+}
+
+inline std::string far_figure() {
+  support::Plot plot{"300 points of a mug",
+                     {"distance from the origin [m]", support::Scale::log},
+                     {"error of the inertia", support::Scale::log},
+                     {}};
+  const std::vector<PointMass> here = points_of_mug();
+  const Mat3 truth = mass_properties(here).inertia;
+  const auto add = [&](const std::string& name, auto&& find) {
+    support::Series series{name, {}, {}};
+    for (int k = -2; k <= 26; k += 2) {
+      const double distance = std::ldexp(1.0, k);
+      std::vector<PointMass> there = here;
+      for (PointMass& p : there) p.position += Vec3(distance, 0, 0);
+      series.x.push_back(distance);
+      series.y.push_back(std::max(inertia_error(find(there), truth), 1e-17));
+    }
+    plot.series.push_back(series);
+  };
+  add("by way of the origin", by_way_of_the_origin);
+  add("differences first", by_differences);
+  return support::to_svg(plot);
+}
+
+}  // namespace point_sampling_chapter
