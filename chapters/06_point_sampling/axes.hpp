@@ -9,11 +9,13 @@ namespace point_sampling_chapter {
 
 // ── Parallel axes ──
 
+inline const objects::Object& racket_object = objects::all[2];
+
+/// The racket of chapter 5, its handle along −x.
+inline PolygonMesh racket_mesh() { return racket_object.mesh(racket_object.for_drawings); }
+
 inline const MassProperties& racket() {
-  static const MassProperties body = [] {
-    const objects::Object& object = objects::all[2];
-    return mesh_mass_properties(object.mesh(2), object.density);
-  }();
+  static const MassProperties body = mesh_mass_properties(racket_mesh(), racket_object.density);
   return body;
 }
 
@@ -21,19 +23,21 @@ inline std::string gram_square_metres(double I) { return number(1000 * I, 4) + "
 
 /// How hard a racket is to swing about an axis across its handle, in the plane of the strings.
 inline Table racket_table() {
-  Table table({"about an axis through", "from the centre of mass", "I_yy", "of it m d²"});
-  constexpr double end = -0.52;  // of the handle, in the mesh's axes [m]
-  const Vec3 centre = racket().centre;
-  const auto add = [&](const std::string& name, double x) {
-    const double d = x - centre.x(),
-                 I = parallel_axis(racket().inertia, racket().mass, Vec3(d, 0, 0))(1, 1);
-    table.add({name, number(1000 * std::abs(d), 3) + " mm", gram_square_metres(I),
-               percent(racket().mass * d * d / I, 3)});
+  Table table({"about an axis through", "off the centre of mass", "I_yy", "added"});
+  const Eigen::AlignedBox3d box = bounds(racket_mesh());
+  const double end = box.min().x(), hand = end + 0.1, tip = box.max().x();  // [m]
+  const double mass = racket().mass, centre = racket().centre.x();
+  const auto about = [&](double x) { return inertia_about(racket(), {x, 0, 0})(1, 1); };
+  const auto add = [&](const std::string& name, double x, double I) {
+    const double d = std::abs(x - centre);
+    table.add({name, number(1000 * d) + " mm", gram_square_metres(I),
+               percent((I - about(centre)) / I, 3)});
   };
-  add("the centre of mass", centre.x());
-  add("the hand, 10 cm from the end", end + 0.1);
-  add("the end of the handle", end);
-  add("the tip", bounds(objects::all[2].mesh(2)).max().x());
+  add("the centre of mass", centre, about(centre));
+  add("the hand, 10 cm from the end", hand, about(hand));
+  add("the end of the handle", end, about(end));
+  add("the tip", tip, about(tip));
+  add("the end, in one step from the hand: wrong", end, about(hand) + mass * 0.1 * 0.1);
   return table;
 }
 

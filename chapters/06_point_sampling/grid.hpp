@@ -20,4 +20,24 @@ inline Table cells_table() {
   return table;
 }
 
+/// A cube of 1 m whose bounds are a little too wide.
+struct LooseCube : Box {
+  Eigen::AlignedBox3d bounds() const { return {Vec3::Constant(-0.515), Vec3::Constant(0.515)}; }
+};
+
+/// Flat faces along the planes of the grid.
+inline Table loose_table() {
+  Table table({"32768 points", "mass", "off by", "the standard error says"});
+  const auto add = [&table](const std::string& name, auto points) {
+    const SampledMassProperties body = sample_mass_properties(LooseCube{}, 1, points);
+    table.add({name, number(body.mass, 5) + " kg", percent(std::abs(body.mass - 1)),
+               percent(body.mass_standard_error)});
+  };
+  add("grid", GridPoints(32));
+  add("random", RandomPoints(32768));
+  add("stratified", StratifiedPoints(32));
+  add("R3", R3Points(32768));
+  return table;
+}
+
 }  // namespace point_sampling_chapter

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   chapter.table("orders", "The error of a mug's inertia", orders_table);
   chapter.table("honest", "The standard error of a mug's mass", honest_table);
   chapter.measured("times", "The inertia of a mug", times_table);
+  chapter.table("loose", "A cube of 1 kg in bounds that are 3 % too wide", loose_table);
   chapter.figure("cloud", cloud_figure);
   chapter.figure("edge", edge_figure);
   chapter.figure("csg", csg_figure);
