@@ -1,0 +1,81 @@
+#pragma once
+/// @file
+/// Chapter 6, point sampling: what is to be written, one function a file.
+///
+/// An inertia tensor says how hard it is to turn a body: L = I ω. Its products, the numbers off the
+/// diagonal, carry the minus sign: I_xy = −∫ x y dm. Unless something else is said, it is about the
+/// centre of mass. "To rounding" means: off by some roundings of a double, not more.
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "../05_momentum/contract.hpp"
+#include "not_implemented.hpp"
+
+namespace point_sampling {
+
+using momentum::PointMass;
+
+/// Tells for a point of the world [m] whether it is inside a body.
+using Inside = std::function<bool(const Eigen::Vector3d& point)>;
+
+/// The surface of a body, made of triangles that share vertices.
+struct Mesh {
+  std::vector<Eigen::Vector3d> vertices;      ///< positions [m]
+  std::vector<std::array<int, 3>> triangles;  ///< three numbers of vertices each, from 0 on:
+                                              ///< counter-clockwise, seen from outside the body
+};
+
+/// What the motion of a rigid body needs to know of its shape and material.
+struct MassProperties {
+  double mass;              ///< [kg]
+  Eigen::Vector3d centre;   ///< centre of mass [m]
+  Eigen::Matrix3d inertia;  ///< about the centre of mass [kg m²], products with the minus sign
+};
+
+// == 6.1 inertia_of_points: the discrete inertia sum
+/// @param points masses in points of the world: none, one or many, each 0 or between 1e-100 and
+///               1e100 kg
+/// @param about  the point that the inertia is asked for about [m]; not always the centre of mass
+/// @return the inertia tensor in world axes [kg m²], to rounding; zero if there are no points.
+///         Where the points and `about` are together 1e8 m away from the origin, no digit may be
+///         lost by that; with the number of points the errors may grow.
+Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
+                                  const Eigen::Vector3d& about);
+
+// == 6.3 sample_mass_properties: a body by counting points
+/// The box is cut into n × n × n equal cells along the axes. If the middle of a cell is inside the
+/// body, the mass of a full cell is put into that point; otherwise nothing is. Asked for are the
+/// mass properties of these point masses.
+/// @param inside    to be asked once for the middle of each cell: n³ times in all, in any order
+/// @param low, high two opposite corners of the box, with the smallest and with the largest
+///                  coordinates [m]; its edges may be of three different lengths, none is zero
+/// @param n         number of cells along each edge, 1 or more
+/// @param density   of the body [kg/m³], positive
+/// @return the sum of the masses, their centre, and their inertia about that centre; all zero if
+///         there are none. To rounding of the places: the errors may grow with n³ and with the
+///         distance of the box from the origin, but not with the square of the distance.
+MassProperties sample_mass_properties(const Inside& inside, const Eigen::Vector3d& low,
+                                      const Eigen::Vector3d& high, int n, double density);
+
+// == 6.4 parallel_axis: the same body about another point
+/// @param I      inertia about the point `from` [kg m²]
+/// @param mass   of the body [kg]
+/// @param centre its centre of mass [m]
+/// @param from   the point that I is about [m]; only sometimes the centre of mass
+/// @param to     the point that the inertia is asked for about [m]; it may be the centre of mass
+/// @return the inertia about `to` [kg m²], to rounding: the errors may grow with the mass and with
+///         the squares of the distances of both points from the centre. Where all three are
+///         together 1e8 m away from the origin, no digit may be lost by that.
+Eigen::Matrix3d parallel_axis(const Eigen::Matrix3d& I, double mass, const Eigen::Vector3d& centre,
+                              const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+// == 6.5 rotate_inertia: the tensor of a body that is turned
+/// @param R      orientation, body → world: a rotation to rounding
+/// @param I_body inertia in body axes [kg m²], symmetric, but not always diagonal
+/// @return the inertia about the same point in world axes [kg m²], to rounding
+Eigen::Matrix3d rotate_inertia(const Eigen::Matrix3d& R, const Eigen::Matrix3d& I_body);
+
+}  // namespace point_sampling
