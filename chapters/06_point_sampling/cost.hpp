@@ -81,8 +81,8 @@ inline Table inside_table() {
 inline Table times_table() {
   support::Stopwatch stopwatch;
   std::vector<std::string> errors;
-  const Placement at = placements(1).front();
-  const PolygonMesh mesh = placed_mesh(mug(), at);
+  const std::vector<Placement> at = placements(16);
+  const PolygonMesh mesh = placed_mesh(mug(), at[0]);
   stopwatch.add(
       "exact sum (chapter 8)", [&] { support::keep(unchecked_mass_properties(mesh, mug_density)); },
       1);
@@ -94,8 +94,12 @@ inline Table times_table() {
     for (const std::size_t k : {0u, 3u}) {
       const Method& method = methods()[i];
       const int n = method.numbers[k];
-      stopwatch.add(
-          number(n, 6) + " " + method.name, [&, n] { support::keep(method.find(at, n, 1)); }, 1);
+      // Each time another mug: a processor that sees the same points again learns the answers.
+      const auto find = [&, n, turn = Seed{0}]() mutable {
+        ++turn;
+        support::keep(method.find(at[turn % at.size()], n, turn));
+      };
+      stopwatch.add(number(n, 6) + " " + method.name, find, 1);
       errors.push_back(error_number(all_errors()[i][k]));
     }
   stopwatch.add(

@@ -20,6 +20,19 @@ inline Table cells_table() {
   return table;
 }
 
+/// How much of their boxes the objects fill, and what that means for random points.
+inline Table fill_table() {
+  Table table({"object", "share of its box", "1000 random points leave", "for 1 %"});
+  constexpr std::array names{"T-handle", "wing nut", "tennis racket", "mug", "gear"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const PolygonMesh mesh = objects::all[i].mesh(2);
+    const double f = mesh_mass_properties(mesh, 1).mass / bounds(mesh).volume();
+    table.add({names[i], percent(f), percent(std::sqrt((1 - f) / (1000 * f))),
+               number(10 * std::round((1 - f) / f * 1000), 6) + " points"});
+  }
+  return table;
+}
+
 /// A cube of 1 m whose bounds are a little too wide.
 struct LooseCube : Box {
   Eigen::AlignedBox3d bounds() const { return {Vec3::Constant(-0.515), Vec3::Constant(0.515)}; }

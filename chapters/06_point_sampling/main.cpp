@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   chapter.table("edge", "A box on a grid of 32³ points", edge_table);
   chapter.table("die", "The centre of mass of a die with drilled pips", die_table);
   chapter.table("racket", "A tennis racket about other axes", racket_table);
+  chapter.table("fill", "How much of its box a body fills", fill_table);
   chapter.table("orders", "The error of a mug's inertia", orders_table);
   chapter.table("honest", "The standard error of a mug's mass", honest_table);
   chapter.measured("times", "The inertia of a mug", times_table);
