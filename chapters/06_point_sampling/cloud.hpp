@@ -55,7 +55,7 @@ inline void draw_box(support::Sketch& sketch) {
 }
 
 inline std::string cloud_figure() {
-  support::Sketch sketch(760, 300, "A mug filled with points");
+  support::Sketch sketch(760, 312, "A mug filled with points", 22);
   const std::array<int, 3> tried{1000, 4000, 16000};
   const std::array<double, 3> pixels{2.2, 1.6, 1.1};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,8 +64,8 @@ inline std::string cloud_figure() {
     draw_cloud(sketch, tried[i], pixels[i]);
     const auto found = sample_mass_properties(mug_solid(), mug_density, R3Points(tried[i]));
     const double off = std::abs(found.mass / mug_truth().mass - 1);
-    sketch.words({0, 0}, {0, 136}, number(tried[i], 5) + " points:", "ink", "middle");
-    sketch.words({0, 0}, {0, 160}, "mass off by " + percent(off), "ink", "middle");
+    sketch.words({0, 0}, {0, 138}, number(tried[i], 5) + " points:", "ink", "middle");
+    sketch.words({0, 0}, {0, 168}, "mass off by " + percent(off), "ink", "middle");
   }
   return sketch.svg();
 }

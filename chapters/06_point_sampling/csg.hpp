@@ -94,7 +94,7 @@ inline Table die_table() {
 
 inline std::string caption(double x, double y, const std::string& words) {
   return "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(y) +
-         "\" fill=\"var(--ink)\" font-size=\"17\" text-anchor=\"middle\">" +
+         "\" fill=\"var(--ink)\" font-size=\"22\" text-anchor=\"middle\">" +
          support::svg_text(words) + "</text>\n";
 }
 

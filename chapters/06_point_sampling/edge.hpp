@@ -81,7 +81,7 @@ inline Table edge_table() {
 inline std::string edge_figure() {
   constexpr int n = 32;
   support::Sketch sketch(640, 372,
-                         "The cube from above: columns of points that a careless rule loses");
+                         "The cube from above: columns of points that a careless rule loses", 20);
   const std::array<EdgeRule, 2> rules{EdgeRule::none, EdgeRule::one};
   const std::array<std::string, 2> names{"an edge counts twice, or never", "an edge counts once"};
   const PolygonMesh cube = box_of_triangles(Vec3(1, 1, 1));

@@ -41,7 +41,7 @@ std::vector<Vec2> first_two(P points, int count) {
 
 inline std::string squares_figure() {
   constexpr int n = 16;
-  support::Sketch sketch(760, 236, "256 points of the unit square, spread in four ways", 17);
+  support::Sketch sketch(760, 236, "256 points of the unit square, spread in four ways", 22);
   const std::array<std::string, 4> names{"random", "stratified", "grid", "R3"};
   const std::array<std::vector<Vec2>, 4> sets{
       first_two(RandomPoints(n * n), n * n), first_two(StratifiedPoints(n), n * n),
@@ -73,7 +73,7 @@ inline bool is_cut(int i, int j, int n) {
 }
 
 inline std::string cells_figure() {
-  support::Sketch sketch(700, 276, "The cells that the outline cuts");
+  support::Sketch sketch(700, 276, "The cells that the outline cuts", 21);
   const std::array<int, 3> sizes{8, 16, 32};
   for (std::size_t k = 0; k < 3; ++k) {
     const int n = sizes[k];
