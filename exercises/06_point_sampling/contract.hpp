@@ -45,6 +45,17 @@ struct MassProperties {
 Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
                                   const Eigen::Vector3d& about);
 
+// == 6.2 inside_mesh: is a point inside?
+/// @param mesh  of any shape: with notches, holes and cavities, also of several parts that are side
+///              by side or in one another's cavities. It is closed: each edge belongs to two
+///              triangles, which run through it in opposite directions. No parts overlap. A mesh
+///              without triangles has no inside.
+/// @param point a place [m], away from the surface by 1/1000 of the mesh's largest extent or more.
+///              A line through it may meet edges and vertices, exactly or but for rounding, or run
+///              along a triangle or an edge: on lines along x, y and z that is tried on purpose.
+/// @return whether the point is inside the body; in a hole or in a cavity it is not
+bool inside_mesh(const Mesh& mesh, const Eigen::Vector3d& point);
+
 // == 6.3 sample_mass_properties: a body by counting points
 /// The box is cut into n × n × n equal cells along the axes. If the middle of a cell is inside the
 /// body, the mass of a full cell is put into that point; otherwise nothing is. Asked for are the
