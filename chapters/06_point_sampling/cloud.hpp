@@ -14,7 +14,7 @@ inline Mat3 upright() {
 inline std::vector<Vec3> points_inside(const MeshSolid& solid, int tried) {
   std::vector<Vec3> inside;
   R3Points points(tried);
-  const Eigen::AlignedBox3d box = solid.bounds();
+  const Eigen::AlignedBox3d& box = solid.bounds();
   for (int i = 0; i < tried; ++i) {
     const Vec3 p = box.min() + points.next().cwiseProduct(box.sizes());
     if (solid.contains(p)) inside.push_back(p);

@@ -41,7 +41,7 @@ class Places {
     RandomPoints points(4096, 7);
     const Eigen::AlignedBox3d box = mug_solid().bounds();
     for (int i = 0; i < 4096; ++i)
-      list_.push_back(box.min() + points.next().cwiseProduct(box.sizes()));
+      list_.emplace_back(box.min() + points.next().cwiseProduct(box.sizes()));
   }
   const Vec3& next() { return list_[i_++ % list_.size()]; }
 
@@ -104,7 +104,7 @@ inline Table times_table() {
     }
   stopwatch.add(
       "triangles into cells, once", [&] { support::keep(MeshSolid(mug())); }, 1);
-  errors.push_back("");
+  errors.emplace_back();
   Table table({"inertia of the mug", "time", "as a ratio", "error"});
   const std::vector<support::Timing> timings = stopwatch.timings();
   for (std::size_t i = 0; i < timings.size(); ++i)

@@ -14,12 +14,12 @@ constexpr double die_edge = 16, die_ball = 11.2, pip = 1.6, pip_place = 4;  // [
 /// Half balls drilled into the faces: 1 on +z, 6 on −z, 2 on −y, 5 on +y, 3 on +x, 4 on −x. A solid
 /// is whatever can say what it contains, and where it ends.
 struct Pips {
-  bool contains(const Vec3& p) const {
-    for (const Vec3& centre : centres())
-      if ((p - centre).squaredNorm() <= pip * pip) return true;
-    return false;
+  static bool contains(const Vec3& p) {
+    return std::any_of(centres().begin(), centres().end(), [&p](const Vec3& centre) {
+      return (p - centre).squaredNorm() <= pip * pip;
+    });
   }
-  Eigen::AlignedBox3d bounds() const {
+  static Eigen::AlignedBox3d bounds() {
     const Vec3 corner = Vec3::Constant(die_edge / 2 + pip);
     return {-corner, corner};
   }

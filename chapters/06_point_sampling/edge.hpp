@@ -36,7 +36,7 @@ inline bool odd_hits_above(const PolygonMesh& mesh, const Vec3& p, EdgeRule rule
 inline PolygonMesh box_of_triangles(const Vec3& size) {
   PolygonMesh mesh;
   for (int i = 0; i < 8; ++i)
-    mesh.vertices.push_back(size.cwiseProduct(Vec3(i & 1, i >> 1 & 1, i >> 2 & 1)));
+    mesh.vertices.emplace_back(size.cwiseProduct(Vec3(i & 1, i >> 1 & 1, i >> 2 & 1)));
   const auto add = [&mesh](int a, int b, int c, int d) {
     mesh.add_face({a, b, c}), mesh.add_face({a, c, d});
   };
@@ -50,7 +50,7 @@ inline std::vector<Vec3> grid_in(const Vec3& size, int n) {
   std::vector<Vec3> list;
   GridPoints points(n);
   for (std::int64_t i = 0; i < points.count(); ++i)
-    list.push_back(points.next().cwiseProduct(size));
+    list.emplace_back(points.next().cwiseProduct(size));
   return list;
 }
 
@@ -93,7 +93,7 @@ inline std::string edge_figure() {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
         const Vec3 p((i + 0.5) / n, (j + 0.5) / n, 0.5);
-        (odd_hits_above(cube, p, rules[k]) ? kept : lost).push_back(p.head<2>());
+        (odd_hits_above(cube, p, rules[k]) ? kept : lost).emplace_back(p.head<2>());
       }
     sketch.specks(kept, "c0", 2.4);
     sketch.specks(lost, "c1", 4.4);

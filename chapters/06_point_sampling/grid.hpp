@@ -35,7 +35,7 @@ inline Table fill_table() {
 
 /// A cube of 1 m whose bounds are a little too wide.
 struct LooseCube : Box {
-  Eigen::AlignedBox3d bounds() const { return {Vec3::Constant(-0.515), Vec3::Constant(0.515)}; }
+  static Eigen::AlignedBox3d bounds() { return {Vec3::Constant(-0.515), Vec3::Constant(0.515)}; }
 };
 
 /// Flat faces along the planes of the grid.

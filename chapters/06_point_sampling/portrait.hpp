@@ -64,10 +64,12 @@ class DepthImage {
     return least < 1e300 ? least / pixel_ : 0;
   }
 
-  double& at(int column, int row) { return depth_[static_cast<std::size_t>(row * n_ + column)]; }
-  double at(int column, int row) const {
-    return depth_[static_cast<std::size_t>(row * n_ + column)];
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(n_) +
+           static_cast<std::size_t>(column);
   }
+  double& at(int column, int row) { return depth_[index(column, row)]; }
+  double at(int column, int row) const { return depth_[index(column, row)]; }
 
   int n_;
   std::vector<double> depth_;

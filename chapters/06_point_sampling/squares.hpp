@@ -35,17 +35,18 @@ inline void draw_points(support::Sketch& sketch, const std::vector<Vec2>& points
 template <SamplePoints P>
 std::vector<Vec2> first_two(P points, int count) {
   std::vector<Vec2> list;
+  list.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) list.push_back(points.next().template head<2>());
   return list;
 }
 
 inline std::string squares_figure() {
-  constexpr int n = 16;
+  constexpr int n = 16, all = n * n;
   support::Sketch sketch(760, 236, "256 points of the unit square, spread in four ways", 22);
   const std::array<std::string, 4> names{"random", "stratified", "grid", "R3"};
   const std::array<std::vector<Vec2>, 4> sets{
-      first_two(RandomPoints(n * n), n * n), first_two(StratifiedPoints(n), n * n),
-      first_two(GridPoints(n), n * n), first_two(R3Points(n * n), n * n)};
+      first_two(RandomPoints(all), all), first_two(StratifiedPoints(n), all),
+      first_two(GridPoints(n), all), first_two(R3Points(all), all)};
   for (std::size_t k = 0; k < 4; ++k) {
     sketch.look({8 + 190 * static_cast<double>(k), 186, 176});
     if (k == 1)

@@ -18,7 +18,7 @@ namespace tumble {
 /// Σ |value(set) − mean|²/(k (k − 1)), square-rooted: the standard error of the mean of k sets.
 template <class Value>
 double standard_error_of_mean(const std::vector<SampledMassProperties>& sets, const Value& value) {
-  const double k = static_cast<double>(sets.size());
+  const auto k = static_cast<double>(sets.size());
   auto mean = value(sets.front());
   mean.setZero();
   for (const SampledMassProperties& set : sets) mean += value(set) / k;

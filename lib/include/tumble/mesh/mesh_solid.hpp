@@ -35,8 +35,7 @@ class VerticalBins {
         heights_.push_back(heights(mesh, bins_.items(column, row)));
   }
 
-  /// Whether all triangles are above a point whose cells the vertical line through it meets, or all
-  /// below it.
+  /// Whether a point is below or above all candidates of the vertical line through it.
   bool is_beyond(const Vec3& p) const {
     const Heights& h =
         heights_[static_cast<std::size_t>(grid_.row(p.y())) * static_cast<std::size_t>(grid_.nx()) +
