@@ -52,4 +52,25 @@ inline Eigen::Matrix3d principal_axes(Eigen::Matrix3d S) {
 ///         identity. To rounding of the places; edges may come out as zero.
 Box bounding_box(const std::vector<Eigen::Vector3d>& points);
 
+// == 7.2 box_inertia: what a box in the place of the body would have
+/// The mass fills the box evenly: the true mass of a body, as a rule, spread over a box around it.
+/// @param mass  of the box [kg], 0 or more
+/// @param box   anywhere, turned in any way; an edge may be zero, as of a plate or of a rod
+/// @param about the point that the inertia is asked for about [m]; only sometimes the box's centre
+/// @return the inertia tensor in world axes [kg m²], products with the minus sign, to rounding.
+///         Where the box and `about` are together 1e8 m away from the origin, no digit may be lost
+///         by that.
+Eigen::Matrix3d box_inertia(double mass, const Box& box, const Eigen::Vector3d& about);
+
+// == 7.3 fit_oriented_box: a box that lies along the body
+/// The points scatter about their mean c by the matrix Σ (p − c)(p − c)ᵀ, where each counts alike.
+/// Its principal axes are the directions of the box's edges; of all boxes with these directions it
+/// is the smallest that holds all points.
+/// @param points one or more, anywhere [m]. Along no two of the axes do they scatter by almost the
+///               same amount, unless they are all on a line or in one place.
+/// @return the box: R is a rotation, and its columns, each with its number in `size`, may come in
+///         any order and with either sign. To rounding of the places: the errors may grow with the
+///         number of points, and with their distance from the origin, but not with its square.
+Box fit_oriented_box(const std::vector<Eigen::Vector3d>& points);
+
 }  // namespace bounding_boxes

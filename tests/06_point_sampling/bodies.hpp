@@ -142,7 +142,7 @@ inline Mesh cubes(const std::set<Cell>& cells) {
       for (const int side : {0, 1}) {
         Cell neighbour = cell;
         neighbour[axis] += 2 * side - 1;
-        if (cells.count(neighbour) > 0) continue;
+        if (cells.contains(neighbour)) continue;
         const auto corner = [&](int u, int v) {
           Cell point = cell;
           point[axis] += side;
@@ -167,7 +167,7 @@ inline std::set<Cell> block_without(const Cell& size, const std::set<Cell>& hole
   for (int i = 0; i < size[0]; ++i)
     for (int j = 0; j < size[1]; ++j)
       for (int k = 0; k < size[2]; ++k)
-        if (holes.count({i, j, k}) == 0) cells.insert({i, j, k});
+        if (!holes.contains({i, j, k})) cells.insert({i, j, k});
   return cells;
 }
 
