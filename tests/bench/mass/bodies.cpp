@@ -1,10 +1,10 @@
-// The meshes: a real one, a large one, the same far away, and one so thin that doubles give up.
-#include <cstdlib>
+// The meshes: two of bodies, a large one, the same far away, and one so thin that doubles give up.
 #include <filesystem>
 
 #include "bench/mass/case.hpp"
 #include "lib/mesh/shapes.hpp"
 #include "reference/exact_moments.hpp"
+#include "support/objects/mug.hpp"
 #include "tumble/mesh/read_obj.hpp"
 
 namespace tumble::bench {
@@ -24,8 +24,8 @@ PolygonMesh mapped(PolygonMesh mesh, const Mat3& A, const Vec3& d) {
 
 std::vector<Body> bodies(int triangles) {
   std::vector<Body> all;
-  const char* folder = std::getenv("TUMBLE_MESHES");
-  const std::filesystem::path spot = std::filesystem::path(folder ? folder : "") / "spot.obj";
+  all.push_back(body("mug", objects::mug(4)));
+  const std::filesystem::path spot = std::filesystem::path(TUMBLE_MESHES) / "spot.obj";
   if (std::filesystem::exists(spot)) all.push_back(body("Spot", read_obj(spot.string())));
   // Twice as many round the ring as round the tube, two triangles to a quad.
   const int tube = static_cast<int>(std::lround(std::sqrt(triangles / 4.0)));

@@ -57,7 +57,7 @@ void add_libigl(std::vector<Method>& methods);
 std::vector<Method> own_methods();
 std::vector<Method> peers();
 
-/// Spot (if its file is there), a torus of `triangles`, the same far away, a needle.
+/// A mug, Spot (if its file is there), a torus of `triangles`, the same far away, a needle.
 std::vector<Body> bodies(int triangles);
 
 }  // namespace tumble::bench

@@ -3,6 +3,7 @@
 
 #include "bench/mass/case.hpp"
 #include "tumble/mass/bounding_box.hpp"
+#include "tumble/mass/column_mass_properties.hpp"
 #include "tumble/mass/low_discrepancy_points.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/mass/point_sampling.hpp"
@@ -75,6 +76,17 @@ void add_sampling(std::vector<Method>& methods, const std::string& curve) {
                        true, curve});
 }
 
+void add_columns(std::vector<Method>& methods) {
+  for (const int n : {1'000, 10'000, 100'000})
+    methods.push_back({"columns, " + std::to_string(n),
+                       [n](const Body& body) -> Run {
+                         return [n, &body]() -> Answer {
+                           return MassProperties(column_mass_properties(body.mesh, 1, n));
+                         };
+                       },
+                       true, "columns"});
+}
+
 }  // namespace
 
 std::vector<Method> own_methods() {
@@ -98,6 +110,7 @@ std::vector<Method> own_methods() {
        }}};
   add_sampling<RandomPoints>(methods, "random points");
   add_sampling<R3Points>(methods, "R3 points");
+  add_columns(methods);
   return methods;
 }
 
