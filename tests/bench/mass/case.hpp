@@ -45,6 +45,7 @@ struct Method {
   std::function<Run(const Body&)> prepare;
   bool slow = false;       ///< left out for a million triangles
   std::string curve = {};  ///< methods with the same are points of one curve in the figure
+  bool in_figure = true;
 };
 
 /// Methods of other software, where it is installed. Each has a file of its own in peers/.
