@@ -24,7 +24,8 @@ PolygonMesh mapped(PolygonMesh mesh, const Mat3& A, const Vec3& d) {
 
 std::vector<Body> bodies(int triangles) {
   std::vector<Body> all;
-  all.push_back(body("mug", objects::mug(4)));
+  const Mat3 askew = Quat(0.3, 0.5, -0.7, 0.2).normalized().toRotationMatrix();
+  all.push_back(body("mug", mapped(objects::mug(4), askew, Vec3::Zero())));
   const std::filesystem::path spot = std::filesystem::path(TUMBLE_MESHES) / "spot.obj";
   if (std::filesystem::exists(spot)) all.push_back(body("Spot", read_obj(spot.string())));
   // Twice as many round the ring as round the tube, two triangles to a quad.
@@ -34,7 +35,6 @@ std::vector<Body> bodies(int triangles) {
   all.push_back(body("torus of " + size, torus));
   all.push_back(body("torus of " + size + ", 1e8 away",
                      mapped(torus, Mat3::Identity(), Vec3(1e8, -1e8, 1e8))));
-  const Mat3 askew = Quat(0.3, 0.5, -0.7, 0.2).normalized().toRotationMatrix();
   const PolygonMesh needle = test::triangulated(test::box(Vec3::Zero(), Vec3(1, 1e-8, 1e-8)));
   all.push_back(body("needle 1 × 1e-8 × 1e-8", mapped(needle, askew, Vec3::Zero())));
   return all;
