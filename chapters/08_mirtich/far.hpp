@@ -101,7 +101,7 @@ inline Table rest_table() {
 }
 
 inline std::string far_figure() {
-  support::Plot plot{"a mug of 1300 triangles",
+  support::Plot plot{"a mug of 1388 triangles",
                      {"distance from the origin, in diameters of the mug", support::Scale::log},
                      {"error: inertia relative, centre in diameters", support::Scale::log},
                      {}};
