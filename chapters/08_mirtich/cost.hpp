@@ -121,7 +121,7 @@ inline Table errors_table() {
 
 /// How far a mesh of n triangles is from the torus that it stands for.
 inline Table mesh_table() {
-  Table table({"triangles", "mass too small by", "next", "moment about the axis by", "rounding"});
+  Table table({"triangles", "mass too small by", "ratio", "moment about the axis by", "rounding"});
   const double R = ring_radius, r = tube_radius;
   const double mass = 2 * pi * pi * R * r * r, moment = mass * (R * R + 0.75 * r * r);
   double before = 0;
