@@ -77,6 +77,14 @@ class Sketch {
     svg_ += "</g>\n";
   }
 
+  /// Thousands of dots alike, as one path: each a line of no length with round ends.
+  void specks(const std::vector<Vec2>& centres, const std::string& colour, double pixels) {
+    svg_ += "<path d=\"";
+    for (const Vec2& centre : centres) svg_ += "M" + at(centre) + "h0";
+    svg_ += "\" fill=\"none\" stroke=\"var(--" + colour + ")\" stroke-width=\"" +
+            svg_number(2 * pixels) + "\" stroke-linecap=\"round\"/>\n";
+  }
+
   /// Words beside a point.
   /// @param offset [px] right and down of the point
   /// @param anchor "start", "middle" or "end": which part of the words is there

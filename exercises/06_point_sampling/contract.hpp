@@ -18,6 +18,9 @@ namespace point_sampling {
 
 using momentum::PointMass;
 
+/// Tells for a point of the world [m] whether it is inside a body.
+using Inside = std::function<bool(const Eigen::Vector3d& point)>;
+
 /// The surface of a body, made of triangles that share vertices.
 struct Mesh {
   std::vector<Eigen::Vector3d> vertices;      ///< positions [m]
@@ -41,6 +44,32 @@ struct MassProperties {
 ///         lost by that; with the number of points the errors may grow.
 Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
                                   const Eigen::Vector3d& about);
+
+// == 6.2 inside_mesh: is a point inside?
+/// @param mesh  of any shape: with notches, holes and cavities, also of several parts that are side
+///              by side or in one another's cavities. It is closed: each edge belongs to two
+///              triangles, which run through it in opposite directions. No parts overlap. A mesh
+///              without triangles has no inside.
+/// @param point a place [m], away from the surface by 1/1000 of the mesh's largest extent or more.
+///              A line through it may meet edges and vertices, exactly or but for rounding, or run
+///              along a triangle or an edge: on lines along x, y and z that is tried on purpose.
+/// @return whether the point is inside the body; in a hole or in a cavity it is not
+bool inside_mesh(const Mesh& mesh, const Eigen::Vector3d& point);
+
+// == 6.3 sample_mass_properties: a body by counting points
+/// The box is cut into n × n × n equal cells along the axes. If the middle of a cell is inside the
+/// body, the mass of a full cell is put into that point; otherwise nothing is. Asked for are the
+/// mass properties of these point masses.
+/// @param inside    to be asked once for the middle of each cell: n³ times in all, in any order
+/// @param low, high two opposite corners of the box, with the smallest and with the largest
+///                  coordinates [m]; its edges may be of three different lengths, none is zero
+/// @param n         number of cells along each edge, 1 or more
+/// @param density   of the body [kg/m³], positive
+/// @return the sum of the masses, their centre, and their inertia about that centre; all zero if
+///         there are none. To rounding of the places: the errors may grow with n³ and with the
+///         distance of the box from the origin, but not with the square of the distance.
+MassProperties sample_mass_properties(const Inside& inside, const Eigen::Vector3d& low,
+                                      const Eigen::Vector3d& high, int n, double density);
 
 // == 6.4 parallel_axis: the same body about another point
 /// @param I      inertia about the point `from` [kg m²]

@@ -12,6 +12,7 @@
 #include "08_mirtich/bodies.hpp"
 #include "08_mirtich/contract.hpp"
 #include "judge/spec/spec.hpp"
+#include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/mass/transform.hpp"
 
 using namespace tumble::judge;
@@ -34,7 +35,7 @@ MassProperties from_library(const tumble::MassProperties& body) {
 /// By signed tetrahedra over the faces, with some 30 digits.
 MassProperties reference(const Polyhedron& body, double density) {
   const PolygonMesh mesh = mesh_of(body);
-  const auto exact = tumble::exact_tetrahedra(mesh, density);
+  const auto exact = tumble::unchecked_mass_properties(mesh, density);
   return exact.mass == 0 ? nothing() : from_library(exact);
 }
 
@@ -163,11 +164,12 @@ auto centre_seen_from(const Choose& choose) {
 MassProperties about_origin(const Polyhedron& body, double density) {
   tumble::Moments<double> m;
   tumble::for_each_triangle(mesh_of(body), [&](int, const std::array<int, 3>& t) {
-    const auto corner = [&](std::size_t k) -> const Vec3& {
-      return body.vertices[static_cast<std::size_t>(t[k])];
+    const auto corner = [&](std::size_t k) -> tumble::simd::Point<double> {
+      const Vec3& x = body.vertices[static_cast<std::size_t>(t[k])];
+      return {x.x(), x.y(), x.z()};
     };
-    const Vec3 &a = corner(0), &b = corner(1), &c = corner(2);
-    m += tumble::raw_moments<double>(tumble::six_volume<double>(a, b, c), a, b, c);
+    const auto a = corner(0), b = corner(1), c = corner(2);
+    m += tumble::raw_moments(tumble::simd::six_volume(a, b, c), a, b, c);
   });
   if (m.one == 0) return nothing();
   const double V = m.one / 6;

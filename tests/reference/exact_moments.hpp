@@ -16,7 +16,9 @@ inline Moments<DoubleDouble> exact_moments(const PolygonMesh& mesh, const Vec3& 
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     std::array<V, 3> r;
     for (std::size_t k = 0; k < 3; ++k) r[k] = mesh.vertex(t[k]).cast<T>() - reference.cast<T>();
-    const T v = r[0].dot(V(r[1].cross(r[2])));
+    const V first = mesh.vertex(t[0]).cast<T>();
+    const V e = mesh.vertex(t[1]).cast<T>() - first, f = mesh.vertex(t[2]).cast<T>() - first;
+    const T v = r[0].dot(V(e.cross(f)));
     const V s = r[0] + r[1] + r[2];
     // 120/6V · ∫ x y dV = s_x s_y + Σ r_x r_y
     const auto second = [&](Eigen::Index i, Eigen::Index j) {

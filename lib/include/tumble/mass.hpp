@@ -4,6 +4,7 @@
 /// with them. For one thing alone, include its header.
 
 #include "tumble/mass/bounding_box.hpp"
+#include "tumble/mass/column_mass_properties.hpp"
 #include "tumble/mass/grid_points.hpp"
 #include "tumble/mass/low_discrepancy_points.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
@@ -13,12 +14,15 @@
 #include "tumble/mass/points.hpp"
 #include "tumble/mass/principal_axes.hpp"
 #include "tumble/mass/random_points.hpp"
+#include "tumble/mass/replicated_sampling.hpp"
 #include "tumble/mass/solids/ball.hpp"
 #include "tumble/mass/solids/box.hpp"
 #include "tumble/mass/solids/capsule.hpp"
 #include "tumble/mass/solids/cone.hpp"
+#include "tumble/mass/solids/csg.hpp"
 #include "tumble/mass/solids/cylinder.hpp"
 #include "tumble/mass/solids/ellipsoid.hpp"
 #include "tumble/mass/solids/placed.hpp"
+#include "tumble/mass/stratified_points.hpp"
 #include "tumble/mass/transform.hpp"
 #include "tumble/mass/validity.hpp"

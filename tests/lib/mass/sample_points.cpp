@@ -9,6 +9,7 @@
 #include "tumble/mass/grid_points.hpp"
 #include "tumble/mass/low_discrepancy_points.hpp"
 #include "tumble/mass/random_points.hpp"
+#include "tumble/mass/stratified_points.hpp"
 
 using namespace tumble;
 using test::eps;
@@ -76,6 +77,42 @@ TEST_CASE("RandomPoints: even, as far as chance goes") {
   CHECK(std::abs(chi2 - 63) <= 4 * std::sqrt(126.0));
 }
 
+TEST_CASE("StratifiedPoints: exactly one in every cell, x fastest, and anywhere in it") {
+  const int n = 7;
+  const std::vector<Vec3> points = all_of(StratifiedPoints(n));
+  for (const int cell : counts(points, n)) CHECK(cell == 1);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int k = static_cast<int>(i);
+    const Vec3 in_cell = n * points[i] - Vec3(k % n, k / n % n, k / (n * n));
+    CHECK(in_cell.minCoeff() >= -8 * eps * n);
+    CHECK(in_cell.maxCoeff() <= 1 + 8 * eps * n);
+    sum += in_cell;
+  }
+  // Uniform in the cell: 343 values of variance 1/12.
+  CHECK((sum / 343 - Vec3::Constant(0.5)).cwiseAbs().maxCoeff() <= 4 / std::sqrt(12 * 343.0));
+}
+
+TEST_CASE("StratifiedPoints, R3Points: equal seeds give equal points, others others") {
+  CHECK(all_of(StratifiedPoints(4, 7)) == all_of(StratifiedPoints(4, 7)));
+  CHECK(all_of(StratifiedPoints(4, 7)) != all_of(StratifiedPoints(4, 8)));
+  CHECK(all_of(R3Points(50, 7)) == all_of(R3Points(50, 7)));
+  CHECK(all_of(R3Points(50, 7)) != all_of(R3Points(50, 8)));
+}
+
+TEST_CASE("R3Points: other seeds give the same set, moved round the cube") {
+  const std::vector<Vec3> a = all_of(R3Points(200)), b = all_of(R3Points(200, 5));
+  for (std::size_t i = 1; i < a.size(); ++i) {
+    const Vec3 change = (b[i] - a[i]) - (b[0] - a[0]);  // whole numbers, where one has wrapped
+    CHECK((change - change.array().round().matrix()).norm() <= 8 * eps);
+  }
+}
+
+TEST_CASE("random fractions of a part stay below 1") {
+  std::mt19937_64 engine(1);
+  for (int i = 0; i < 1000; ++i) CHECK(random_fraction_of_part(engine, 1999999, 2000000) < 1);
+}
+
 TEST_CASE(
     "R3Points: the recurrence ½ + i/gᵏ with g⁴ = g + 1, and no digit lost after many points") {
   const double g = 1.2207440846057596;
@@ -111,7 +148,9 @@ TEST_CASE("sample points: refuse counts that are none") {
     CAPTURE(n);
     CHECK_REFUSED(GridPoints(n), "grid points per axis is " + std::to_string(n));
     CHECK_REFUSED(RandomPoints(n), "random points is " + std::to_string(n));
+    CHECK_REFUSED(StratifiedPoints(n), "stratified points per axis is " + std::to_string(n));
     CHECK_REFUSED(R3Points(n), "low-discrepancy points is " + std::to_string(n));
   }
   CHECK_REFUSED(GridPoints(3'000'000), "3000000");
+  CHECK_REFUSED(StratifiedPoints(3'000'000), "3000000");
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "support/inputs.hpp"
+#include "tumble/mesh/jittered_lines.hpp"
 
 using namespace tumble;
 using test::Random;
@@ -31,7 +32,10 @@ void check_rectangles(const Lines& lines, const Eigen::AlignedBox3d& box) {
     if (k % 3 == 0) r.x0 = lines.line(k % lines.size()).x();
     if (k % 5 == 0) r.y1 = lines.line(k % lines.size()).y();
     std::set<int> found;
-    lines.for_each_in(r, [&](int i) { CHECK(found.insert(i).second); });
+    lines.for_each_in(r, [&](int i, const PlanePoint& line) {
+      CHECK(found.insert(i).second);
+      CHECK(line == lines.line(i));
+    });
     CAPTURE(k);
     CHECK(found == slow_but_correct(lines, r));
   }
@@ -64,6 +68,33 @@ TEST_CASE("LineLattice: every rectangle of a thousandth of the box is within rea
     const double x = rng.uniform(0, 0.875), y = rng.uniform(0, 0.9375);
     CHECK(slow_but_correct(lines, {x, x + 0.125, y, y + 0.0625}).size() >= 4);
   }
+}
+
+TEST_CASE("LineLattice: regular lines stand in the middles of square cells") {
+  const LineLattice lines = LineLattice::regular({Vec3(0, 0, 0), Vec3(2, 1, 5)}, 8);
+  REQUIRE(lines.size() == 8);
+  for (int i = 0; i < 8; ++i)
+    CHECK(lines.line(i) == PlanePoint(0.25 + i / 2 * 0.5, 0.25 + i % 2 * 0.5));
+  for (const Eigen::AlignedBox3d& box : boxes) {
+    const LineLattice regular = LineLattice::regular(box, 1000);
+    CHECK(regular.size() <= 1000);
+    CHECK(regular.size() > 500);  // whole numbers, rounded down
+    check_rectangles(regular, box);
+  }
+}
+
+TEST_CASE("JitteredLines: one in each cell, and a rectangle gets exactly the lines in it") {
+  const Eigen::AlignedBox3d box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 1));
+  const JitteredLines lines(box, 800, 3);
+  REQUIRE(lines.size() == 800);
+  std::set<int> cells;
+  for (int i = 0; i < lines.size(); ++i) {
+    CHECK(box.contains(Vec3(lines.line(i).x(), lines.line(i).y(), 0)));
+    cells.insert(static_cast<int>((lines.line(i).x() + 1) * 20) +
+                 40 * static_cast<int>((lines.line(i).y() + 0.5) * 20));
+  }
+  CHECK(cells.size() == 800);
+  check_rectangles(lines, box);
 }
 
 TEST_CASE("LineList: a rectangle gets exactly the lines in it") {

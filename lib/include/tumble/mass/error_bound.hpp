@@ -65,11 +65,16 @@ inline BoundedMassProperties bounded(const Moments<DoubleDouble>& m, const Vec3&
   const Vector3<DoubleDouble> rest =
       offset + reference.cast<DoubleDouble>() - body.centre.cast<DoubleDouble>();
   body.centre_rest = to_double(rest);
-  const double c1 = to_double(offset).lpNorm<1>();
-  body.mass_error_bound = 2 * eps + 4 * u * sums.volume / (6 * volume);
-  body.centre_error_bound = 8 * eps * eps * (c1 + reference.lpNorm<1>()) +
-                            4 * u * (sums.first / 24 + c1 * sums.volume / 6) / volume;
-  body.inertia_error_bound = 2 * eps + 4 * u * sums.inertia / (120 * std::abs(inertia_size(m)));
+  // What rounding may have done to ∫ dV, ∫ r dV and ∫ r rᵀ dV; and then to ∫ r dV / V and to
+  // ∫ r rᵀ dV − c ∫ rᵀ dV.
+  const double zeroth = 4 * u * sums.volume / 6, first = 4 * u * sums.first / 24,
+               second = 4 * u * sums.inertia / 120;
+  const double c = to_double(offset).lpNorm<1>();
+  body.mass_error_bound = 2 * eps + zeroth / volume;
+  body.centre_error_bound =
+      8 * eps * eps * (c + reference.lpNorm<1>()) + (first + c * zeroth) / volume;
+  body.inertia_error_bound =
+      2 * eps + (second + 2 * c * first + c * c * zeroth) / std::abs(inertia_size(m));
   return body;
 }
 

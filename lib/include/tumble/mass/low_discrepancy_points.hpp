@@ -10,6 +10,8 @@
 /// recurrence is Kronecker's, see Niederreiter, "Random Number Generation and Quasi-Monte
 /// Carlo Methods" (1992), §3.1.
 
+#include <random>
+
 #include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
 
@@ -18,9 +20,21 @@ namespace tumble {
 /// The first n points of the R3 sequence.
 class R3Points {
  public:
+  /// The sequence that starts from (½, ½, ½).
   /// @throws std::invalid_argument if count ≤ 0
   explicit R3Points(std::int64_t count) : count_(count) {
     require(count > 0, "the number of low-discrepancy points is ", count, ", not positive");
+  }
+
+  /// The sequence that starts from a random point: just as even, and right on average, so that
+  /// several of them tell the error (replicated_sampling.hpp). Source: Cranley & Patterson,
+  /// "Randomization of number theoretic methods for multiple integration", SIAM J. Numer. Anal. 13
+  /// (1976).
+  /// @param seed the same seed gives the same points
+  /// @throws std::invalid_argument if count ≤ 0
+  R3Points(std::int64_t count, std::uint64_t seed) : R3Points(count) {
+    std::mt19937_64 engine(seed);
+    x_ = engine(), y_ = engine(), z_ = engine();
   }
 
   std::int64_t count() const { return count_; }

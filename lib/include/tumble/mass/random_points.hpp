@@ -1,13 +1,8 @@
 #pragma once
 /// @file
-/// Independent random points of the unit cube, the same on every platform.
-///
-/// Each coordinate is the upper 53 bits of a 64-bit Mersenne Twister, times 2⁻⁵³: standard
-/// libraries differ in std::uniform_real_distribution, not in the generator. Source: Matsumoto &
-/// Nishimura, "Mersenne Twister", ACM TOMACS 8(1), 1998.
+/// Independent random points of the unit cube, the same on every platform (random_fraction.hpp).
 
-#include <random>
-
+#include "tumble/core/random_fraction.hpp"
 #include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
 
@@ -25,12 +20,11 @@ class RandomPoints {
   std::int64_t count() const { return count_; }
 
   Vec3 next() {
-    const double x = coordinate(), y = coordinate(), z = coordinate();
-    return {x, y, z};
+    const double x = random_fraction(engine_), y = random_fraction(engine_);
+    return {x, y, random_fraction(engine_)};
   }
 
  private:
-  double coordinate() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   std::int64_t count_;
   std::mt19937_64 engine_;
 };

@@ -4,8 +4,9 @@
 /// after the other.
 ///
 /// - GridPoints (grid_points.hpp): cell centres; smooth shapes about n^(−2/3), but blind along its
-/// planes
+///   planes: n^(−1/3) for a flat face that is parallel to them
 /// - RandomPoints (random_points.hpp): n^(−1/2), with an error estimate that can be trusted
+/// - StratifiedPoints (stratified_points.hpp): n^(−2/3), without a bias, one random point a cell
 /// - R3Points (low_discrepancy_points.hpp): n^(−2/3), any n; the one to take
 
 #include <concepts>

@@ -28,26 +28,24 @@ struct TetrahedronSums {
 
 namespace detail {
 
-/// x − reference, rounded.
+/// x − y, rounded.
 template <class P>
-TUMBLE_INLINE void subtract(const P& x, double reference, P& difference) {
-  difference = x - reference;
+TUMBLE_INLINE void subtract(const P& x, const P& y, P& difference) {
+  difference = x - y;
 }
-/// x − reference, exactly.
+/// x − y, exactly.
 template <class P, Fma fma>
-TUMBLE_INLINE void subtract(const P& x, double reference, Pair<P, fma>& difference) {
-  difference = two_diff<fma>(x, P{} + reference);
+TUMBLE_INLINE void subtract(const P& x, const P& y, Pair<P, fma>& difference) {
+  difference = two_diff<fma>(x, y);
 }
 
-template <class P, class Number>
-TUMBLE_INLINE simd::Point<Number> corner(const TriangleBlock& block, const int* corners, int k,
-                                         const Vec3& reference) {
-  const simd::Point<P> x = simd::load_corners<P>(block.coordinates, corners, k);
-  simd::Point<Number> r;
-  subtract(x.x, reference.x(), r.x);
-  subtract(x.y, reference.y(), r.y);
-  subtract(x.z, reference.z(), r.z);
-  return r;
+template <class Number, class P>
+TUMBLE_INLINE simd::Point<Number> difference(const simd::Point<P>& x, const simd::Point<P>& y) {
+  simd::Point<Number> d;
+  subtract(x.x, y.x, d.x);
+  subtract(x.y, y.y, d.y);
+  subtract(x.z, y.z, d.z);
+  return d;
 }
 
 template <class P>
@@ -79,13 +77,17 @@ struct BlockSum {
     using Number = Numbers<P, fma>;
     Moments<Number> moments;
     RoundingSums<P> rounding;
-    const int* corners = block.corners;
-    for (int i = 0; i < block.size; i += simd::lanes<P>, corners += 3 * simd::lanes<P>) {
-      const simd::Point<Number> a = corner<P, Number>(block, corners, 0, reference),
-                                b = corner<P, Number>(block, corners, 1, reference),
-                                c = corner<P, Number>(block, corners, 2, reference);
-      const simd::Point<Number> e = b - a, f = c - a, n = cross(e, f);
-      moments += raw_moments<fma>(dot<fma>(n, a), a, b, c);
+    const simd::Point<P> p{P{} + reference.x(), P{} + reference.y(), P{} + reference.z()};
+    for (int i = 0; i < block.size; i += simd::lanes<P>) {
+      const int* corners = block.corners + 3 * i;
+      const simd::Point<P> x = simd::load_corners<P>(block.coordinates, corners, 0),
+                           y = simd::load_corners<P>(block.coordinates, corners, 1),
+                           z = simd::load_corners<P>(block.coordinates, corners, 2);
+      // Edges from the corners as they are: they may be far shorter than what p is away.
+      const simd::Point<Number> e = difference<Number>(y, x), f = difference<Number>(z, x),
+                                a = difference<Number>(x, p), b = difference<Number>(y, p),
+                                c = difference<Number>(z, p);
+      moments += raw_moments<fma>(simd::dot<fma>(cross(e, f), a), a, b, c);
       rounding.add(norm1(a), norm1(e), norm1(f));
     }
     result.raw += total(moments);

@@ -66,10 +66,10 @@ struct BlockVolume {
 /// 6V of the tetrahedron on the triangle a, b, c with apex o, to about 2⁻¹⁰⁴ |b − a|₁ |c − a|₁
 /// |a − o|₁ [m³]: so thin a one that doubles cancel has a volume too.
 inline DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& o) {
-  const auto from_o = [&](const Vec3& p) -> simd::Point<Pair<double>> {
-    return {two_diff(p.x(), o.x()), two_diff(p.y(), o.y()), two_diff(p.z(), o.z())};
+  const auto exact = [](const Vec3& p, const Vec3& q) -> simd::Point<Pair<double>> {
+    return {two_diff(p.x(), q.x()), two_diff(p.y(), q.y()), two_diff(p.z(), q.z())};
   };
-  return simd::six_volume(from_o(a), from_o(b), from_o(c));
+  return simd::dot(cross(exact(b, a), exact(c, a)), exact(a, o));
 }
 
 }  // namespace tumble

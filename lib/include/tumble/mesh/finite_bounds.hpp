@@ -22,7 +22,6 @@ struct VertexBounds {
 
   template <class P, simd::Fma>
   TUMBLE_INLINE void run() const {
-    using Four = simd::FourAnywhere;
     const std::size_t fours = mesh.vertices.size() / 4;
     // 3 packs of 4 doubles hold 4 vertices: x y z x | y z x y | z x y z
     simd::FourDoubles low[3], high[3], invalid{};
@@ -31,7 +30,7 @@ struct VertexBounds {
     const double* at = fours > 0 ? mesh.vertices.front().data() : nullptr;
     for (std::size_t i = 0; i < fours; ++i, at += 12) {
       for (int k = 0; k < 3; ++k) {
-        const simd::FourDoubles x = *reinterpret_cast<const Four*>(at + 4 * k);
+        const simd::FourDoubles x = simd::load_four(at + 4 * k);
         low[k] = simd::smaller(x, low[k]);
         high[k] = simd::larger(x, high[k]);
         invalid += x - x;  // 0 for a finite x, NaN otherwise

@@ -2,15 +2,14 @@
 /// @file
 /// Where vertical lines meet a surface: each triangle is drawn onto the lines that pass it.
 ///
-/// z = (A_a z_a + A_b z_b + A_c z_c) / A with A_a the area, seen from above, of the triangle that
-/// the line makes with the side opposite to a. Source: any text on barycentric coordinates; Pineda,
-/// "A parallel algorithm for polygon rasterization", SIGGRAPH (1988).
+/// Source: Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH (1988).
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "tumble/mesh/components.hpp"
+#include "tumble/mesh/line_height.hpp"
 #include "tumble/mesh/near_lines.hpp"
 #include "tumble/mesh/orientation.hpp"
 
@@ -50,18 +49,14 @@ struct LineHits {
 /// @param largest the largest absolute coordinate of the mesh: its vertices are known to ± ε
 /// largest
 inline void set_height(LineHit& hit, const Vec3& a, const Vec3& b, const Vec3& c, double largest) {
-  const auto area = [&hit](const Vec3& p, const Vec3& q) {
-    return std::abs((q.x() - p.x()) * (hit.line.y() - p.y()) -
-                    (q.y() - p.y()) * (hit.line.x() - p.x()));
-  };
-  const double of_a = area(b, c), of_b = area(c, a), of_c = area(a, b), all = of_a + of_b + of_c;
+  const LineWeights weights(a, b, c, hit.line);
   const double low = std::min({a.z(), b.z(), c.z()}), high = std::max({a.z(), b.z(), c.z()});
   // A shift of ε largest sideways moves z by as much times the slope, at most height / width.
   constexpr double eps = 0x1p-53;
-  const double blur = 8 * eps * largest;
+  const double blur = 8 * eps * largest, all = weights.area;
   const double slope =
       all > 0 ? (high - low) * ((b - a).lpNorm<1>() + (c - a).lpNorm<1>()) / all : 0;
-  hit.z = all > 0 ? a.z() + (of_b * (b.z() - a.z()) + of_c * (c.z() - a.z())) / all : low;
+  hit.z = weights.height(a, b, c);
   hit.error = std::min(blur * (1 + slope), high - low + blur);
 }
 
@@ -96,8 +91,7 @@ class HitCollector {
     const int part = surface_.of(t[0]);
     if (part < 0) return;  // three times the same vertex
     const Vec3 &a = mesh_.vertex(t[0]), &b = mesh_.vertex(t[1]), &c = mesh_.vertex(t[2]);
-    lines_.for_each_in(rectangle_of(a, b, c), [&](int i) {
-      const PlanePoint line = lines_.line(i);
+    lines_.for_each_in(rectangle_of(a, b, c), [&](int i, const PlanePoint& line) {
       const int crossing = line_crossing(a, b, c, line.x(), line.y());
       if (crossing == 0) return;
       hits_.push_back({line, face, part, -crossing, 0, 0});

@@ -9,13 +9,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "tumble/core/require.hpp"
 #include "tumble/core/solid.hpp"
-#include "tumble/mesh/check_faces.hpp"
-#include "tumble/mesh/edge_balance.hpp"
+#include "tumble/mesh/closed_surface.hpp"
 #include "tumble/mesh/orientation.hpp"
 #include "tumble/mesh/xy_grid.hpp"
 
@@ -28,7 +28,20 @@ class VerticalBins {
       : triangles_(list_triangles(mesh)),
         grid_(tumble::bounds(mesh), 1 + 2.0 * static_cast<double>(triangles_.size())),
         bins_(grid_, static_cast<int>(triangles_.size()),
-              [&](int i) { return range(mesh, triangle(i)); }) {}
+              [&](int i) { return range(mesh, triangle(i)); }) {
+    heights_.reserve(static_cast<std::size_t>(grid_.nx()) * static_cast<std::size_t>(grid_.ny()));
+    for (int row = 0; row < grid_.ny(); ++row)
+      for (int column = 0; column < grid_.nx(); ++column)
+        heights_.push_back(heights(mesh, bins_.items(column, row)));
+  }
+
+  /// Whether a point is below or above all candidates of the vertical line through it.
+  bool is_beyond(const Vec3& p) const {
+    const Heights& h =
+        heights_[static_cast<std::size_t>(grid_.row(p.y())) * static_cast<std::size_t>(grid_.nx()) +
+                 static_cast<std::size_t>(grid_.column(p.x()))];
+    return p.z() < h.low || p.z() > h.high;
+  }
 
   /// Calls `visit(triangle)` for each triangle whose cells the vertical line through (x, y) meets.
   template <class Visit>
@@ -46,6 +59,17 @@ class VerticalBins {
   const std::array<int, 3>& triangle(int i) const {
     return triangles_[static_cast<std::size_t>(i)];
   }
+  /// From the lowest to the highest corner of some triangles.
+  struct Heights {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+  };
+  Heights heights(const PolygonMesh& mesh, std::span<const int> items) const {
+    Heights h;
+    for (const int i : items)
+      for (const int v : triangle(i))
+        h = {std::min(h.low, mesh.vertex(v).z()), std::max(h.high, mesh.vertex(v).z())};
+    return h;
+  }
   CellRange range(const PolygonMesh& mesh, const std::array<int, 3>& t) const {
     const Rectangle r = rectangle_of(mesh.vertex(t[0]), mesh.vertex(t[1]), mesh.vertex(t[2]));
     return {grid_.column(r.x0), grid_.column(r.x1), grid_.row(r.y0), grid_.row(r.y1)};
@@ -54,25 +78,29 @@ class VerticalBins {
   std::vector<std::array<int, 3>> triangles_;
   XyGrid grid_;
   XyBins bins_;
+  std::vector<Heights> heights_;
 };
 
 /// The body inside a closed mesh, a Solid. Where parts overlap it is their union; parts that are
-/// inside out count like others; diagnose() tells of both.
+/// inside out count like others; diagnose() tells of both. Copies share the mesh.
 class MeshSolid {
  public:
   /// @throws std::invalid_argument for a mesh with an index out of range, a position that is not
   ///         finite, or an open edge: require_body() names them
-  explicit MeshSolid(PolygonMesh mesh)
-      : mesh_(checked(std::move(mesh))), bounds_(tumble::bounds(mesh_)), bins_(mesh_) {}
+  explicit MeshSolid(PolygonMesh mesh) : surface_(surface_of(std::move(mesh))) {}
 
   /// Whether a point [m] is inside. On the surface itself either answer may come.
-  bool contains(const Vec3& point) const { return bounds_.contains(point) && winding(point) != 0; }
+  bool contains(const Vec3& point) const {
+    return surface_->bounds.contains(point) && winding(point) != 0;
+  }
 
   /// How often the surface winds round a point: 1 inside a body, 0 outside.
   int winding(const Vec3& p) const {
+    const PolygonMesh& mesh = surface_->mesh;
+    if (surface_->bins.is_beyond(p)) return 0;  // above p as many leave as enter, or there are none
     int sum = 0;
-    bins_.for_each_candidate(p.x(), p.y(), [&](const std::array<int, 3>& t) {
-      const Vec3 &a = mesh_.vertex(t[0]), &b = mesh_.vertex(t[1]), &c = mesh_.vertex(t[2]);
+    surface_->bins.for_each_candidate(p.x(), p.y(), [&](const std::array<int, 3>& t) {
+      const Vec3 &a = mesh.vertex(t[0]), &b = mesh.vertex(t[1]), &c = mesh.vertex(t[2]);
       if (a.z() < p.z() && b.z() < p.z() && c.z() < p.z()) return;
       const int crossing = line_crossing(a, b, c, p.x(), p.y());
       if (crossing != 0 && crossing * height_above(a, b, c, p) > 0) sum += crossing;
@@ -80,16 +108,21 @@ class MeshSolid {
     return sum;
   }
 
-  const Eigen::AlignedBox3d& bounds() const { return bounds_; }
-  const PolygonMesh& mesh() const { return mesh_; }
+  const Eigen::AlignedBox3d& bounds() const { return surface_->bounds; }
+  const PolygonMesh& mesh() const { return surface_->mesh; }
 
  private:
-  static PolygonMesh checked(PolygonMesh mesh) {
-    for (const auto& find : {find_bad_indices, find_not_finite})
-      for (const Finding& finding : find(mesh)) require(false, finding.message);
-    require(mesh.face_count() > 0, "the mesh has no faces");
-    require(is_closed(mesh), "the mesh is not closed: diagnose() says where");
-    return mesh;
+  struct Surface {
+    PolygonMesh mesh;
+    Eigen::AlignedBox3d bounds;
+    VerticalBins bins;
+  };
+
+  static std::shared_ptr<const Surface> surface_of(PolygonMesh mesh) {
+    require_closed(mesh);
+    const Eigen::AlignedBox3d box = tumble::bounds(mesh);
+    VerticalBins bins(mesh);
+    return std::make_shared<const Surface>(Surface{std::move(mesh), box, std::move(bins)});
   }
 
   /// 6 × the volume of the tetrahedron p, a, b, c: positive when p is below a triangle that is seen
@@ -99,9 +132,7 @@ class MeshSolid {
     return u.dot(v.cross(w));
   }
 
-  PolygonMesh mesh_;
-  Eigen::AlignedBox3d bounds_;
-  VerticalBins bins_;
+  std::shared_ptr<const Surface> surface_;
 };
 
 static_assert(Solid<MeshSolid>);

@@ -13,9 +13,8 @@
 namespace tumble::simd {
 
 /// Where the coordinates of a vertex are, and the number behind them.
-TUMBLE_INLINE const FourAnywhere& four_at(const double* coordinates, int vertex) {
-  return *reinterpret_cast<const FourAnywhere*>(coordinates +
-                                                3 * static_cast<std::ptrdiff_t>(vertex));
+TUMBLE_INLINE FourDoubles four_at(const double* coordinates, int vertex) {
+  return load_four(coordinates + 3 * static_cast<std::ptrdiff_t>(vertex));
 }
 
 /// The corners k of 4 or 8 triangles, lane by lane in their order.
@@ -38,8 +37,8 @@ TUMBLE_INLINE Point<P> load_corners(const double* xyz, const int* corners, int k
             __builtin_shufflevector(ab_xz, cd_xz, 2, 3, 6, 7, 10, 11, 14, 15)};
   } else {
     static_assert(lanes<P> == 4);
-    const FourAnywhere &a = four_at(xyz, corners[k]), &b = four_at(xyz, corners[3 + k]);
-    const FourAnywhere &c = four_at(xyz, corners[6 + k]), &d = four_at(xyz, corners[9 + k]);
+    const FourDoubles a = four_at(xyz, corners[k]), b = four_at(xyz, corners[3 + k]);
+    const FourDoubles c = four_at(xyz, corners[6 + k]), d = four_at(xyz, corners[9 + k]);
     const auto ab_xz = __builtin_shufflevector(a, b, 0, 4, 2, 6);
     const auto cd_xz = __builtin_shufflevector(c, d, 0, 4, 2, 6);
     const auto ab_y = __builtin_shufflevector(a, b, 1, 5, 3, 7);

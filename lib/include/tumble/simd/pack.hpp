@@ -8,6 +8,7 @@
 /// Source: GCC manual, "Using Vector Instructions through Built-in Functions".
 
 #include <cmath>
+#include <cstring>
 
 #if !defined(__GNUC__) || (!defined(__clang__) && __GNUC__ < 12)
 #error "tumble/simd/pack.hpp: gcc 12 or newer, or clang, is needed"
@@ -22,8 +23,12 @@ namespace tumble::simd {
 using FourDoubles = double __attribute__((vector_size(32)));
 using EightDoubles = double __attribute__((vector_size(64)));
 
-/// Four doubles that may lie anywhere.
-using FourAnywhere = double __attribute__((vector_size(32), aligned(8), may_alias));
+/// Four doubles from anywhere in memory.
+TUMBLE_INLINE FourDoubles load_four(const double* from) {
+  FourDoubles four;
+  std::memcpy(&four, from, sizeof four);
+  return four;
+}
 
 /// How many doubles a Pack has.
 template <class P>
@@ -32,11 +37,13 @@ inline constexpr int lanes = static_cast<int>(sizeof(P) / sizeof(double));
 /// The integers that belong to a Pack.
 template <class P>
 struct IntegersOf;
+/// Beside four doubles.
 template <>
 struct IntegersOf<FourDoubles> {
   using Long = unsigned long long __attribute__((vector_size(32)));
   using Short = int __attribute__((vector_size(16)));
 };
+/// Beside eight doubles.
 template <>
 struct IntegersOf<EightDoubles> {
   using Long = unsigned long long __attribute__((vector_size(64)));
@@ -85,8 +92,8 @@ TUMBLE_INLINE P rounded(const P& x) {
 /// The sum of all lanes.
 TUMBLE_INLINE double sum_of_lanes(const FourDoubles& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 TUMBLE_INLINE double sum_of_lanes(const EightDoubles& x) {
-  const FourDoubles halves = __builtin_shufflevector(x, x, 0, 1, 2, 3) +
-                             __builtin_shufflevector(x, x, 4, 5, 6, 7);
+  const FourDoubles halves =
+      __builtin_shufflevector(x, x, 0, 1, 2, 3) + __builtin_shufflevector(x, x, 4, 5, 6, 7);
   return sum_of_lanes(halves);
 }
 

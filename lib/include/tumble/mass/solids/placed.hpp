@@ -2,6 +2,8 @@
 /// @file
 /// A solid turned and moved: its point r is at x + R r.
 
+#include <utility>
+
 #include "tumble/core/solid.hpp"
 #include "tumble/mass/transform.hpp"
 
@@ -17,10 +19,23 @@ struct Placed {
   bool contains(const Vec3& point) const { return solid.contains(R.transpose() * (point - x)); }
   Eigen::AlignedBox3d bounds() const {
     const Eigen::AlignedBox3d box = solid.bounds();
+    if (box.isEmpty()) return box;
     const Vec3 half = R.cwiseAbs() * (box.sizes() / 2), middle = x + R * box.center();
     return {middle - half, middle + half};
   }
 };
+
+/// The solid turned by R (solid to world), then moved by x [m].
+template <Solid S>
+Placed<S> placed(S solid, const Mat3& R, const Vec3& x) {
+  return {std::move(solid), R, x};
+}
+
+/// The solid moved by x [m].
+template <Solid S>
+Placed<S> placed(S solid, const Vec3& x) {
+  return {std::move(solid), Mat3::Identity(), x};
+}
 
 /// Mass properties of a placed homogeneous solid, in world coordinates.
 /// @param density [kg/m³]

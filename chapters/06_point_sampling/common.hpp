@@ -1,0 +1,84 @@
+#pragma once
+/// @file
+/// What all parts of this chapter's program share: the mug and its truth, placements, errors.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "support/objects/objects.hpp"
+#include "support/sketch.hpp"
+#include "support/table.hpp"
+#include "tumble/core/random_fraction.hpp"
+#include "tumble/mass.hpp"
+#include "tumble/mesh.hpp"
+#include "tumble/rotation.hpp"
+
+namespace point_sampling_chapter {
+
+using namespace tumble;
+using support::error_number;
+using support::number;
+using support::Table;
+using support::Vec2;
+
+constexpr double pi = std::numbers::pi, degree = pi / 180;
+
+/// The mug of chapter 3: stoneware, 5232 triangles.
+inline constexpr double mug_density = objects::stoneware;
+inline const PolygonMesh& mug() {
+  static const PolygonMesh mesh = objects::mug(2);
+  return mesh;
+}
+inline const MeshSolid& mug_solid() {
+  static const MeshSolid solid(mug());
+  return solid;
+}
+/// To the last digit, by the method of chapter 8.
+inline const MassProperties& mug_truth() {
+  static const MassProperties truth = mesh_mass_properties(mug(), mug_density);
+  return truth;
+}
+
+/// Relative, by the root of the sum of the squares of all nine numbers.
+inline double inertia_error(const Mat3& I, const Mat3& truth) {
+  return (I - truth).norm() / truth.norm();
+}
+
+/// Orientations and places that have nothing to do with a grid, the same in every run.
+struct Placement {
+  Mat3 R;
+  Vec3 x;
+};
+
+inline std::vector<Placement> placements(int count) {
+  std::mt19937_64 engine(6);
+  const auto between = [&engine](double low, double high) {
+    return low + (high - low) * random_fraction(engine);
+  };
+  const auto vector = [&between](double size) {
+    const double x = between(-size, size), y = between(-size, size);
+    return Vec3(x, y, between(-size, size));
+  };
+  std::vector<Placement> list;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 turn = vector(pi);
+    list.push_back({exp_rotation(turn), vector(1)});
+  }
+  return list;
+}
+
+/// The mesh, turned and moved.
+inline PolygonMesh placed_mesh(PolygonMesh mesh, const Placement& at) {
+  for (Vec3& v : mesh.vertices) v = at.x + at.R * v;
+  return mesh;
+}
+
+/// 12.3 %
+inline std::string percent(double share, int digits = 2) {
+  return number(100 * share, digits) + " %";
+}
+
+}  // namespace point_sampling_chapter

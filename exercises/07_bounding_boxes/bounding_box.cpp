@@ -1,0 +1,11 @@
+#include "contract.hpp"
+
+namespace bounding_boxes {
+
+// 7.1 bounding_box: the box along the axes.
+// What is demanded stands in contract.hpp. Ask: ./tumble hint 7.1 · Be judged: ./tumble check 7.1
+Box bounding_box(const std::vector<Eigen::Vector3d>& points) {
+  throw NotImplemented{};
+}
+
+}  // namespace bounding_boxes

@@ -1,0 +1,111 @@
+#pragma once
+/// @file
+/// Mass properties of a mesh by columns: vertical lines, each with the body's exact integral along
+/// it.
+///
+/// ∫∫∫ f dz dx dy over the body is ∫∫ F(x, y, z) dx dy over its surface, F = ∫ f dz, + where z
+/// leaves the body and − where it enters. Each triangle is drawn onto the lines that pass it and
+/// adds ±F: nothing is sorted or kept, and no point is asked whether it is inside. That is the
+/// midpoint rule (or a stratified one) for the surface integrals that Mirtich solves exactly.
+///
+/// Errors with N columns, measured over turned bodies: grid N^(−1) for curved outlines to N^(−3/2)
+/// for polyhedra, jittered N^(−1). Where faces are vertical and parallel to x or y the grid's
+/// columns are in or out by whole rows: N^(−1/2), unless the faces lie on borders of cells. Source:
+/// the reduction is Mirtich's, "Fast and accurate computation of polyhedral mass properties", J.
+/// Graphics Tools 1(2), 1996, §3, stopped before the last integral.
+
+#include <cmath>
+
+#include "tumble/core/require.hpp"
+#include "tumble/mass/moments.hpp"
+#include "tumble/mesh/closed_surface.hpp"
+#include "tumble/mesh/jittered_lines.hpp"
+#include "tumble/mesh/line_height.hpp"
+#include "tumble/mesh/line_lattice.hpp"
+#include "tumble/mesh/orientation.hpp"
+
+namespace tumble {
+
+/// Mass properties and what they were made from.
+struct ColumnMassProperties : MassProperties {
+  std::int64_t columns = 0;    ///< vertical lines over the body's box
+  std::int64_t crossings = 0;  ///< how often they met the surface
+};
+
+/// ∫ {1, x, y, z, …} dz from height 0 to z on the line through (x, y), times `sign`.
+inline Moments<double> moments_below(double x, double y, double z, double sign) {
+  const double one = sign * z, half = one * z / 2;  // ∫ dz, ∫ z dz
+  return {one,         x * one,        y * one,     half,     x * x * one,
+          y * y * one, half * z / 1.5, x * y * one, y * half, x * half};
+}
+
+/// The box around a mesh when its middle is taken as the origin [m].
+inline Eigen::AlignedBox3d centred(const Eigen::AlignedBox3d& box) {
+  return {box.min() - box.center(), box.max() - box.center()};
+}
+
+/// Mass properties from where lines meet the surface; nothing is checked.
+/// @param lines a LineLattice or JitteredLines over centred(bounds(mesh))
+template <class Lines>
+ColumnMassProperties sum_of_columns(const PolygonMesh& mesh, double density, const Lines& lines) {
+  const Eigen::AlignedBox3d box = bounds(mesh);
+  const Vec3 middle = box.center();
+  BlockedMoments sum;
+  std::int64_t crossings = 0;
+  for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
+    const Vec3 a = mesh.vertex(t[0]) - middle, b = mesh.vertex(t[1]) - middle,
+               c = mesh.vertex(t[2]) - middle;
+    lines.for_each_in(rectangle_of(a, b, c), [&](int, const PlanePoint& line) {
+      const int crossing = line_crossing(a, b, c, line.x(), line.y());
+      if (crossing == 0) return;
+      const double z = LineWeights(a, b, c, line).height(a, b, c);
+      sum.add(moments_below(line.x(), line.y(), z, crossing));
+      ++crossings;
+    });
+  });
+  const double column_area = box.sizes().x() * box.sizes().y() / lines.size();
+  return {mass_properties(sum.total(), middle, density * column_area), lines.size(), crossings};
+}
+
+/// Refuses what columns cannot be drawn through.
+inline void require_columns(const PolygonMesh& mesh, double density, int columns) {
+  require(density > 0 && std::isfinite(density), "the density ", density,
+          " kg/m³ is not positive and finite");
+  constexpr int most = 100'000'000;
+  require(columns > 0 && columns <= most, "the number of columns is ", columns, ", not in 1 … ",
+          most);
+  require_closed(mesh);
+}
+
+/// Passes on what can be a body.
+inline ColumnMassProperties require_body_met(const ColumnMassProperties& body) {
+  require(body.crossings > 0, "none of ", body.columns, " columns met the mesh: take more");
+  require(body.mass > 0, "the mesh is inside out, or encloses no volume: mass ", body.mass, " kg");
+  return body;
+}
+
+/// Mass properties of a mesh by columns in a regular grid, each in the middle of its cell.
+/// @param mesh    closed, faces counter-clockwise seen from outside; parts that overlap count twice
+///                [m]
+/// @param density [kg/m³]
+/// @param columns about how many, never more; 10⁵ give errors of about 10⁻⁵
+/// @throws std::invalid_argument if the density is not positive and finite, columns ≤ 0 or beyond
+///         10⁸, the mesh is as require_closed() refuses, is inside out, or no column meets it
+inline ColumnMassProperties column_mass_properties(const PolygonMesh& mesh, double density,
+                                                   int columns) {
+  require_columns(mesh, density, columns);
+  const LineLattice lines = LineLattice::regular(centred(bounds(mesh)), columns);
+  return require_body_met(sum_of_columns(mesh, density, lines));
+}
+
+/// The same by columns at random, one in each cell: right on average, and as sets of points are
+/// (replicated_sampling.hpp) several with different seeds tell the error.
+/// @param seed the same seed gives the same columns
+inline ColumnMassProperties jittered_column_mass_properties(const PolygonMesh& mesh, double density,
+                                                            int columns, std::uint64_t seed = 1) {
+  require_columns(mesh, density, columns);
+  const JitteredLines lines(centred(bounds(mesh)), columns, seed);
+  return require_body_met(sum_of_columns(mesh, density, lines));
+}
+
+}  // namespace tumble

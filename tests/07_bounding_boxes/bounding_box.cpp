@@ -1,0 +1,208 @@
+/// @file
+/// 7.1 bounding_box: its laws, and what goes wrong.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "07_bounding_boxes/contract.hpp"
+#include "07_bounding_boxes/inputs.hpp"
+#include "judge/spec/spec.hpp"
+#include "tumble/mass/oriented_box.hpp"
+
+using namespace tumble::judge;
+using tumble::Mat3, tumble::Vec3;
+
+namespace student {
+const Function<decltype(bounding_boxes::bounding_box)> bounding_box{TUMBLE_UNIT};
+}
+
+namespace {
+
+Box reference(const Points& points) { return to_box(tumble::aligned_box(points)); }
+
+/// A sum or a difference, and a half that is exact: 2 eps of a place on either side.
+double rounding(const Points& points) { return 4 * eps * reach(points); }
+
+Vec3 smallest(const Points& points) {
+  Vec3 low = points.front();
+  for (const Vec3& point : points) low = low.cwiseMin(point);
+  return low;
+}
+
+Vec3 largest(const Points& points) {
+  Vec3 high = points.front();
+  for (const Vec3& point : points) high = high.cwiseMax(point);
+  return high;
+}
+
+/// The box between two corners, as someone has found them.
+Box between(const Vec3& low, const Vec3& high) {
+  return {(low + high) / 2, Mat3::Identity(), high - low};
+}
+
+/// The answer after `change(box, points)`.
+template <class Change>
+auto changed(const Change& change) {
+  return [change](const Points& points) {
+    Box box = reference(points);
+    change(box, points);
+    return box;
+  };
+}
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("any points, on either side of the origin or on one side of it") {
+    for (const int n : {6, 2, 3, 10, 40}) {
+      const Vec3 corner(any_number(3, 5), any_number(3, 5), any_number(3, 5));
+      for (const Vec3& place : {corner, Vec3(-corner), Vec3(0, 0, 0), any_vector(5)}) {
+        const Points points = any_points(n, 2, place);
+        REQUIRE(student::bounding_box(points) == close_to(reference(points), rounding(points)));
+      }
+    }
+  }
+
+  TEST_CASE("the corners (1, 2, 3) and (5, 4, 9): the middle at (3, 3, 6), edges of 4, 2 and 6") {
+    const Box expected{{3, 3, 6}, Mat3::Identity(), {4, 2, 6}};
+    for (const Points& points : {Points{{1, 2, 3}, {5, 4, 9}}, Points{{5, 2, 9}, {1, 4, 3}},
+                                 Points{{3, 4, 3}, {1, 3, 9}, {5, 2, 6}}})
+      REQUIRE(student::bounding_box(points) == close_to(expected, rounding(points)));
+  }
+
+  TEST_CASE("all points are in the box, and on each of its six faces lies one") {
+    for (int n = 0; n < 10; ++n) {
+      const Points points = any_points(12, 2, any_vector(5));
+      const auto box = student::bounding_box(points);
+      // Centre and size may be off, and the places are subtracted here.
+      REQUIRE(box == obeys("no point sticks out", sticks_out(box, points), 4 * rounding(points)));
+      REQUIRE(box == obeys("no face stands off", loose_by(box, points), 4 * rounding(points)));
+    }
+  }
+
+  TEST_CASE("many points on one side pull nothing, and the order does not matter") {
+    for (int n = 0; n < 5; ++n) {
+      Points points = any_points(5, 3);
+      const Box box = reference(points);
+      for (int i = 0; i < 50; ++i)
+        points.push_back(box.centre + 0.5 * box.size.cwiseProduct(Vec3(
+                                                any_number(0.5, 0.9), any_number(0.5, 0.9), -0.7)));
+      REQUIRE(student::bounding_box(points) == close_to(box, rounding(points)));
+      std::reverse(points.begin(), points.end());
+      REQUIRE(student::bounding_box(points) == close_to(box, rounding(points)));
+    }
+  }
+
+  TEST_CASE("moved points take their box along, mirrored ones mirror it, turned ones may not") {
+    for (int n = 0; n < 5; ++n) {
+      const Points points = any_points(8);
+      const Vec3 shift = any_vector(10);
+      const Box box = reference(points);
+      const Points there = mapped(points, Mat3::Identity(), shift);
+      REQUIRE(student::bounding_box(there) ==
+              close_to(Box{box.centre + shift, box.R, box.size}, 2 * rounding(there)));
+      REQUIRE(student::bounding_box(mapped(points, -Mat3::Identity())) ==
+              close_to(Box{-box.centre, box.R, box.size}, rounding(points)));
+      const Points turned = mapped(points, any_rotation());
+      REQUIRE(student::bounding_box(turned) == close_to(reference(turned), rounding(turned)));
+    }
+  }
+
+  TEST_CASE("one point, equal points, points on a line and in a plane: edges of length zero") {
+    const Vec3 place = any_vector(5);
+    for (const Points& points : {Points{place}, Points{place, place, place}})
+      REQUIRE(student::bounding_box(points) ==
+              close_to(Box{place, Mat3::Identity(), Vec3::Zero()}, rounding(points)));
+    for (const Vec3& flat : {Vec3(1, 0, 0), Vec3(1, 1, 0)}) {
+      const Points points = mapped(any_points(7), flat.asDiagonal(), place);
+      REQUIRE(student::bounding_box(points) == close_to(reference(points), rounding(points)));
+    }
+  }
+
+  TEST_CASE("all coordinates negative, tiny and huge boxes, near the origin and far from it") {
+    for (const double size : {1e-150, 1e-8, 1e8, 1e150}) {
+      for (const double far : {0., -3., 1e6}) {
+        const Points points = any_points(6, size, far * size * Vec3::Ones());
+        REQUIRE(student::bounding_box(points) == close_to(reference(points), rounding(points)));
+      }
+    }
+  }
+}
+
+const Misconceptions<decltype(bounding_boxes::bounding_box)> misconceptions{
+    TUMBLE_UNIT,
+    {{"half the size",
+      "These are the ways from the middle to the faces. Asked for are the full lengths of the "
+      "edges.",
+      "The box along the axes", changed([](Box& box, const Points&) { box.size /= 2; })},
+     {"corner for the centre",
+      "The corner with the smallest coordinates stands in the place of the box's middle.",
+      "The box along the axes",
+      changed([](Box& box, const Points& points) { box.centre = smallest(points); })},
+     {"the two corners",
+      "The corners with the smallest and with the largest coordinates were returned. Asked for are "
+      "what is in the middle between them and how far they are apart.",
+      "The box along the axes", changed([](Box& box, const Points& points) {
+        box.centre = smallest(points);
+        box.size = largest(points);
+      })},
+     {"mean of the points",
+      "The mean of the points was taken for the middle of the box. Where many points crowd they "
+      "pull the mean, but not the box.",
+      "The box along the axes",
+      changed([](Box& box, const Points& points) { box.centre = mean(points); })},
+     {"not halved",
+      "The sum of the smallest and the largest coordinates was taken for the middle. It is twice "
+      "as far away from the origin.",
+      "The box along the axes", changed([](Box& box, const Points&) { box.centre *= 2; })},
+     {"middle as if the box began at the origin",
+      "Half of the size was taken for the middle. That is right for a box that has one corner in "
+      "the origin.",
+      "The box along the axes",
+      changed([](Box& box, const Points&) { box.centre = box.size / 2; })},
+     {"started at the origin",
+      "The origin was counted as one of the points: the search for the smallest and the largest "
+      "began with zero. Begin with a point that is there.",
+      "The box along the axes",
+      [](const Points& points) {
+        return between(smallest(points).cwiseMin(Vec3::Zero()),
+                       largest(points).cwiseMax(Vec3::Zero()));
+      }},
+     {"smallest positive double for the lowest",
+      "The search for the largest coordinates began with numeric_limits<double>::min(), which is "
+      "the smallest positive number: whatever is negative does not count then.",
+      "The box along the axes",
+      [](const Points& points) {
+        const Vec3 tiny = Vec3::Constant(std::numeric_limits<double>::min());
+        return between(smallest(points), largest(points).cwiseMax(tiny));
+      }},
+     {"symmetric about the origin",
+      "The box reaches as far to either side of the origin: the absolute values of the "
+      "coordinates were compared.",
+      "The box along the axes",
+      [](const Points& points) {
+        const Vec3 most = smallest(points).cwiseAbs().cwiseMax(largest(points).cwiseAbs());
+        return between(-most, most);
+      }},
+     {"a cube",
+      "All three edges are as long as the longest. Each axis has its own smallest and largest "
+      "coordinate.",
+      "The box along the axes",
+      changed([](Box& box, const Points&) { box.size = Vec3::Constant(box.size.maxCoeff()); })},
+     {"last point left out", "The last of the points was not looked at: check where the loop ends.",
+      "The box along the axes",
+      [](const Points& points) {
+        const Points some(points.begin(), points.end() - (points.size() > 1 ? 1 : 0));
+        return reference(some);
+      }},
+     {"first and last point",
+      "The box was put between the first and the last point. The others may stick out of it.",
+      "The box along the axes",
+      [](const Points& points) {
+        return between(points.front().cwiseMin(points.back()),
+                       points.front().cwiseMax(points.back()));
+      }},
+     {"no orientation",
+      "R is not the identity. A box along the axes is not turned: its columns are x, y and z.",
+      "The box along the axes", changed([](Box& box, const Points&) { box.R = Mat3::Zero(); })}}};
