@@ -53,7 +53,7 @@ inline double mass_error(const BoundedMassProperties& found, const LatticeTetrah
 
 /// The worst of several bodies that lie differently.
 struct ThinErrors {
-  double fast = 0, fast_bound = 0, textbook = 0, tight = 0, tight_bound = 0;
+  double fast = 0, fast_bound = 0, textbook = 0, textbook_bound = 0, tight = 0, tight_bound = 0;
 };
 
 inline ThinErrors thin_errors(const Vec3& sizes) {
@@ -68,7 +68,7 @@ inline ThinErrors thin_errors(const Vec3& sizes) {
       bound = std::max(bound, found.mass_error_bound);
     };
     note(Accuracy::fast, worst.fast, worst.fast_bound);
-    note(Accuracy::textbook, worst.textbook, worst.fast_bound);
+    note(Accuracy::textbook, worst.textbook, worst.textbook_bound);
     note(Accuracy::tight, worst.tight, worst.tight_bound);
   }
   return worst;
