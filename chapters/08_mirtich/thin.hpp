@@ -75,7 +75,7 @@ inline ThinErrors thin_errors(const Vec3& sizes) {
 }
 
 inline Table thin_table() {
-  Table table({"1 : t", "plate, fast", "bound", "needle, fast", "bound", "needle, tight", "bound"});
+  Table table({"1 / t", "plate, fast", "bound", "needle, fast", "bound", "needle, tight", "bound"});
   for (const double t : {1., 1e-2, 1e-4, 1e-6, 1e-8}) {
     const ThinErrors plate = thin_errors({1, 1, t}), needle = thin_errors({1, t, t});
     table.add({number(1 / t), error_or_rounding(plate.fast), error_or_rounding(plate.fast_bound),
