@@ -37,7 +37,7 @@ VolumeIntegrals operator*(double factor, const VolumeIntegrals& a) {
 
 /// By signed tetrahedra over the faces, with some 30 digits.
 VolumeIntegrals reference(const Polyhedron& body) {
-  const auto m = tumble::exact_moments(mesh_of(body), Vec3::Zero());
+  const auto m = tumble::test::exact_moments(mesh_of(body), Vec3::Zero());
   return {double(m.one),
           {double(m.x), double(m.y), double(m.z)},
           {double(m.xx), double(m.yy), double(m.zz)},

@@ -1,10 +1,10 @@
-// The meshes: a real one, a large one, the same far away, and one so thin that doubles give up.
-#include <cstdlib>
+// The meshes: two of bodies, a large one, the same far away, and one so thin that doubles give up.
 #include <filesystem>
 
 #include "bench/mass/case.hpp"
 #include "lib/mesh/shapes.hpp"
 #include "reference/exact_moments.hpp"
+#include "support/objects/mug.hpp"
 #include "tumble/mesh/read_obj.hpp"
 
 namespace tumble::bench {
@@ -24,8 +24,9 @@ PolygonMesh mapped(PolygonMesh mesh, const Mat3& A, const Vec3& d) {
 
 std::vector<Body> bodies(int triangles) {
   std::vector<Body> all;
-  const char* folder = std::getenv("TUMBLE_MESHES");
-  const std::filesystem::path spot = std::filesystem::path(folder ? folder : "") / "spot.obj";
+  const Mat3 askew = Quat(0.3, 0.5, -0.7, 0.2).normalized().toRotationMatrix();
+  all.push_back(body("mug", mapped(objects::mug(4), askew, Vec3::Zero())));
+  const std::filesystem::path spot = std::filesystem::path(TUMBLE_MESHES) / "spot.obj";
   if (std::filesystem::exists(spot)) all.push_back(body("Spot", read_obj(spot.string())));
   // Twice as many round the ring as round the tube, two triangles to a quad.
   const int tube = static_cast<int>(std::lround(std::sqrt(triangles / 4.0)));
@@ -34,7 +35,6 @@ std::vector<Body> bodies(int triangles) {
   all.push_back(body("torus of " + size, torus));
   all.push_back(body("torus of " + size + ", 1e8 away",
                      mapped(torus, Mat3::Identity(), Vec3(1e8, -1e8, 1e8))));
-  const Mat3 askew = Quat(0.3, 0.5, -0.7, 0.2).normalized().toRotationMatrix();
   const PolygonMesh needle = test::triangulated(test::box(Vec3::Zero(), Vec3(1, 1e-8, 1e-8)));
   all.push_back(body("needle 1 × 1e-8 × 1e-8", mapped(needle, askew, Vec3::Zero())));
   return all;

@@ -45,6 +45,7 @@ struct Method {
   std::function<Run(const Body&)> prepare;
   bool slow = false;       ///< left out for a million triangles
   std::string curve = {};  ///< methods with the same are points of one curve in the figure
+  bool in_figure = true;
 };
 
 /// Methods of other software, where it is installed. Each has a file of its own in peers/.
@@ -57,7 +58,7 @@ void add_libigl(std::vector<Method>& methods);
 std::vector<Method> own_methods();
 std::vector<Method> peers();
 
-/// Spot (if its file is there), a torus of `triangles`, the same far away, a needle.
+/// A mug, Spot (if its file is there), a torus of `triangles`, the same far away, a needle.
 std::vector<Body> bodies(int triangles);
 
 }  // namespace tumble::bench

@@ -126,7 +126,7 @@ support::Plot figure(const Body& body, const std::vector<Result>& results) {
                      {}};
   std::map<std::string, std::size_t> curves;
   for (const Result& r : results) {
-    if (r.body != &body || std::isnan(inertia_error(r))) continue;
+    if (r.body != &body || !r.method->in_figure || std::isnan(inertia_error(r))) continue;
     const std::string& name = r.method->curve.empty() ? r.method->name : r.method->curve;
     if (!curves.count(name)) {
       curves[name] = plot.series.size();

@@ -3,6 +3,7 @@
 
 #include "bench/mass/case.hpp"
 #include "tumble/mass/bounding_box.hpp"
+#include "tumble/mass/column_mass_properties.hpp"
 #include "tumble/mass/low_discrepancy_points.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/mass/point_sampling.hpp"
@@ -61,6 +62,11 @@ Method diagnosed(const std::string& name, Accuracy accuracy) {
   });
 }
 
+Method only_in_table(Method method) {
+  method.in_figure = false;
+  return method;
+}
+
 /// @tparam Points RandomPoints or R3Points
 template <class Points>
 void add_sampling(std::vector<Method>& methods, const std::string& curve) {
@@ -75,29 +81,42 @@ void add_sampling(std::vector<Method>& methods, const std::string& curve) {
                        true, curve});
 }
 
+void add_columns(std::vector<Method>& methods) {
+  for (const int n : {1'000, 10'000, 100'000})
+    methods.push_back({"columns, " + std::to_string(n),
+                       [n](const Body& body) -> Run {
+                         return [n, &body]() -> Answer {
+                           return MassProperties(column_mass_properties(body.mesh, 1, n));
+                         };
+                       },
+                       true, "columns"});
+}
+
 }  // namespace
 
 std::vector<Method> own_methods() {
   std::vector<Method> methods = {
-      on_mesh("read once", read_once),
+      only_in_table(on_mesh("read once", read_once)),
       on_mesh("plain loop",
               [](const PolygonMesh& mesh) { return plain_loop(mesh, reference_point(mesh)); }),
-      on_mesh("plain loop about the origin",
-              [](const PolygonMesh& mesh) { return plain_loop(mesh, Vec3(0, 0, 0)); }),
+      only_in_table(
+          on_mesh("plain loop about the origin",
+                  [](const PolygonMesh& mesh) { return plain_loop(mesh, Vec3(0, 0, 0)); })),
       integrals("fast", Accuracy::fast),
-      integrals("fast, 2 threads", Accuracy::fast, 2),
+      only_in_table(integrals("fast, 2 threads", Accuracy::fast, 2)),
       integrals("tight", Accuracy::tight),
-      integrals("tight, 2 threads", Accuracy::tight, 2),
+      only_in_table(integrals("tight, 2 threads", Accuracy::tight, 2)),
       integrals("textbook (Mirtich)", Accuracy::textbook),
-      diagnosed("fast, diagnosed", Accuracy::fast),
+      only_in_table(diagnosed("fast, diagnosed", Accuracy::fast)),
       diagnosed("tight, diagnosed", Accuracy::tight),
-      {"box along the axes, true mass", [](const Body& body) -> Run {
+      {"box of the true mass", [](const Body& body) -> Run {
          return [&body]() -> Answer {
            return box_mass_properties(aligned_box(body.mesh.vertices), body.truth.mass);
          };
        }}};
   add_sampling<RandomPoints>(methods, "random points");
   add_sampling<R3Points>(methods, "R3 points");
+  add_columns(methods);
   return methods;
 }
 

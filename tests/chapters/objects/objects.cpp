@@ -74,7 +74,7 @@ TEST_CASE("objects: no vertex is left over, and polygons are flat") {
   for (const Object& object : objects::all) {
     const PolygonMesh mesh = object.mesh(2);
     CAPTURE(std::string(object.name));
-    for (const int part : components(mesh).of_vertex) CHECK(part >= 0);
+    for (const int part : label_components(mesh).of_vertex) CHECK(part >= 0);
     for (int f = 0; f < mesh.face_count(); ++f)
       for (std::size_t k = 3; k < mesh.face(f).size(); ++k) {
         const Vec3& o = mesh.vertex(mesh.face(f)[0]);

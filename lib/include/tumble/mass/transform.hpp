@@ -2,8 +2,8 @@
 /// @file
 /// Mass properties of a body that was turned, moved, stretched, or joined with another one.
 ///
-/// I_world = R I_body Rᵀ. Source: e.g. Witkin & Baraff, "Physically Based Modeling", SIGGRAPH
-/// course notes (1997), §2.6; joining by the parallel axis theorem.
+/// I_world = R I_body Rᵀ. Source: e.g. Baraff, "Rigid Body Simulation I" (1997), §2.10; joining by
+/// the parallel axis theorem.
 
 #include <cmath>
 

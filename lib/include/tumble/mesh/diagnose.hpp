@@ -24,10 +24,8 @@
 namespace tumble {
 
 /// How many vertical lines are spread over a mesh: they miss a crossing that covers less than about
-/// a thousandth of what is seen from above; or in a coarse mesh, some ten triangles.
-inline int diagnosis_lines(const PolygonMesh& mesh) {
-  return std::clamp(static_cast<int>(mesh.corners.size()) / 48, 64, 1024);
-}
+/// a thousandth of what is seen from above.
+inline constexpr int diagnosis_lines = 1024;
 
 /// What one pass over the triangles tells.
 struct Survey {
@@ -74,7 +72,7 @@ inline std::vector<Finding> diagnose(const PolygonMesh& mesh, const LoopOptions&
     if (!is_closed(mesh, options)) add_open_edges();
     return findings;
   }
-  const LineLattice lattice(bounds.box, diagnosis_lines(mesh));
+  const LineLattice lattice(bounds.box, diagnosis_lines);
   const Survey all = survey(mesh, lattice.filter(), options);
   if (all.balance != 0) add_open_edges();
   if (all.enclosed.doubtful > 0 || has_short_faces(mesh)) add(find_degenerate_faces(mesh));

@@ -37,11 +37,13 @@ inline constexpr int lanes = static_cast<int>(sizeof(P) / sizeof(double));
 /// The integers that belong to a Pack.
 template <class P>
 struct IntegersOf;
+/// Beside four doubles.
 template <>
 struct IntegersOf<FourDoubles> {
   using Long = unsigned long long __attribute__((vector_size(32)));
   using Short = int __attribute__((vector_size(16)));
 };
+/// Beside eight doubles.
 template <>
 struct IntegersOf<EightDoubles> {
   using Long = unsigned long long __attribute__((vector_size(64)));

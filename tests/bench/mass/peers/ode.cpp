@@ -50,7 +50,7 @@ Answer measure(const Geometry& geometry) {
 }  // namespace
 
 void add_ode(std::vector<Method>& methods) {
-  methods.push_back({"ODE dMassSetTrimesh",
+  methods.push_back({"ODE",
                      [](const Body& body) -> Run {
                        const auto geometry = std::make_shared<Geometry>(body.mesh);
                        return [geometry] { return measure(*geometry); };
