@@ -120,7 +120,9 @@ inline std::string percent(double share) {
 }
 
 /// 4.65 ×
-inline std::string times(double factor, int digits = 3) { return number(factor, digits) + " ×"; }
+inline std::string times(double factor) {
+  return (factor < 99.5 ? number(factor, 3) : svg_number(factor, 0)) + " ×";
+}
 
 inline std::string millimetres(const Vec3& v) {
   return svg_number(1000 * v.x(), 0) + " × " + svg_number(1000 * v.y(), 0) + " × " +

@@ -51,7 +51,7 @@ inline Table times_table() {
   const std::vector<support::Timing> timings = stopwatch.timings();
   for (std::size_t i = 0; i < timings.size(); ++i)
     table.add({timings[i].name, support::duration(timings[i].seconds),
-               number(timings[i].seconds / timings[3].seconds, 2) + " ×", seen[i], errors[i]});
+               times(timings[i].seconds / timings[3].seconds), seen[i], errors[i]});
   return table;
 }
 
