@@ -1,0 +1,132 @@
+#pragma once
+/// @file
+/// What all parts of this chapter's program share: the objects and their truth, the boxes, errors.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "support/objects/objects.hpp"
+#include "support/sketch.hpp"
+#include "support/table.hpp"
+#include "tumble/core/random_fraction.hpp"
+#include "tumble/mass.hpp"
+#include "tumble/mesh.hpp"
+#include "tumble/rotation.hpp"
+
+namespace bounding_boxes_chapter {
+
+using namespace tumble;
+using support::number;
+using support::svg_number;
+using support::Table;
+using support::Vec2;
+using Points = std::vector<Vec3>;
+
+constexpr double pi = std::numbers::pi, degree = pi / 180;
+
+// ── The objects ──
+
+struct Thing {
+  std::string name;
+  double density;  // [kg/m³]
+  PolygonMesh mesh;
+  MassProperties truth;  // exact, by the method of chapter 8
+
+  double volume() const { return truth.mass / density; }
+  const Points& points() const { return mesh.vertices; }
+};
+
+inline Thing thing(const std::string& name, const objects::Object& object, int resolution) {
+  const PolygonMesh mesh = object.mesh(resolution);
+  return {name, object.density, mesh, mesh_mass_properties(mesh, object.density)};
+}
+
+inline const std::vector<Thing>& things() {
+  static const std::vector<Thing> list = [] {
+    constexpr std::array names{"T-handle", "wing nut", "tennis racket", "mug", "gear"};
+    std::vector<Thing> all;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      all.push_back(thing(names[i], objects::all[i], objects::all[i].for_drawings));
+    return all;
+  }();
+  return list;
+}
+inline const Thing& t_handle() { return things()[0]; }
+inline const Thing& wing_nut() { return things()[1]; }
+inline const Thing& racket() { return things()[2]; }
+inline const Thing& mug() { return things()[3]; }
+
+// ── Orientations that have nothing to do with the axes, the same in every run ──
+
+class Dice {
+ public:
+  double between(double low, double high) { return low + (high - low) * random_fraction(engine_); }
+  Vec3 vector(double size) {
+    const double x = between(-size, size), y = between(-size, size);
+    return {x, y, between(-size, size)};
+  }
+
+ private:
+  std::mt19937_64 engine_{7};
+};
+
+inline const std::vector<Mat3>& turns() {
+  static const std::vector<Mat3> list = [] {
+    Dice dice;
+    std::vector<Mat3> all;
+    for (int i = 0; i < 16; ++i) all.push_back(exp_rotation(dice.vector(pi)));
+    return all;
+  }();
+  return list;
+}
+
+inline Points turned(Points points, const Mat3& R) {
+  for (Vec3& p : points) p = R * p;
+  return points;
+}
+
+// ── Boxes ──
+
+/// The box along the world's axes of an object that is turned by R, seen from the object.
+inline OrientedBox askew_box(const Points& points, const Mat3& R) {
+  const OrientedBox box = aligned_box(turned(points, R));
+  return {R.transpose() * box.centre, R.transpose(), box.size};
+}
+
+/// The box, full of mass at the density of the body.
+inline MassProperties at_density(const OrientedBox& box, const Thing& body) {
+  return box_mass_properties(box, body.density * box.volume());
+}
+/// The box with the mass of the body in it.
+inline MassProperties at_true_mass(const OrientedBox& box, const Thing& body) {
+  return box_mass_properties(box, body.truth.mass);
+}
+/// The box shrunk until its volume is the body's.
+inline MassProperties at_true_volume(const OrientedBox& box, const Thing& body) {
+  return box_mass_properties(shrunk_to(box, body.volume()), body.truth.mass);
+}
+
+/// Relative, by the root of the sum of the squares of all nine numbers.
+inline double inertia_error(const Mat3& I, const Mat3& truth) {
+  return (I - truth).norm() / truth.norm();
+}
+
+/// 530 %, 36 %, 4.5 %
+inline std::string percent(double share) {
+  return svg_number(100 * share, std::abs(share) < 0.0995 ? 1 : 0) + " %";
+}
+
+/// 4.65 ×
+inline std::string times(double factor) {
+  return (factor < 99.5 ? number(factor, 3) : svg_number(factor, 0)) + " ×";
+}
+
+inline std::string millimetres(const Vec3& v) {
+  return svg_number(1000 * v.x(), 0) + " × " + svg_number(1000 * v.y(), 0) + " × " +
+         svg_number(1000 * v.z(), 0) + " mm";
+}
+
+}  // namespace bounding_boxes_chapter
