@@ -105,8 +105,8 @@ inline Table gem_table() {
   table.add({"centre of mass, above the tip", number(stone.centre.z() * 1e3) + " mm"});
   table.add({"height", number(1.24 * gem_radius * 1e3) + " mm"});
   table.add({"moments across the axis",
-             number(moments[0] * 1e12) + " and " + number(moments[1] * 1e12) + " g mm²"});
-  table.add({"moment about the axis", number(moments[2] * 1e12) + " g mm²"});
+             number(moments[0] * 1e12) + " and " + number(moments[1] * 1e12) + " mg mm²"});
+  table.add({"moment about the axis", number(moments[2] * 1e12) + " mg mm²"});
   return table;
 }
 

@@ -18,7 +18,7 @@ namespace tumble {
 enum class Accuracy {
   fast,   ///< doubles, many triangles at once: 1e-15 for ordinary shapes, the bounds say for which
   tight,  ///< pairs of doubles: right to the last bit for every shape, some four times as long
-  textbook,  ///< Mirtich's way over faces, shadows and edges: 1e-14, some 25 times as long
+  textbook,  ///< Mirtich's way over faces, shadows and edges: 1e-14, some 30 times as long
 };
 
 /// What to compute, and how.

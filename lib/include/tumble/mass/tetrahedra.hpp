@@ -3,9 +3,9 @@
 /// The sum over all tetrahedra of a mesh, as many at once as the processor can, in doubles or in
 /// pairs of doubles.
 ///
-/// Blocks of some hundred triangles are summed lane by lane, the blocks in double-double: the error
-/// of a million terms is that of some ten. The blocks are the same however many threads there are,
-/// and so is every bit of the result.
+/// Blocks of a few hundred triangles are summed lane by lane, the blocks in double-double: the
+/// error of a million terms is that of some ten. The blocks are the same however many threads there
+/// are, and so is every bit of the result.
 
 #include "tumble/mass/error_bound.hpp"
 #include "tumble/mass/tetrahedron.hpp"

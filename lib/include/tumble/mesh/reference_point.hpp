@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-/// The middle of the box around some hundred corners, taken evenly from all faces [m]. Vertices
+/// The middle of the box around a few hundred corners, taken evenly from all faces [m]. Vertices
 /// that no face uses do not count. Any point near the body will do: the farther away it is,
 /// measured in sizes of the body, the more digits cancel.
 /// @param mesh indices in range

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The triangles of a mesh in blocks of some hundred, as kernels that work on many at once want
+/// The triangles of a mesh in blocks of a few hundred, as kernels that work on many at once want
 /// them: whole packs, and corners that can be read in pieces of four doubles.
 ///
 /// A mesh of triangles is read where it lies. Polygons are cut into fans first. Copied are only the
