@@ -14,10 +14,9 @@
 /// the reduction is Mirtich's, "Fast and accurate computation of polyhedral mass properties", J.
 /// Graphics Tools 1(2), 1996, §3, stopped before the last integral.
 
-#include <cmath>
-
 #include "tumble/core/require.hpp"
 #include "tumble/mass/moments.hpp"
+#include "tumble/mass/require_density.hpp"
 #include "tumble/mesh/closed_surface.hpp"
 #include "tumble/mesh/jittered_lines.hpp"
 #include "tumble/mesh/line_height.hpp"
@@ -69,8 +68,7 @@ ColumnMassProperties sum_of_columns(const PolygonMesh& mesh, double density, con
 
 /// Refuses what columns cannot be drawn through.
 inline void require_columns(const PolygonMesh& mesh, double density, int columns) {
-  require(density > 0 && std::isfinite(density), "the density ", density,
-          " kg/m³ is not positive and finite");
+  require_density(density);
   constexpr int most = 100'000'000;
   require(columns > 0 && columns <= most, "the number of columns is ", columns, ", not in 1 … ",
           most);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tumble/mass/mirtich/mirtich.hpp"
+#include "tumble/mass/require_density.hpp"
 #include "tumble/mass/require_volume.hpp"
 #include "tumble/mass/tetrahedra.hpp"
 #include "tumble/mesh/diagnose.hpp"

@@ -18,6 +18,7 @@
 #include "tumble/core/solid.hpp"
 #include "tumble/mass/as_point.hpp"
 #include "tumble/mass/moments.hpp"
+#include "tumble/mass/require_density.hpp"
 #include "tumble/mass/sample_points.hpp"
 
 namespace tumble {
@@ -84,8 +85,7 @@ inline SampledMassProperties from_samples(const SampleSums& sums, std::int64_t n
 ///         not finite, or no point fell inside
 template <Solid S, SamplePoints P>
 SampledMassProperties sample_mass_properties(const S& solid, double density, P points) {
-  require(density > 0 && std::isfinite(density), "the density ", density,
-          " kg/m³ is not positive and finite");
+  require_density(density);
   const Eigen::AlignedBox3d box = solid.bounds();
   const Vec3 size = box.sizes(), middle = box.center();
   require(!box.isEmpty(), "the solid's bounds are empty: do the parts of an intersection meet?");

@@ -1,20 +1,11 @@
 #pragma once
 /// @file
-/// What a density must be before mass properties mean anything, and what they must be after.
-
-#include <cmath>
+/// What mass properties must be before they can be those of a body.
 
 #include "tumble/core/require.hpp"
 #include "tumble/mass/error_bound.hpp"
 
 namespace tumble {
-
-/// Refuses a density that nothing has.
-/// @throws std::invalid_argument if the density is not positive and finite
-inline void require_density(double density) {
-  require(density > 0 && std::isfinite(density), "the density ", density,
-          " kg/m³ is not positive and finite");
-}
 
 /// Passes on mass properties that can be those of a body.
 /// @throws std::invalid_argument if the mesh is inside out, or so flat, thin or small that no digit
