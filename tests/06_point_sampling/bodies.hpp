@@ -197,8 +197,8 @@ inline std::vector<Mesh> lattice_bodies() {
 /// One of them, seen in one of the 48 ways.
 inline Mesh any_lattice_body() {
   const std::vector<Mesh> all = lattice_bodies();
-  return shuffled(
-      mapped(all[static_cast<std::size_t>(any_index(all.size()))], any_lattice_symmetry()));
+  const auto which = static_cast<std::size_t>(any_index(all.size()));
+  return shuffled(mapped(all[which], any_lattice_symmetry()));
 }
 
 // ── Distances ──

@@ -35,11 +35,14 @@ inline Mat3 symmetric(const Vec3& values, const Mat3& axes) {
 
 /// Moments about the principal axes that some body has: sums of two of three positive numbers.
 inline Vec3 any_moments() {
-  const Vec3 s(any_number(0.2, 2), any_number(0.2, 2), any_number(0.2, 2));
-  return {s.y() + s.z(), s.z() + s.x(), s.x() + s.y()};
+  const double x = any_number(0.2, 2), y = any_number(0.2, 2), z = any_number(0.2, 2);
+  return {y + z, z + x, x + y};
 }
 
 /// The inertia tensor of any body about its centre of mass, in any axes.
-inline Mat3 any_inertia() { return symmetric(any_moments(), any_rotation()); }
+inline Mat3 any_inertia() {
+  const Vec3 moments = any_moments();
+  return symmetric(moments, any_rotation());
+}
 
 }  // namespace tumble::judge

@@ -50,8 +50,8 @@ bool all_right(const std::vector<Trial>& trials) {
 /// A tetrahedron near the axis x, at most 45° away from it.
 Mesh any_piece(double from, double to) {
   const auto corner = [&] {
-    const double x = any_number(from, to);
-    return Vec3(x, any_number(-0.6, 0.6) * from, any_number(-0.6, 0.6) * from);
+    const double x = any_number(from, to), y = any_number(-0.6, 0.6), z = any_number(-0.6, 0.6);
+    return Vec3(x, y * from, z * from);
   };
   for (;;) {
     const Vec3 a = corner(), b = corner(), c = corner(), d = corner();
@@ -78,6 +78,13 @@ int planes_ahead(const Mesh& mesh, const Vec3& p, int axis) {
   return count;
 }
 
+/// A body askew, anywhere. (One draw a statement: arguments are evaluated in any order.)
+Mesh any_turned_body() {
+  const Mesh body = any_lattice_body();
+  const Mat3 R = any_rotation();
+  return mapped(body, R, any_vector(3));
+}
+
 /// The mesh seen from a place that was the origin.
 Trial from_origin(const Mesh& mesh) {
   const Vec3 place = any_vector(3);
@@ -87,7 +94,8 @@ Trial from_origin(const Mesh& mesh) {
 /// A tetrahedron around the point, with an odd number of its planes ahead along each axis.
 Trial tetrahedron_with_planes_ahead() {
   for (;;) {
-    const Mesh mesh = tetrahedron(any_vector(2), any_vector(2), any_vector(2), any_vector(2));
+    const Vec3 a = any_vector(2), b = any_vector(2), c = any_vector(2), d = any_vector(2);
+    const Mesh mesh = tetrahedron(a, b, c, d);
     const auto is_odd = [&](int axis) { return planes_ahead(mesh, origin, axis) % 2 == 1; };
     if (distance_to_surface(mesh, origin) > 0.1 && is_odd(0) && is_odd(1) && is_odd(2) &&
         reference(mesh, origin))
@@ -109,7 +117,8 @@ Trial in_front_of_a_large_triangle() {
 
 /// The same for lattice bodies: nothing is rounded.
 Trial from_lattice_origin(const Mesh& mesh) {
-  const Vec3 place(any_index(9) - 4, any_index(9) - 4, any_index(9) - 4);
+  const int x = any_index(9) - 4, y = any_index(9) - 4, z = any_index(9) - 4;
+  const Vec3 place(x, y, z);
   return {shuffled(mapped(mesh, Mat3::Identity(), place)), place};
 }
 
@@ -140,7 +149,7 @@ Vec3 any_place_beside(const Mesh& mesh, int axis, double along) {
     const Vec3 &a = vertex(mesh, t[0]), &b = vertex(mesh, t[1]), &c = vertex(mesh, t[2]);
     const int kind = any_index(4);
     const Vec3 mark = kind == 0 ? a : kind == 3 ? Vec3((a + b + 2 * c) / 4) : a + along * (b - a);
-    const double way = (any_number(-1, 1) < 0 ? -0.25 : 0.25) * (1 + any_index(7));
+    const double step = any_number(-1, 1) < 0 ? -0.25 : 0.25, way = step * (1 + any_index(7));
     const Vec3 place = mark + way * Vec3::Unit(axis);
     if (distance_to_surface(mesh, place) > 0.1) return place;
   }
@@ -202,7 +211,7 @@ Trial rounding_trap(int axis, double sign) {
   Mat3 turn = Mat3::Zero();
   for (int i = 0; i < 3; ++i) turn(i, (axis + 1 + i) % 3) = i == 2 ? sign : 1;
   for (;;) {
-    const Mesh mesh = mapped(any_lattice_body(), any_rotation(), any_vector(3));
+    const Mesh mesh = any_turned_body();
     const Mesh upright = mapped(mesh, turn);
     for (int n = 0; n < 20; ++n) {
       const Vec3 place = any_place_beside(mesh, axis, any_number(0.1, 0.9));
@@ -254,7 +263,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(all_right(trials));
     trials = {in_front_of_a_large_triangle()};
     for (int n = 0; n < 40; ++n) {
-      const Mesh mesh = mapped(any_lattice_body(), any_rotation(), any_vector(3));
+      const Mesh mesh = any_turned_body();
       trials.push_back({mesh, any_place_near(mesh)});
     }
     REQUIRE(all_right(trials));
@@ -308,7 +317,7 @@ TEST_SUITE(TUMBLE_UNIT) {
 
   TEST_CASE("a thousandth of its size below the surface is inside, above it is outside") {
     for (int n = 0; n < 5; ++n) {
-      const Mesh mesh = mapped(any_lattice_body(), any_rotation(), any_vector(3));
+      const Mesh mesh = any_turned_body();
       const double step = 2e-3 * extent(mesh);
       for (int k = 0; k < 4; ++k) {
         const Triangle& t =

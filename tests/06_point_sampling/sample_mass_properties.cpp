@@ -52,7 +52,8 @@ struct Grid {
 /// A grid of n cells an edge in a box with edges of 1 to 3 m.
 Grid any_grid(int n) {
   const Vec3 low = any_vector(3);
-  return {low, low + Vec3(any_number(1, 3), any_number(1, 3), any_number(1, 3)), n};
+  const double x = any_number(1, 3), y = any_number(1, 3), z = any_number(1, 3);
+  return {low, low + Vec3(x, y, z), n};
 }
 
 // ── Bodies ──

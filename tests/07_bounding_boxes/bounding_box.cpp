@@ -56,7 +56,8 @@ auto changed(const Change& change) {
 TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("any points, on either side of the origin or on one side of it") {
     for (const int n : {6, 2, 3, 10, 40}) {
-      const Vec3 corner(any_number(3, 5), any_number(3, 5), any_number(3, 5));
+      const double x = any_number(3, 5), y = any_number(3, 5), z = any_number(3, 5);
+      const Vec3 corner(x, y, z);
       for (const Vec3& place : {corner, Vec3(-corner), Vec3(0, 0, 0), any_vector(5)}) {
         const Points points = any_points(n, 2, place);
         REQUIRE(student::bounding_box(points) == close_to(reference(points), rounding(points)));
@@ -85,9 +86,10 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (int n = 0; n < 5; ++n) {
       Points points = any_points(5, 3);
       const Box box = reference(points);
-      for (int i = 0; i < 50; ++i)
-        points.push_back(box.centre + 0.5 * box.size.cwiseProduct(Vec3(
-                                                any_number(0.5, 0.9), any_number(0.5, 0.9), -0.7)));
+      for (int i = 0; i < 50; ++i) {
+        const double x = any_number(0.5, 0.9), y = any_number(0.5, 0.9);
+        points.push_back(box.centre + 0.5 * box.size.cwiseProduct(Vec3(x, y, -0.7)));
+      }
       REQUIRE(student::bounding_box(points) == close_to(box, rounding(points)));
       std::reverse(points.begin(), points.end());
       REQUIRE(student::bounding_box(points) == close_to(box, rounding(points)));

@@ -97,7 +97,8 @@ bool has_clear_axes(const Points& points) {
 Points any_cloud(int n, double size = 2) {
   for (;;) {
     const Mat3 shape = any_rotation() * Vec3(1, 0.6, 0.3).asDiagonal();
-    const Points points = mapped(any_points(n, size), shape, any_vector(1.5 * size));
+    const Points cloud = any_points(n, size);
+    const Points points = mapped(cloud, shape, any_vector(1.5 * size));
     if (has_clear_axes(points)) return points;
   }
 }
@@ -217,7 +218,8 @@ TEST_SUITE(TUMBLE_UNIT) {
               same_box(reference(points), rounding_near_origin(points)));
     }
     for (const double far : {1e3, 1e5, 1e7}) {
-      const Points points = mapped(any_cloud(8), Mat3::Identity(), far * any_direction());
+      const Points cloud = any_cloud(8);
+      const Points points = mapped(cloud, Mat3::Identity(), far * any_direction());
       REQUIRE(student::fit_oriented_box(points) == same_box(reference(points), rounding(points)));
     }
   }

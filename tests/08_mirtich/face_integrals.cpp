@@ -246,7 +246,8 @@ TEST_SUITE(TUMBLE_UNIT) {
         R.col(2) = n.normalized();
         R.col(0) = R.col(2).unitOrthogonal();
         R.col(1) = R.col(2).cross(R.col(0));
-        const Face face = placed(any_star(6, 1.5), R, any_vector(1.5));
+        const auto star = any_star(6, 1.5);
+        const Face face = placed(star, R, any_vector(1.5));
         const auto f = ask(face, gamma);
         const Slopes m(face.plane, gamma);
         const double area = face.shadow(gamma).one / m.c;
