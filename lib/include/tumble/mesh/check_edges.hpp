@@ -1,7 +1,7 @@
 #pragma once
 /// @file
 /// Names the edges at which a surface is not closed. Slow (it sorts all edges), and so only asked
-/// when edge_balance() has said that there are some.
+/// when is_closed() has said that there are some.
 
 #include <algorithm>
 #include <span>

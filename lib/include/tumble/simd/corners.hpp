@@ -37,15 +37,12 @@ TUMBLE_INLINE Point<P> load_corners(const double* xyz, const int* corners, int k
             __builtin_shufflevector(ab_xz, cd_xz, 2, 3, 6, 7, 10, 11, 14, 15)};
   } else {
     static_assert(lanes<P> == 4);
-    const FourDoubles a = four_at(xyz, corners[k]), b = four_at(xyz, corners[3 + k]);
-    const FourDoubles c = four_at(xyz, corners[6 + k]), d = four_at(xyz, corners[9 + k]);
-    const auto ab_xz = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const auto cd_xz = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const auto ab_y = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const auto cd_y = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    return {__builtin_shufflevector(ab_xz, cd_xz, 0, 1, 4, 5),
-            __builtin_shufflevector(ab_y, cd_y, 0, 1, 4, 5),
-            __builtin_shufflevector(ab_xz, cd_xz, 2, 3, 6, 7)};
+    // Number by number: without AVX gcc would exchange pieces by way of the stack.
+    const double *a = xyz + 3 * std::ptrdiff_t{corners[k]},
+                 *b = xyz + 3 * std::ptrdiff_t{corners[3 + k]};
+    const double *c = xyz + 3 * std::ptrdiff_t{corners[6 + k]},
+                 *d = xyz + 3 * std::ptrdiff_t{corners[9 + k]};
+    return {P{a[0], b[0], c[0], d[0]}, P{a[1], b[1], c[1], d[1]}, P{a[2], b[2], c[2], d[2]}};
   }
 }
 
