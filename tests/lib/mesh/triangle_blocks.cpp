@@ -90,6 +90,6 @@ TEST_CASE("sum_over_blocks: all threads together count every triangle") {
     const auto count = [](const TriangleBlock& block, int& sum) {
       sum += block.size - block.padding;
     };
-    CHECK(sum_over_blocks<int>(mesh, threads, count) == 100'000);
+    CHECK(sum_over_blocks<int>(mesh, {.threads = threads}, count) == 100'000);
   }
 }

@@ -80,6 +80,7 @@ struct BlockSum {
     const simd::Point<P> p{P{} + reference.x(), P{} + reference.y(), P{} + reference.z()};
     for (int i = 0; i < block.size; i += simd::lanes<P>) {
       const int* corners = block.corners + 3 * i;
+      fetch_ahead<P>(corners);
       const simd::Point<P> x = simd::load_corners<P>(block.coordinates, corners, 0),
                            y = simd::load_corners<P>(block.coordinates, corners, 1),
                            z = simd::load_corners<P>(block.coordinates, corners, 2);
@@ -107,7 +108,7 @@ TetrahedronSums sum_tetrahedra(const PolygonMesh& mesh, const Vec3& reference,
   const auto add = [&](const TriangleBlock& block, TetrahedronSums& sum) {
     dispatch(options.instructions, BlockSum<Numbers>{block, reference, sum});
   };
-  return sum_over_blocks<TetrahedronSums>(mesh, options.threads, add);
+  return sum_over_blocks<TetrahedronSums>(mesh, options, add);
 }
 
 }  // namespace detail

@@ -49,7 +49,7 @@ inline Survey survey(const PolygonMesh& mesh, const LatticeFilter& filter,
     dispatch(options.instructions, BlockVolume{block, origin, sum.enclosed});
     dispatch(options.instructions, BlockNearLines{block, filter, sum.near_lines});
   };
-  return sum_over_blocks<Survey>(mesh, options.threads, add);
+  return sum_over_blocks<Survey>(mesh, options, add);
 }
 
 /// Everything that is wrong with the mesh; empty when it bounds a body. At most a few findings of

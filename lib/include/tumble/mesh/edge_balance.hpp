@@ -68,7 +68,7 @@ inline bool is_closed(const PolygonMesh& mesh, const LoopOptions& options = {}) 
   const auto add = [&](const TriangleBlock& block, std::uint64_t& sum) {
     dispatch(options.instructions, BlockBalance{block, sum});
   };
-  return sum_over_blocks<std::uint64_t>(mesh, options.threads, add) == 0;
+  return sum_over_blocks<std::uint64_t>(mesh, options, add) == 0;
 }
 
 }  // namespace tumble

@@ -8,12 +8,41 @@
 /// if it is no whole number of packs.
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
 #include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/simd/instruction_set.hpp"
 
 namespace tumble {
+
+namespace detail {
+
+/// The bits that are set in any of bits(0) … bits(n − 1). There is no way out of its loop: so a
+/// compiler makes packs of it, and looking for something costs little beside reading it.
+template <class Bits>
+struct BitsOfAny {
+  int n;
+  Bits bits;  // inlined always
+  int& result;
+
+  template <class P, simd::Fma>
+  TUMBLE_INLINE void run() const {
+    int any = 0;
+    for (int i = 0; i < n; ++i) any |= bits(i);
+    result = any;
+  }
+};
+
+template <class Bits>
+int bits_of_any(simd::InstructionSet instructions, int n, const Bits& bits) {
+  int result;
+  dispatch(instructions, BitsOfAny<Bits>{n, bits, result});
+  return result;
+}
+
+}  // namespace detail
 
 /// Triangles for a kernel.
 struct TriangleBlock {
@@ -35,8 +64,11 @@ class TriangleBlocks {
   static constexpr int widest_pack = 8;
 
   /// @param mesh indices in range
-  explicit TriangleBlocks(const PolygonMesh& mesh)
-      : mesh_(mesh), last_vertex_(static_cast<int>(mesh.vertices.size()) - 1) {}
+  explicit TriangleBlocks(const PolygonMesh& mesh,
+                          simd::InstructionSet instructions = simd::best_instruction_set())
+      : mesh_(mesh),
+        instructions_(instructions),
+        last_vertex_(static_cast<int>(mesh.vertices.size()) - 1) {}
 
   /// Calls `visit(block)` for the triangles of the faces first … end − 1.
   template <class Visit>
@@ -53,12 +85,19 @@ class TriangleBlocks {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  /// (No way out of the loop: then the compiler makes packs of it.)
   bool only_triangles(int first, int end) const {
-    int other = 0;
-    for (int f = first; f < end; ++f)
-      other |= (mesh_.first_corner[index(f + 1)] - mesh_.first_corner[index(f)]) ^ 3;
-    return other == 0;
+    const auto other_size = [at = mesh_.first_corner.data() + first](int i)
+        __attribute__((always_inline)) {
+      return (at[i + 1] - at[i]) ^ 3;
+    };
+    return detail::bits_of_any(instructions_, end - first, other_size) == 0;
+  }
+
+  bool has_last_vertex(const int* vertices, int n) const {
+    const auto is_last = [ vertices, last = last_vertex_ ](int i) __attribute__((always_inline)) {
+      return int{vertices[i] == last};
+    };
+    return detail::bits_of_any(instructions_, n, is_last) != 0;
   }
 
   template <class Visit>
@@ -82,11 +121,9 @@ class TriangleBlocks {
   template <class Visit>
   void pass_on(const int* vertices, const int* faces, int first_face, int size,
                const Visit& visit) {
-    int has_last_vertex = 0;
-    for (int k = 0; k < 3 * size; ++k) has_last_vertex |= vertices[k] == last_vertex_;
     TriangleBlock block{
         mesh_.vertices.front().data(), vertices, vertices, size, 0, faces, first_face};
-    if (has_last_vertex || size % widest_pack != 0) copy(block);
+    if (has_last_vertex(vertices, 3 * size) || size % widest_pack != 0) copy(block);
     visit(block);
   }
 
@@ -112,10 +149,23 @@ class TriangleBlocks {
   }
 
   const PolygonMesh& mesh_;
+  simd::InstructionSet instructions_;
   int last_vertex_;
   std::vector<int> fans_, faces_;        // of polygons
   std::vector<int> corners_, vertices_;  // of a block that was copied
   std::vector<double> coordinates_;
 };
+
+/// Has the corners fetched that come one block after these: while the kernel computes, the memory
+/// would have nothing to do.
+/// @tparam P the Pack whose triangles begin at `corners`
+template <class P>
+TUMBLE_INLINE void fetch_ahead(const int* corners) {
+  constexpr int line = 64, bytes = 3 * simd::lanes<P> * sizeof(int);
+  constexpr int ahead = 3 * TriangleBlocks::capacity * sizeof(int);
+  for (int i = 0; i < bytes; i += line)  // as a number: it may lie behind the last corner
+    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(corners) +
+                                                     static_cast<std::uintptr_t>(ahead + i)));
+}
 
 }  // namespace tumble
