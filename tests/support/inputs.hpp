@@ -34,6 +34,15 @@ class Random {
     while (v.squaredNorm() > 1 || v.squaredNorm() < 1e-4) v = vector();
     return v.normalized();
   }
+  /// A unit quaternion, uniform on the sphere of them.
+  Quat rotation() {
+    Eigen::Vector4d c(2, 0, 0, 0);
+    while (c.squaredNorm() > 1 || c.squaredNorm() < 1e-4) {
+      const double w = uniform();
+      c << w, vector();
+    }
+    return Quat(c[0], c[1], c[2], c[3]).normalized();
+  }
 
  private:
   std::mt19937_64 engine_;

@@ -5,7 +5,7 @@
 #include "tumble/body/derived.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/body/forces.hpp"
-#include "tumble/body/free_symmetric_top.hpp"
+#include "tumble/body/free/free_motion.hpp"
 #include "tumble/body/many_bodies.hpp"
 #include "tumble/body/matrix_state.hpp"
 #include "tumble/body/model.hpp"

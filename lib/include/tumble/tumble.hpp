@@ -3,6 +3,7 @@
 /// The whole library, but for tumble/mesh/read_obj.hpp, which needs the target tumble::obj.
 
 #include "tumble/body.hpp"
+#include "tumble/elliptic.hpp"
 #include "tumble/mass.hpp"
 #include "tumble/mesh.hpp"
 #include "tumble/ode.hpp"

@@ -1,4 +1,4 @@
-#include "tumble/body/free_symmetric_top.hpp"
+#include "tumble/body/free/free_symmetric_top.hpp"
 
 #include <doctest/doctest.h>
 

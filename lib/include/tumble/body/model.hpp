@@ -29,12 +29,14 @@ struct SymmetricMoments {
 };
 
 /// The symmetric top that is nearest to a body.
-inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
-  const PrincipalAxes p = principal_axes(body.I_body());
+inline SymmetricMoments nearest_symmetric_top(const PrincipalAxes& p) {
   const double low = p.moments[1] - p.moments[0], high = p.moments[2] - p.moments[1];
   const int odd = low < high ? 2 : 0;  // the axis of the moment that has no equal
   const double a = p.moments[1], b = p.moments[odd == 2 ? 0 : 2];
   return {p.moments[odd], (a + b) / 2, p.R.col(odd), std::abs(a - b) / ((a + b) / 2)};
+}
+inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
+  return nearest_symmetric_top(principal_axes(body.I_body()));
 }
 
 /// The simplest model that tells the body's turning.

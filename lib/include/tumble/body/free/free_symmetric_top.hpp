@@ -13,6 +13,26 @@
 
 namespace tumble {
 
+/// The turning of a free symmetric top or ball.
+class FreeSymmetricTop {
+ public:
+  /// @param L angular momentum, world coordinates [kg m²/s]
+  FreeSymmetricTop(const SymmetricMoments& top, const Quat& q, const Vec3& L) : q_(q.normalized()) {
+    const double slip = (top.transverse - top.axial) / top.axial / top.transverse;  // 1/C − 1/A
+    about_L_ = L / top.transverse;
+    about_axis_ = slip * L.dot(q_ * top.axis) * top.axis;
+  }
+
+  /// Body → world at time t [s], of any length and sign.
+  Quat at(double t) const {
+    return exp_quaternion<double>(t * about_L_) * q_ * exp_quaternion<double>(t * about_axis_);
+  }
+
+ private:
+  Quat q_;
+  Vec3 about_L_, about_axis_;  ///< [rad/s], world and body coordinates
+};
+
 /// The state of a free symmetric top (or ball) after the time t.
 /// @param body two of its principal moments must be equal
 /// @param t    [s], any length, also negative
@@ -23,11 +43,8 @@ inline RigidBodyState<> free_symmetric_top(const RigidBody<>& body, const RigidB
   require(top.asymmetry <= 4 * inertia_rounding,
           "free_symmetric_top: no two principal moments are ", "equal; the nearest differ by ",
           top.asymmetry, " of their size");
-  const double L_axial = start.L.dot(start.q * top.axis);
-  const double spin = (1 / top.axial - 1 / top.transverse) * L_axial;
-  const Quat about_L = exp_quaternion<double>(t / top.transverse * start.L);
-  const Quat about_axis = exp_quaternion<double>(t * spin * top.axis);
-  return {start.x + t / body.mass() * start.P, about_L * start.q * about_axis, start.P, start.L};
+  return {start.x + t / body.mass() * start.P, FreeSymmetricTop(top, start.q, start.L).at(t),
+          start.P, start.L};
 }
 
 }  // namespace tumble

@@ -1,0 +1,156 @@
+#pragma once
+/// @file
+/// The path of the angular momentum in a free body: the curve in which a sphere, |L|² = G², and an
+/// ellipsoid, Σ L²ᵢ/Jᵢ = 2T, meet.
+///
+/// Between turning about the largest and about the smallest axis lies the separatrix G² = 2 T J₂.
+/// How far a body is from it is a difference of two products that nearly cancel; it decides when
+/// the body flips. So it is computed with twice the digits, from L turned into the body with twice
+/// the digits; everything else is sums of positive terms.
+///
+/// Source: Landau & Lifshitz, "Mechanics" (1976), §37, eqs. 37.8 to 37.12.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "tumble/body/rigid_body.hpp"
+#include "tumble/body/state.hpp"
+#include "tumble/core/double_double.hpp"
+#include "tumble/elliptic/integrals.hpp"
+#include "tumble/elliptic/modulus.hpp"
+#include "tumble/mass/principal_axes.hpp"
+#include "tumble/quaternion/convert.hpp"
+
+namespace tumble {
+
+/// The constants of a free motion, about principal axes of which the third is the one that is
+/// turned about.
+struct Polhode {
+  double G;         ///< |L| [kg m²/s]
+  Vec3 J;           ///< principal moments, ascending or descending [kg m²]
+  Modulus modulus;  ///< of the elliptic functions
+  double lambda;    ///< du/dt [1/s], negative where the moments descend
+  double u0;        ///< u at t = 0
+  Vec3 amplitudes;  ///< m̂: the direction of L in the body is (m̂₁ cn u, m̂₂ sn u, m̂₃ dn u)
+  bool pole_is_axis;  ///< whether angles are counted about axis 3, else about axis 1
+  Amplitude eta;      ///< see FreeAsymmetricTop
+  Quat frame;         ///< body → principal axes, the pole last
+};
+
+namespace detail {
+
+using Vec3dd = Vector3<DoubleDouble>;
+
+/// Rᵀ(q) L with twice the digits, q of any length but zero.
+inline Vec3dd into_body(const Quat& q, const Vec3& L) {
+  using T = DoubleDouble;
+  const T w = q.w();
+  const Vec3dd v = q.vec().cast<T>(), l = L.cast<T>();
+  const T vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  const T vl = v[0] * l[0] + v[1] * l[1] + v[2] * l[2];
+  const Vec3dd cross(v[1] * l[2] - v[2] * l[1], v[2] * l[0] - v[0] * l[2],
+                     v[0] * l[1] - v[1] * l[0]);
+  const T scale = T(1) / (w * w + vv);
+  Vec3dd turned;
+  for (int i = 0; i < 3; ++i)
+    turned[i] = ((w * w - vv) * l[i] + (v[i] * vl - w * cross[i]) * 2) * scale;
+  return turned;
+}
+
+/// L in principal axes, for an L of about 1.
+inline Vec3dd principal_momentum(const PrincipalAxes& p, const Quat& q, const Vec3& L) {
+  const Vec3dd l = into_body(q, L);
+  Vec3dd m;
+  for (int i = 0; i < 3; ++i) m[i] = l[0] * p.R(0, i) + l[1] * p.R(1, i) + l[2] * p.R(2, i);
+  return m;
+}
+
+/// G² − 2 T J₂, positive if the body turns about the axis of the largest moment.
+inline DoubleDouble separation(const Vec3& moments, const Vec3dd& m) {
+  using T = DoubleDouble;
+  const T low(moments[0]), middle(moments[1]), high(moments[2]);
+  return m[2] * m[2] * ((high - middle) / high) - m[0] * m[0] * ((middle - low) / low);
+}
+
+/// Axes by number and sign.
+struct SignedAxes {
+  int order[3];
+  double sign[3];
+
+  Vec3 of(const Vec3& v) const { return {v[order[0]], v[order[1]], v[order[2]]}; }
+};
+
+/// The axes, that of turning last, in which m₁ ≥ 0 and m₃ > 0 at the start; right-handed.
+inline SignedAxes signed_axes(const Vec3dd& m, bool about_largest) {
+  SignedAxes axes = about_largest ? SignedAxes{{0, 1, 2}, {1, 1, 1}}  //
+                                  : SignedAxes{{2, 1, 0}, {1, -1, 1}};
+  const auto negative = [&](int i) { return axes.sign[i] * m[axes.order[i]].hi < 0; };
+  if (negative(2)) axes.sign[1] *= -1, axes.sign[2] *= -1;
+  if (negative(0)) axes.sign[0] *= -1, axes.sign[1] *= -1;
+  return axes;
+}
+
+/// Body → principal axes with axis 3 last, or (2, 3, 1).
+inline Quat frame_of(const Mat3& R, const SignedAxes& axes, bool pole_is_axis) {
+  Mat3 rows;
+  for (int i = 0; i < 3; ++i)
+    rows.row(pole_is_axis ? i : (i + 2) % 3) = axes.sign[i] * R.col(axes.order[i]).transpose();
+  return from_matrix(rows);
+}
+
+/// The polhode through the direction of L.
+/// @param s          squares of the direction's components
+/// @param separation |G² − 2 T J₂| / G²
+inline Polhode polhode_through(const Vec3& J, const Vec3& s, double separation, double G) {
+  const double d31 = J[2] - J[0], d32 = J[2] - J[1], d21 = J[1] - J[0];  // all of one sign
+  const double from_largest = s[0] * d31 / J[0] + s[1] * d32 / J[1];     // (2 T J₃ − G²)/G²
+  const double from_smallest = s[1] * d21 / J[1] + s[2] * d31 / J[2];    // (G² − 2 T J₁)/G²
+  const double span = d32 * from_smallest;
+  const double share1 = J[0] * d32 / (J[1] * d31), share3 = J[2] * d21 / (J[1] * d31);
+  Polhode p;
+  p.G = G;
+  p.J = J;
+  p.modulus = {d21 * from_largest / span, std::abs(d31 / span) * separation};
+  p.lambda = std::copysign(G * std::sqrt(d32 / J[0] * (from_smallest / J[1]) / J[2]), d31);
+  p.amplitudes = Vec3(s[0] + s[1] * share1, s[1] + s[0] / share1, s[2] + s[1] * share3);
+  p.pole_is_axis = p.amplitudes[2] <= 0.5;
+  p.amplitudes = p.amplitudes.cwiseSqrt();
+  p.eta = p.pole_is_axis ? Amplitude{p.amplitudes[2], p.amplitudes[0]}
+                         : Amplitude{std::sqrt(share1), std::sqrt(share3)};
+  return p;
+}
+
+/// u where (cn u, sn u) are these, −K … K.
+inline double start_of(const Modulus& k, double cn, double sn) {
+  return sn * carlson_rf(cn * cn, k.kc2 + k.k2 * cn * cn, 1);
+}
+
+}  // namespace detail
+
+/// The polhode of a free body, or nothing if L is 0 or along a principal axis, so that the body
+/// turns uniformly. (Parts of L below 1e-150 of it count as none.)
+/// @param axes with three different moments
+/// @param q    body → world, of any length but zero
+/// @param L    world coordinates [kg m²/s]
+inline std::optional<Polhode> polhode_of(const PrincipalAxes& axes, const Quat& q, const Vec3& L) {
+  if (L.isZero(0)) return {};
+  const double size = std::exp2(std::ilogb(L.cwiseAbs().maxCoeff()));  // no digit changes
+  const detail::Vec3dd m = detail::principal_momentum(axes, q, L / size);
+  const auto counts = [&](int i) { return std::abs(m[i].hi) > 1e-150; };
+  if (counts(0) + counts(1) + counts(2) < 2) return {};
+
+  const DoubleDouble separation = detail::separation(axes.moments, m);
+  const detail::SignedAxes sorted = detail::signed_axes(m, !(separation < DoubleDouble(0)));
+  const Vec3 rounded(m[0].hi, m[1].hi, m[2].hi), direction = sorted.of(rounded) / rounded.norm();
+  Polhode p = detail::polhode_through(sorted.of(axes.moments), direction.cwiseAbs2(),
+                                      std::abs(double(separation)) / rounded.squaredNorm(),
+                                      size * rounded.norm());
+  p.u0 = detail::start_of(p.modulus, std::abs(direction[0]) / p.amplitudes[0],
+                          sorted.sign[1] * direction[1] / p.amplitudes[1]);
+  p.frame = detail::frame_of(axes.R, sorted, p.pole_is_axis);
+  return p;
+}
+
+}  // namespace tumble
