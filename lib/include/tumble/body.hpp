@@ -10,5 +10,7 @@
 #include "tumble/body/matrix_state.hpp"
 #include "tumble/body/model.hpp"
 #include "tumble/body/rigid_body.hpp"
+#include "tumble/body/simulate/first_event.hpp"
+#include "tumble/body/simulate/simulate.hpp"
 #include "tumble/body/state.hpp"
 #include "tumble/body/wrench.hpp"

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "tumble/body/derived.hpp"
+#include "tumble/body/steady_forces.hpp"
 #include "tumble/body/wrench.hpp"
 #include "tumble/core/require.hpp"
 
@@ -29,6 +30,7 @@ struct Weight {
   Wrench<T> operator()(T, const RigidBody<T>& body, const Derived<T>&) const {
     return {body.mass() * g.cast<T>(), Vector3<T>::Zero()};
   }
+  SteadyForces steady(const RigidBody<>& body) const { return {body.mass() * g, {}, 0, 0}; }
 
   /// @throws std::invalid_argument if g is not finite
   void check() const { require(g.allFinite(), "weight: g = (", g.transpose(), ") is not finite"); }
@@ -43,6 +45,7 @@ struct ForceAtBodyPoint {
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
     return force_at_point<T>(force.cast<T>(), point_position<T>(now, p_body.cast<T>()), now.x);
   }
+  SteadyForces steady(const RigidBody<>&) const { return {force, {{force, p_body}}, 0, 0}; }
 
   /// @throws std::invalid_argument if a number is not finite
   void check() const {
@@ -60,6 +63,7 @@ struct BodyDrag {
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
     return {-static_cast<T>(k) * now.v, -static_cast<T>(k_spin) * now.omega};
   }
+  SteadyForces steady(const RigidBody<>&) const { return {Vec3::Zero(), {}, k, k_spin}; }
 
   /// @throws std::invalid_argument if a constant is negative or not finite
   void check() const {

@@ -1,16 +1,17 @@
 #pragma once
 /// @file
-/// The least that a body's turning needs: three equal moments, two, or none decide
-/// what is computed.
+/// The least that a body's turning needs. How many of its moments are equal decides what has to be
+/// computed when nothing turns it:
 ///
+///   particle       nobody asks for the turning: position and momentum are enough
 ///   ball           ω = L/A for ever: no tensor, no orientation needed to know ω
 ///   symmetric top  turns about L and about its own axis at constant rates: sines only
 ///   full body      the equation of motion, or elliptic functions
 ///
-/// (A body whose orientation nobody asks for needs none of them: a Particle will do.)
 /// Source: Landau & Lifshitz, "Mechanics" (1976), §33 and §37.
 
 #include <cmath>
+#include <string>
 
 #include "tumble/body/rigid_body.hpp"
 #include "tumble/core/require.hpp"
@@ -18,7 +19,19 @@
 
 namespace tumble {
 
-enum class Model { ball, symmetric_top, full_body };
+enum class Model { particle, ball, symmetric_top, full_body };
+
+/// "symmetric top", …
+inline const char* name_of(Model model) {
+  constexpr const char* names[] = {"particle", "ball", "symmetric top", "full body"};
+  return names[static_cast<int>(model)];
+}
+
+/// A model, and why it will do.
+struct ModelChoice {
+  Model model;
+  std::string why;
+};
 
 /// A body's moments sorted for its model: the odd one out and the mean of the two that are equal.
 struct SymmetricMoments {
@@ -39,16 +52,17 @@ inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
   return nearest_symmetric_top(principal_axes(body.I_body()));
 }
 
-/// The simplest model that tells the body's turning.
+/// The simplest model that tells the turning of a body that nothing pushes round.
 /// @param tolerance relative difference of moments that counts as none; its angle grows as
 ///                  tolerance · |ω| · t, so choose it for the time span
 /// @throws std::invalid_argument if the tolerance is negative or not finite
-inline Model choose_model(const RigidBody<>& body, double tolerance) {
+inline ModelChoice choose_model(const RigidBody<>& body, double tolerance = 0) {
   require(tolerance >= 0 && std::isfinite(tolerance), "choose_model: the tolerance is ", tolerance);
   const SymmetricMoments top = nearest_symmetric_top(body);
-  if (top.asymmetry > tolerance) return Model::full_body;
-  const bool ball = std::abs(top.axial - top.transverse) <= tolerance * top.transverse;
-  return ball ? Model::ball : Model::symmetric_top;
+  if (top.asymmetry > tolerance) return {Model::full_body, "no two principal moments are equal"};
+  if (std::abs(top.axial - top.transverse) > tolerance * top.transverse)
+    return {Model::symmetric_top, "two principal moments are equal"};
+  return {Model::ball, "all principal moments are equal"};
 }
 
 }  // namespace tumble

@@ -1,0 +1,48 @@
+#pragma once
+/// @file
+/// Forces that keep their direction and size in the world and act at fixed points of a body, and
+/// drag in proportion to v and ω. The path of the centre is then a closed form, and the turning
+/// does not depend on it.
+
+#include <concepts>
+#include <vector>
+
+#include "tumble/body/rigid_body.hpp"
+
+namespace tumble {
+
+/// The sum of steady forces on a body.
+struct SteadyForces {
+  /// A constant force and where it acts.
+  struct AtPoint {
+    Vec3 force;   ///< [N], world coordinates
+    Vec3 p_body;  ///< [m], body coordinates
+  };
+
+  Vec3 force = Vec3::Zero();      ///< all constant forces together [N]
+  std::vector<AtPoint> at_point;  ///< those of them that may turn the body
+  double drag = 0;                ///< k in F = −k v [kg/s]
+  double spin_drag = 0;           ///< k in τ = −k ω [kg m²/s]
+
+  friend SteadyForces operator+(SteadyForces a, const SteadyForces& b) {
+    a.force += b.force;
+    a.at_point.insert(a.at_point.end(), b.at_point.begin(), b.at_point.end());
+    a.drag += b.drag;
+    a.spin_drag += b.spin_drag;
+    return a;
+  }
+};
+
+/// A force that says what it amounts to: `force.steady(body)`.
+template <class F>
+concept SteadyForce = requires(const F& force, const RigidBody<>& body) {
+  { force.steady(body) } -> std::same_as<SteadyForces>;
+};
+
+/// What all of them amount to.
+template <SteadyForce... Forces>
+SteadyForces steady_forces(const RigidBody<>& body, const Forces&... forces) {
+  return (SteadyForces{} + ... + forces.steady(body));
+}
+
+}  // namespace tumble

@@ -1,0 +1,80 @@
+#pragma once
+/// @file
+/// What turns a body under steady forces, in its principal axes:
+///
+///     J ω̇ = J ω × ω + Σ aᵣ × Rᵀ dᵣ − k ω
+///
+/// with at most three directions dᵣ in the world, however many forces there are.
+
+#include <array>
+
+#include "tumble/body/rigid_body.hpp"
+#include "tumble/body/state.hpp"
+#include "tumble/body/steady_forces.hpp"
+#include "tumble/mass/principal_axes.hpp"
+
+namespace tumble {
+
+/// How a body is turned and turns, in principal axes.
+struct TurningState {
+  Quat q;      ///< principal axes → world
+  Vec3 omega;  ///< [rad/s], principal axes
+};
+
+/// The turning of a body under steady forces.
+class SteadyTorque {
+ public:
+  SteadyTorque(const RigidBody<>& body, const SteadyForces& forces)
+      : axes_(principal_axes(body.I_body())), drag_(forces.spin_drag / axes_.moments.array()) {
+    for (const SteadyForces::AtPoint& f : forces.at_point)
+      add(f.force, axes_.R.transpose() * f.p_body);
+    // An arm along its force's only direction, or none, turns nothing.
+    if (rank_ == 1 && arms_[0].isZero(0)) rank_ = 0;
+  }
+
+  int rank() const { return rank_; }  ///< how many directions, 0 … 3
+  const Vec3& direction(int r) const { return directions_[index(r)]; }  ///< dᵣ, unit, world
+  const Vec3& arm(int r) const { return arms_[index(r)]; }  ///< aᵣ [N m], principal axes
+  const Vec3& drag() const { return drag_; }                ///< k/J [1/s]
+  const PrincipalAxes& axes() const { return axes_; }
+
+  /// Nothing turns the body: no torque, no drag.
+  bool is_free() const { return rank_ == 0 && drag_.isZero(0); }
+
+  TurningState turning(const Quat& q, const Vec3& L) const {
+    const Quat into_world = q * frame();
+    const Vec3 L_principal = into_world.conjugate() * L / into_world.squaredNorm();
+    return {into_world, L_principal.cwiseQuotient(axes_.moments)};
+  }
+  /// The body's own axes → world.
+  Quat orientation(const TurningState& s) const { return s.q.normalized() * frame().conjugate(); }
+  /// L in the world [kg m²/s].
+  Vec3 L(const TurningState& s) const {
+    return s.q.normalized() * Vec3(axes_.moments.cwiseProduct(s.omega));
+  }
+
+ private:
+  static std::size_t index(int r) { return static_cast<std::size_t>(r); }
+
+  Quat frame() const { return from_matrix(axes_.R); }
+
+  /// Shares a force at p among the directions, a new one for what none of them has.
+  void add(const Vec3& force, const Vec3& p) {
+    Vec3 rest = force;
+    for (int r = 0; r < rank_; ++r) {
+      const double share = directions_[index(r)].dot(force);
+      arms_[index(r)] += share * p;
+      rest -= share * directions_[index(r)];
+    }
+    if (rank_ == 3 || rest.norm() <= 8 * 0x1p-53 * force.norm()) return;
+    directions_[index(rank_)] = rest.normalized();
+    arms_[index(rank_++)] = rest.norm() * p;
+  }
+
+  PrincipalAxes axes_;
+  Vec3 drag_;
+  int rank_ = 0;
+  std::array<Vec3, 3> directions_, arms_;
+};
+
+}  // namespace tumble
