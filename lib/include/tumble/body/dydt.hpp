@@ -32,9 +32,13 @@ class RigidBodyMotion {
   /// The same on the unpacked state: each member holds its own time derivative.
   RigidBodyState<T> rate(T t, const RigidBodyState<T>& state) const {
     const Derived<T> now = derived(body_, state);
-    const Wrench<T> net = net_wrench(t, body_, now, forces_);
-    return {now.v, quaternion_dot(state.q, now.omega), net.force, net.torque};
+    const Wrench<T> wrench = net(t, now);
+    return {now.v, quaternion_dot(state.q, now.omega), wrench.force, wrench.torque};
   }
+
+  /// What all forces do to the body in a motion, or in a state.
+  Wrench<T> net(T t, const Derived<T>& now) const { return net_wrench(t, body_, now, forces_); }
+  Wrench<T> net(T t, const RigidBodyState<T>& state) const { return net(t, derived(body_, state)); }
 
  private:
   RigidBody<T> body_;
