@@ -4,6 +4,8 @@
 ///
 ///   nobody asks for the turning    a particle: its path, in closed form under steady forces
 ///   nothing turns the body         closed forms, exact to rounding at any time
+///   a symmetric top is pulled at   a closed form too, unless its axis passes next to the vertical
+///   its axis
 ///   steady forces turn it          Taylor series of high order; the path in closed form
 ///   any other force                Dormand and Prince's method of order 8
 ///
@@ -19,6 +21,7 @@
 #include "tumble/body/simulate/general_motion.hpp"
 #include "tumble/body/simulate/steady_motion.hpp"
 #include "tumble/body/simulate/trajectory.hpp"
+#include "tumble/body/turning/lagrange_top.hpp"
 
 namespace tumble {
 
@@ -86,6 +89,21 @@ inline Trajectory particle_trajectory(const RigidBodyState<>& start, const Stead
   return {at, moments_of_turning(task.t0, task.t1, 0), report};
 }
 
+inline Trajectory top_trajectory(const LagrangeTop& top, const RigidBody<>& body,
+                                 const RigidBodyState<>& start, const SteadyPath& path,
+                                 const SimulationTask& task) {
+  const SimulationReport report{Model::symmetric_top,
+                                "closed form: Lagrange top (elliptic functions)",
+                                "two principal moments are equal, and the force acts on the axis",
+                                task.tolerance, top.error_bound(task.t1 - task.t0)};
+  const auto at = [top, path, t0 = task.t0](double t) -> RigidBodyState<> {
+    const LagrangeTop::State turned = top.at(t - t0);
+    return {path.x(t - t0), turned.q, path.P(t - t0), turned.L};
+  };
+  const double omega = derived(body, start).omega.norm() + top.rate();
+  return {at, moments_of_turning(task.t0, task.t1, omega), report};
+}
+
 template <int rank>
 Trajectory turning_trajectory(const SteadyTorque& torque, const SteadyPath& path,
                               const RigidBodyState<>& start, const SimulationTask& task) {
@@ -108,6 +126,9 @@ inline Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyStat
   if (task.wanted == Wanted::path_only) return particle_trajectory(start, path, task);
   const SteadyTorque torque(body, forces);
   if (torque.is_free() || task.t0 == task.t1) return free_trajectory(body, start, path, task);
+  if (const auto top = LagrangeTop::from(torque, start.q, start.L))
+    if (top->error_bound(task.t1 - task.t0) <= task.tolerance)
+      return top_trajectory(*top, body, start, path, task);
   switch (torque.rank()) {
     case 0:
       return turning_trajectory<0>(torque, path, start, task);
