@@ -1,0 +1,65 @@
+#pragma once
+/// @file
+/// Chapter 10, only what a scene needs: what is to be written, one function a file.
+///
+/// Nothing is computed that nobody needs: no orientation for a particle, no tensor for a ball, no
+/// step where nothing pushes. And what is computed is watched: a free body keeps its energy, so
+/// that an energy which does not stay tells what a method is worth.
+///
+/// Conventions, bodies and states are those of chapter 9. "To rounding" means: off by some
+/// roundings of a double, not more.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "../09_rigid_body/contract.hpp"
+#include "not_implemented.hpp"
+
+namespace only_what_a_scene_needs {
+
+using quaternions::Quaternion;
+using rigid_body::Body;
+using rigid_body::State;
+
+/// What has to be known of a body, from the least to the most.
+enum class Model {
+  particle = 0,       ///< its mass: where it is matters, how it is turned does not
+  ball = 1,           ///< one moment of inertia for all axes
+  symmetric_top = 2,  ///< one moment about an axis of symmetry, another across it
+  full_body = 3,      ///< three moments
+};
+
+/// What happens to a body, and what is wanted of it.
+struct Scene {
+  Eigen::Vector3d moments;            ///< principal moments of inertia, in any order [kg m²]:
+                                      ///< positive, of any size
+  double omega;                       ///< the largest |ω| that occurs [rad/s], 0 or more
+  double duration;                    ///< how long it is followed [s], 0 or more
+  bool orientation_is_asked;          ///< somebody wants to know how it is turned
+  bool force_depends_on_orientation;  ///< such as that of a sail or of a rocket's engine
+  bool torque_acts;
+};
+
+/// The least that will do.
+struct Choice {
+  Model model;
+  bool steps;  ///< must its turning be integrated step by step?
+};
+
+// == 10.1 choose_model: the least that will do
+/// - Orientation counts if it is asked for, and also if a force depends on it: then it decides
+///   where the body flies. Otherwise a particle will do, torque or no torque.
+/// - Two moments count as equal if that turns the body wrong by no more than is allowed. It turns
+///   by the angle omega · duration, and wrong by about that angle times the difference of the two
+///   moments as a fraction of the larger one: this product may be up to the tolerance.
+/// - If orientation counts, the body is a ball if each two of its moments count as equal, a
+///   symmetric top if only some two do, and a full body if no two do.
+/// - Steps are needed where orientation counts and a torque acts. Without a torque every body's
+///   turning is known in closed form: that of a ball and of a top with sines, that of a full body
+///   with elliptic functions.
+/// @param scene     what happens
+/// @param tolerance by how much the orientation may be wrong at the end [rad]: 0 or more
+/// @return the model that needs the least, and whether it needs steps
+Choice choose_model(const Scene& scene, double tolerance);
+
+}  // namespace only_what_a_scene_needs
