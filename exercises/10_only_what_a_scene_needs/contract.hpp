@@ -62,4 +62,18 @@ struct Choice {
 /// @return the model that needs the least, and whether it needs steps
 Choice choose_model(const Scene& scene, double tolerance);
 
+// == 10.2 free_symmetric_top: any time at once
+/// A body with two equal moments that nothing pushes. Its orientation at any time is known without
+/// a single step: there are two turns, each at a rate that stays the same.
+/// @param A  moment of inertia about every axis across the axis of symmetry [kg m²]
+/// @param C  moment of inertia about the axis of symmetry, which is the body's z axis [kg m²]. Both
+///           are positive, C is at most 2 A, and may be a millionth of A, nearly A, or A.
+/// @param q0 orientation at time 0, of length 1 to rounding
+/// @param L  angular momentum in world axes [kg m²/s]: also zero, and of any size
+/// @param t  time [s], of any length, negative for what was before
+/// @return q at time t, of length 1 to rounding, of q and −q either. To rounding, times the
+///         angle |t| |L| (1/A + 1/C) where that is more than 1: a turn is rounded too.
+Quaternion free_symmetric_top(double A, double C, const Quaternion& q0, const Eigen::Vector3d& L,
+                              double t);
+
 }  // namespace only_what_a_scene_needs
