@@ -46,6 +46,12 @@ struct Choice {
   bool steps;  ///< must its turning be integrated step by step?
 };
 
+/// How the energy of a motion has strayed from what it was at first.
+struct EnergyDrift {
+  double largest;  ///< by how much at most, as a fraction of the first energy
+  double trend;    ///< by how much on average in a second, as such a fraction too [1/s]
+};
+
 // == 10.1 choose_model: the least that will do
 /// - Orientation counts if it is asked for, and also if a force depends on it: then it decides
 ///   where the body flies. Otherwise a particle will do, torque or no torque.
@@ -75,5 +81,26 @@ Choice choose_model(const Scene& scene, double tolerance);
 ///         angle |t| |L| (1/A + 1/C) where that is more than 1: a turn is rounded too.
 Quaternion free_symmetric_top(double A, double C, const Quaternion& q0, const Eigen::Vector3d& L,
                               double t);
+
+// == 10.3 energy_drift: does the energy swing, or does it run away?
+/// The energy is kinetic, of the centre's motion and of the turning about it. A good method lets it
+/// swing about the right value: then `largest` stays, however long one looks on, and `trend` goes
+/// to zero. A bad one lets it run away: then `trend` stays, and `largest` grows.
+///
+/// With eₙ = (Eₙ − E₀)/E₀, for the state with the number n at the time n h,
+/// - `largest` is the largest size of all eₙ;
+/// - `trend` is the slope of the straight line that fits the points (n h, eₙ) best: with the
+///   smallest sum of squares of vertical distances. The line need not go through any of them.
+///
+/// Of a single state the trend is 0; of none, and of a body that is at rest in all of them, both
+/// are 0.
+/// @param body   what moves
+/// @param states its states, one after the other; the first has an energy, or none has. Their
+///               quaternions need not have length 1: only the rotation counts
+/// @param h      time from each state to the next [s]: not zero, negative where the states lead
+///               back in time
+/// @return both, to rounding of the energies: the errors of E may grow with the largest number of
+///         I_body_inv times |L|²
+EnergyDrift energy_drift(const Body& body, const std::vector<State>& states, double h);
 
 }  // namespace only_what_a_scene_needs
