@@ -98,7 +98,8 @@ TEST_SUITE(TUMBLE_UNIT) {
 
   TEST_CASE("the momenta change by the force and by the torque, whatever the body is and does") {
     for (const double mass : {1e-3, 1., 1e3}) {
-      const Body body = body_with(mass, mass * any_moments(), any_rotation());
+      const Vec3 moments = mass * any_moments();
+      const Body body = body_with(mass, moments, any_rotation());
       State state = any_state();
       state.P *= mass;
       state.L *= mass;

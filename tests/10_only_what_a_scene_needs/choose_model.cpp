@@ -329,8 +329,8 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
                 return (a - b) / b * s.omega * s.duration <= tolerance;
               }})},
      {"a chain of equals",
-      "The first moment is as good as equal to the second and that one to the third, but the first "
-      "and the third are too far apart for a ball.",
+      "The smallest moment is as good as equal to the middle one and that one to the largest, but "
+      "the smallest and the largest are too far apart for a ball.",
       "How equal is equal enough",
       as({.shape =
               [](bool low, bool high, bool) {
