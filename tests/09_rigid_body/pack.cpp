@@ -1,0 +1,126 @@
+/// @file
+/// 9.1 pack: its laws, and what goes wrong.
+#include <utility>
+
+#include "09_rigid_body/contract.hpp"
+#include "bodies.hpp"
+#include "judge/spec/spec.hpp"
+#include "reference.hpp"
+
+using namespace bodies;
+
+namespace student {
+const Function<decltype(rigid_body::pack)> pack{TUMBLE_UNIT};
+}
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("any state: x first, then q, then P, then L, all numbers unrounded") {
+    for (int n = 0; n < 20; ++n) {
+      const State state = any_state();
+      REQUIRE(student::pack(state) == close_to(reference::pack(state), 0));
+    }
+  }
+
+  TEST_CASE("each of the thirteen numbers has one place of its own") {
+    for (int place = 0; place < 13; ++place) {
+      const PackedState y = PackedState::Unit(place);
+      REQUIRE(student::pack(reference::unpack(y)) == close_to(y, 0));
+    }
+  }
+
+  TEST_CASE("a quaternion that has drifted from length 1 stays as it is") {
+    for (const double drift : {1e-15, 1e-9, 1e-3, 0.1, 1.}) {
+      State state = any_state();
+      state.q = (1 + drift) * any_unit_quaternion();
+      REQUIRE(student::pack(state) == close_to(reference::pack(state), 0));
+    }
+  }
+
+  TEST_CASE("q and −q are packed as what they are") {
+    for (int n = 0; n < 5; ++n) {
+      State state = any_state();
+      REQUIRE(student::pack(state) == close_to(reference::pack(state), 0));
+      state.q = -state.q;
+      REQUIRE(student::pack(state) == close_to(reference::pack(state), 0));
+    }
+  }
+
+  TEST_CASE("a body at rest in the origin, tiny numbers and huge ones") {
+    const State at_rest{Vec3::Zero(), {1, 0, 0, 0}, Vec3::Zero(), Vec3::Zero()};
+    REQUIRE(student::pack(at_rest) == close_to(reference::pack(at_rest), 0));
+    for (const double size : {1e-300, 1e-8, 1e8, 1e300}) {
+      const State state = any_state(size);
+      REQUIRE(student::pack(state) == close_to(reference::pack(state), 0));
+    }
+  }
+}
+
+const Misconceptions<decltype(rigid_body::pack)> misconceptions{
+    TUMBLE_UNIT,
+    {{"scalar stored last",
+      "The quaternion was packed as (x, y, z, w). Here w comes first, as in the quaternion itself: "
+      "q[0] is the scalar.",
+      "The state",
+      [](State s) {
+        s.q = Quaternion(s.q[1], s.q[2], s.q[3], s.q[0]);
+        return reference::pack(s);
+      }},
+     {"momentum before the orientation",
+      "P stands where q belongs, and q after it. That is an order too, but not the one that is "
+      "agreed here: first where the body is and how it is turned, then its two momenta.",
+      "The state",
+      [](const State& s) -> PackedState {
+        PackedState y;
+        y << s.x, s.P, s.q, s.L;
+        return y;
+      }},
+     {"momenta swapped",
+      "P and L stand at each other's places. First comes the linear momentum, as the position "
+      "comes before the orientation.",
+      "The state",
+      [](State s) {
+        std::swap(s.P, s.L);
+        return reference::pack(s);
+      }},
+     {"orientation first", "q stands before x. The position of the centre of mass comes first.",
+      "The state",
+      [](const State& s) -> PackedState {
+        PackedState y;
+        y << s.q, s.x, s.P, s.L;
+        return y;
+      }},
+     {"three places for the quaternion",
+      "A quaternion has four numbers. P was written over its last one, L follows too early, and "
+      "the last place stays empty.",
+      "The state",
+      [](const State& s) -> PackedState {
+        PackedState y = PackedState::Zero();
+        y.segment<3>(0) = s.x;
+        y.segment<4>(3) = s.q;
+        y.segment<3>(6) = s.P;
+        y.segment<3>(9) = s.L;
+        return y;
+      }},
+     {"x left out",
+      "The three places of the position are zero: q, P and L are where they belong, but a solver "
+      "would put every body into the origin.",
+      "The state",
+      [](State s) {
+        s.x.setZero();
+        return reference::pack(s);
+      }},
+     {"normalised",
+      "The quaternion was scaled to length 1 on the way. Packing copies; what has drifted is "
+      "repaired elsewhere, where one can see it.",
+      "The length of q",
+      [](State s) {
+        if (!s.q.isZero(0)) s.q.stableNormalize();
+        return reference::pack(s);
+      }},
+     {"sign of the quaternion changed",
+      "Where w was negative, −q was packed instead of q. It is the same rotation, but not the same "
+      "numbers: a solver that goes on from here sees a jump.",
+      "The length of q", [](State s) {
+        if (s.q[0] < 0) s.q = -s.q;
+        return reference::pack(s);
+      }}}};

@@ -1,0 +1,117 @@
+/// @file
+/// 9.2 unpack: its laws, and what goes wrong.
+#include "09_rigid_body/contract.hpp"
+#include "bodies.hpp"
+#include "judge/spec/spec.hpp"
+#include "reference.hpp"
+
+using namespace bodies;
+
+namespace student {
+const Function<decltype(rigid_body::unpack)> unpack{TUMBLE_UNIT};
+}
+
+namespace {
+
+/// y as the numbers from these places on are taken for x, q, P and L.
+auto from_places(int x, int q, int P, int L) {
+  return [=](const PackedState& y) -> State {
+    return {y.segment<3>(x), y.segment<4>(q), y.segment<3>(P), y.segment<3>(L)};
+  };
+}
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("any thirteen numbers: x, then q, then P, then L, unrounded") {
+    for (int n = 0; n < 20; ++n) {
+      const State state = any_state();
+      REQUIRE(student::unpack(reference::pack(state)) == close_to(state, 0));
+    }
+  }
+
+  TEST_CASE("what is packed comes back, and what comes back packs to the same numbers") {
+    for (int n = 0; n < 10; ++n) {
+      const PackedState y = reference::pack(any_state());
+      const auto state = student::unpack(y);
+      REQUIRE(state == close_to(reference::unpack(y), 0));
+      REQUIRE(state == obeys("pack(unpack(y)) = y", (reference::pack(state) - y).norm(), 0));
+    }
+  }
+
+  TEST_CASE("each of the thirteen numbers goes to one place") {
+    for (int place = 0; place < 13; ++place) {
+      const PackedState y = PackedState::Unit(place);
+      REQUIRE(student::unpack(y) == close_to(reference::unpack(y), 0));
+    }
+  }
+
+  TEST_CASE("a quaternion that has drifted from length 1 stays as it is, and so does −q") {
+    for (const double drift : {1e-15, 1e-9, 1e-3, 0.1, 1.}) {
+      State state = any_state();
+      state.q = (1 + drift) * any_unit_quaternion();
+      REQUIRE(student::unpack(reference::pack(state)) == close_to(state, 0));
+      state.q = -state.q;
+      REQUIRE(student::unpack(reference::pack(state)) == close_to(state, 0));
+    }
+  }
+
+  TEST_CASE("thirteen zeros, tiny numbers and huge ones") {
+    for (const double size : {0., 1e-300, 1e-8, 1e8, 1e300}) {
+      const State state = any_state(size);
+      REQUIRE(student::unpack(reference::pack(state)) == close_to(state, 0));
+    }
+  }
+}
+
+const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
+    TUMBLE_UNIT,
+    {{"scalar read last",
+      "The quaternion was read as if its numbers came in the order x, y, z, w. In y they are in "
+      "the order of the quaternion itself, the scalar first.",
+      "The state",
+      [](const PackedState& y) {
+        State s = reference::unpack(y);
+        s.q = Quaternion(s.q[3], s.q[0], s.q[1], s.q[2]);
+        return s;
+      }},
+     {"momentum before the orientation",
+      "The numbers after x were taken for P, and q was read behind them. In y the orientation "
+      "follows the position; the two momenta come last.",
+      "The state", from_places(0, 6, 3, 10)},
+     {"momenta swapped",
+      "P and L were read from each other's places. The linear momentum comes first, as the "
+      "position comes before the orientation.",
+      "The state", from_places(0, 3, 10, 7)},
+     {"orientation first", "q was read from the front, where x is. The position comes first.",
+      "The state", from_places(4, 0, 7, 10)},
+     {"three places for the quaternion",
+      "P and L were read one place too early, so that P begins with a number of q. A quaternion "
+      "has four numbers.",
+      "The state", from_places(0, 3, 6, 9)},
+     {"places counted from one",
+      "x was read from the second number on, and all others follow one place too late. In C++ the "
+      "first number of a vector is at place 0.",
+      "The state",
+      [](const PackedState& y) {
+        PackedState shifted = PackedState::Zero();
+        shifted.head<12>() = y.tail<12>();
+        return reference::unpack(shifted);
+      }},
+     {"normalised",
+      "The quaternion was scaled to length 1. Then packing and unpacking changes the state of a "
+      "solver behind its back, in the middle of a step.",
+      "The length of q",
+      [](const PackedState& y) {
+        State s = reference::unpack(y);
+        if (!s.q.isZero(0)) s.q.stableNormalize();
+        return s;
+      }},
+     {"sign of the quaternion changed",
+      "Where w was negative, all four numbers of q have changed their signs. It is the same "
+      "rotation, but not the same state of the solver.",
+      "The length of q", [](const PackedState& y) {
+        State s = reference::unpack(y);
+        if (s.q[0] < 0) s.q = -s.q;
+        return s;
+      }}}};

@@ -1,0 +1,405 @@
+/// @file
+/// 10.1 choose_model: its laws, and what goes wrong.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "10_only_what_a_scene_needs/contract.hpp"
+#include "judge/spec/spec.hpp"
+
+using namespace tumble::judge;
+using only_what_a_scene_needs::Choice, only_what_a_scene_needs::Model,
+    only_what_a_scene_needs::Scene;
+using tumble::Vec3;
+
+namespace student {
+const Function<decltype(only_what_a_scene_needs::choose_model)> choose_model{TUMBLE_UNIT};
+}
+
+namespace {
+
+/// A reader of the contract, taken apart so that each part can go wrong by itself.
+struct Reader {
+  using Equal = bool (*)(double larger, double smaller, const Scene&, double tolerance);
+
+  static bool counts(const Scene& s) {
+    return s.orientation_is_asked || s.force_depends_on_orientation;
+  }
+  static bool turned_right(double larger, double smaller, const Scene& s, double tolerance) {
+    return (larger - smaller) / larger * s.omega * s.duration <= tolerance;
+  }
+  /// From all three pairs, of sorted moments.
+  static Model by_pairs(bool low_middle, bool middle_high, bool low_high) {
+    if (low_high) return Model::ball;
+    return low_middle || middle_high ? Model::symmetric_top : Model::full_body;
+  }
+  static bool with_torque(const Scene& s, Model model) {
+    return s.torque_acts && model != Model::particle;
+  }
+
+  bool (*orientation_counts)(const Scene&) = counts;
+  Equal equal = turned_right;
+  Model (*shape)(bool low_middle, bool middle_high, bool low_high) = by_pairs;
+  bool (*steps)(const Scene&, Model) = with_torque;
+  bool sorts = true;
+
+  Choice operator()(const Scene& scene, double tolerance) const {
+    Model model = Model::particle;
+    if (orientation_counts(scene)) {
+      Vec3 m = scene.moments;
+      if (sorts) std::sort(m.begin(), m.end());
+      const auto alike = [&](double a, double b) {
+        return equal(std::fmax(a, b), std::fmin(a, b), scene, tolerance);
+      };
+      model = shape(alike(m[0], m[1]), alike(m[1], m[2]), alike(m[0], m[2]));
+    }
+    return {model, steps(scene, model)};
+  }
+};
+
+// ── Tasks ──
+
+struct Task {
+  Scene scene;
+  double tolerance;
+};
+
+bool any_bool() { return any_number(0, 1) < 0.5; }
+
+/// The moments in any order.
+Vec3 shuffled(Vec3 m) {
+  for (int i = 2; i > 0; --i) std::swap(m[i], m[static_cast<int>(any_number(0, i + 1))]);
+  return m;
+}
+
+/// A body of any size that spins somehow for some time. Its moments will count as equal if they
+/// differ by up to `limit` of the larger one.
+Task any_task(double limit) {
+  const double turn = std::pow(10, any_number(1, 3));
+  Task task{};
+  task.scene.omega = std::pow(10, any_number(-1, 4));
+  task.scene.duration = turn / task.scene.omega;
+  task.scene.orientation_is_asked = true;
+  task.scene.torque_acts = any_bool();
+  task.tolerance = limit * turn;
+  return task;
+}
+
+/// One of each kind, never so near to a limit that rounding or the size of an angle decides.
+enum class Kind { ball, needle_like, disc_like, chain, full, count };
+
+Task task_of(Kind kind) {
+  const double limit = std::pow(10, any_number(-7, -3.5));
+  Task task = any_task(limit);
+  const double near = 1 - limit * any_number(0.1, 0.4);  // equal, and so are two of them
+  const double low = any_number(0.3, 0.7), high = any_number(1.05, 1.25);
+  const double far = 1 - limit * any_number(3, 8);  // different, but only just
+  Vec3 moments;
+  switch (kind) {
+    case Kind::ball:
+      moments = {1, near, near * near};
+      break;
+    case Kind::needle_like:
+      moments = {1, near, any_bool() ? low : far};
+      break;
+    case Kind::disc_like:
+      moments = {1, near, any_bool() ? high : 1 / far};
+      break;
+    case Kind::chain:  // each equal to the middle one, but not the first to the last
+      moments = {1, 1 - 0.7 * limit, 1 - 1.4 * limit};
+      break;
+    default:
+      moments = {any_bool() ? low : far, 1, any_bool() ? high : 1 / far};
+  }
+  const double size = std::pow(10, any_number(-4, 4));
+  task.scene.moments = size * shuffled(moments);
+  return task;
+}
+
+/// Many tasks of all kinds; for each one, who asks for the orientation and what the force
+/// depends on is drawn anew.
+std::vector<Task> all_kinds(int of_each) {
+  std::vector<Task> tasks;
+  for (int n = 0; n < of_each * static_cast<int>(Kind::count); ++n) {
+    Task task = task_of(static_cast<Kind>(n % static_cast<int>(Kind::count)));
+    task.scene.orientation_is_asked = any_bool();
+    task.scene.force_depends_on_orientation = any_bool();
+    tasks.push_back(task);
+  }
+  return tasks;
+}
+
+/// Moments that differ by much, seen for a short time: here it is of weight which of the two the
+/// difference is a fraction of.
+Task wide_apart() {
+  const double limit = any_number(0.2, 0.33);
+  Task task = any_task(limit);
+  const double part = 1 - 0.9 * limit;
+  task.scene.moments = shuffled({1, part, part / 2});
+  return task;
+}
+
+/// A choice says little. All is asked before the first answer is looked at, so that who
+/// is wrong once can be told from who is wrong in another way.
+void require_all(const std::vector<Task>& tasks) {
+  std::vector<Answer<Choice>> answers;
+  for (const auto& [scene, tolerance] : tasks)
+    answers.push_back(student::choose_model(scene, tolerance));
+  for (std::size_t n = 0; n < tasks.size(); ++n)
+    REQUIRE(answers[n] == close_to(Reader{}(tasks[n].scene, tasks[n].tolerance), 0));
+}
+
+auto as(const Reader& reader) {
+  return [reader](const Scene& scene, double tolerance) { return reader(scene, tolerance); };
+}
+
+}  // namespace
+
+TEST_SUITE(TUMBLE_UNIT) {
+  TEST_CASE("particles, balls, tops and full bodies, with and without a torque") {
+    std::vector<Task> tasks = all_kinds(16);
+    for (int n = 0; n < 10; ++n) tasks.push_back(wide_apart());
+    require_all(tasks);
+  }
+
+  TEST_CASE("where nobody asks and no force cares how it is turned, every body is a particle") {
+    std::vector<Task> tasks = all_kinds(4);
+    for (Task& task : tasks) {
+      task.scene.orientation_is_asked = false;
+      task.scene.force_depends_on_orientation = false;
+    }
+    require_all(tasks);
+  }
+
+  TEST_CASE("a sail: nobody asks how it is turned, but the force does") {
+    std::vector<Task> tasks = all_kinds(4);
+    for (Task& task : tasks) {
+      task.scene.orientation_is_asked = false;
+      task.scene.force_depends_on_orientation = true;
+    }
+    require_all(tasks);
+  }
+
+  TEST_CASE("which of the moments is the odd one, and in which order they come, does not matter") {
+    std::vector<Task> tasks;
+    for (const Vec3& moments :
+         {Vec3(2, 2, 2), Vec3(2, 2, 1), Vec3(2, 2, 3), Vec3(2, 2.5, 3), Vec3(2, 2, 2e-6)}) {
+      std::array<double, 3> m{moments[0], moments[1], moments[2]};
+      std::sort(m.begin(), m.end());
+      do {
+        Task task = any_task(1e-3);
+        task.scene.moments = {m[0], m[1], m[2]};
+        tasks.push_back(task);
+      } while (std::next_permutation(m.begin(), m.end()));
+    }
+    require_all(tasks);
+  }
+
+  TEST_CASE("the same body is a ball for a second, a top for an hour, a full body for a year") {
+    const double size = std::pow(10, any_number(-4, 4));
+    std::vector<Task> tasks;
+    for (const double duration : {1., 3600., 3e7}) {
+      Task task = any_task(1);
+      // 1 rad/s: wrong by 2e-6 rad a second as a ball, by 1e-9 rad a second as a top.
+      task.scene.moments = size * shuffled({1, 1 - 1e-9, 1 - 2e-6});
+      task.scene.omega = 1;
+      task.scene.duration = duration;
+      task.tolerance = 1e-3;
+      tasks.push_back(task);
+    }
+    require_all(tasks);
+    REQUIRE(student::choose_model(tasks[0].scene, 1e-3) ==
+            close_to(Choice{Model::ball, tasks[0].scene.torque_acts}, 0));
+    REQUIRE(student::choose_model(tasks[1].scene, 1e-3) ==
+            close_to(Choice{Model::symmetric_top, tasks[1].scene.torque_acts}, 0));
+    REQUIRE(student::choose_model(tasks[2].scene, 1e-3) ==
+            close_to(Choice{Model::full_body, tasks[2].scene.torque_acts}, 0));
+  }
+
+  TEST_CASE("no torque, no steps: not for a full body either") {
+    std::vector<Task> tasks;
+    for (Task task : all_kinds(4)) {
+      for (const bool torque : {false, true}) {
+        task.scene.torque_acts = torque;
+        tasks.push_back(task);
+      }
+    }
+    require_all(tasks);
+  }
+
+  TEST_CASE("with no tolerance at all only equal moments are equal, at rest all are") {
+    std::vector<Task> tasks;
+    for (const Vec3& moments :
+         {Vec3(1, 1, 1), Vec3(1, 1, 1 - 1e-9), Vec3(1, 1 + 1e-9, 1), Vec3(1, 2, 1.5)}) {
+      Task task = any_task(0);
+      task.scene.moments = shuffled(moments);
+      tasks.push_back(task);
+      task.scene.omega = 0;
+      tasks.push_back(task);
+      task.scene.omega = 10;
+      task.scene.duration = 0;
+      tasks.push_back(task);
+    }
+    require_all(tasks);
+  }
+
+  TEST_CASE("specks of dust and planets, and a spin of 10000 rad/s") {
+    std::vector<Task> tasks;
+    for (const double size : {1e-100, 1e-20, 1e20, 1e100}) {
+      for (int kind = 0; kind < static_cast<int>(Kind::count); ++kind) {
+        Task task = task_of(static_cast<Kind>(kind));
+        task.scene.moments *= size;
+        const double turn = task.scene.omega * task.scene.duration;
+        task.scene.omega = 1e4;
+        task.scene.duration = turn / 1e4;
+        tasks.push_back(task);
+      }
+    }
+    require_all(tasks);
+  }
+}
+
+const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconceptions{
+    TUMBLE_UNIT,
+    {{"a torque makes a body",
+      "A torque was taken for a reason to follow the orientation. If nobody asks for it and no "
+      "force depends on it, the body may turn as it likes: its path is that of a particle.",
+      "The ladder of models",
+      as({.orientation_counts =
+              [](const Scene& s) {
+                return s.orientation_is_asked || s.force_depends_on_orientation || s.torque_acts;
+              }})},
+     {"only who asks counts",
+      "Where nobody asks for the orientation it was dropped, although a force depends on it. Then "
+      "it decides where the body flies.",
+      "The ladder of models",
+      as({.orientation_counts = [](const Scene& s) { return s.orientation_is_asked; }})},
+     {"only the force counts",
+      "Where no force depends on the orientation it was dropped, although somebody asks for it.",
+      "The ladder of models",
+      as({.orientation_counts = [](const Scene& s) { return s.force_depends_on_orientation; }})},
+     {"orientation only if both want it",
+      "The orientation was followed only where it is asked for and a force depends on it. One of "
+      "the two is reason enough.",
+      "The ladder of models",
+      as({.orientation_counts =
+              [](const Scene& s) {
+                return s.orientation_is_asked && s.force_depends_on_orientation;
+              }})},
+     {"never a particle",
+      "Every body was given an orientation, also where nothing and nobody cares for it.",
+      "The ladder of models", as({.orientation_counts = [](const Scene&) { return true; }})},
+     {"equal to the last digit",
+      "Only moments that are exactly equal counted as equal. Nothing measured or computed ever is: "
+      "what matters is what the difference does until the end.",
+      "How equal is equal enough",
+      as({.equal = [](double a, double b, const Scene&, double) { return a == b; }})},
+     {"difference not relative",
+      "The difference of the moments was taken as it is, in kg m². Of a heavy body's moments the "
+      "millionth part is a large number, of a light one's a tiny one, and both turn alike.",
+      "How equal is equal enough",
+      as({.equal = [](double a, double b, const Scene& s,
+                      double tolerance) { return (a - b) * s.omega * s.duration <= tolerance; }})},
+     {"turn forgotten",
+      "The difference as a fraction was compared with the tolerance itself. The angle that is "
+      "wrong grows with the angle that the body turns by.",
+      "How equal is equal enough",
+      as({.equal = [](double a, double b, const Scene&,
+                      double tolerance) { return (a - b) / a <= tolerance; }})},
+     {"spin forgotten",
+      "The duration was taken into account, but not how fast the body turns: what counts is the "
+      "angle of the turn.",
+      "How equal is equal enough",
+      as({.equal = [](double a, double b, const Scene& s,
+                      double tolerance) { return (a - b) / a * s.duration <= tolerance; }})},
+     {"duration forgotten",
+      "The spin was taken into account, but not for how long: what counts is the angle of the "
+      "turn. A ball for a second may be no ball for an hour.",
+      "How equal is equal enough",
+      as({.equal = [](double a, double b, const Scene& s,
+                      double tolerance) { return (a - b) / a * s.omega <= tolerance; }})},
+     {"fraction of the smaller one",
+      "The difference was divided by the smaller of the two moments. For nearly equal ones that is "
+      "the same; these differ by a lot, and the larger one is agreed on.",
+      "How equal is equal enough",
+      as({.equal =
+              [](double a, double b, const Scene& s, double tolerance) {
+                return (a - b) / b * s.omega * s.duration <= tolerance;
+              }})},
+     {"a chain of equals",
+      "The smallest moment is as good as equal to the middle one and that one to the largest, but "
+      "the smallest and the largest are too far apart for a ball.",
+      "How equal is equal enough",
+      as({.shape =
+              [](bool low, bool high, bool) {
+                if (low && high) return Model::ball;
+                return low || high ? Model::symmetric_top : Model::full_body;
+              }})},
+     {"axis of symmetry assumed",
+      "Only the first two moments were compared for a top. They come in any order: the odd one out "
+      "may be the first or the second as well.",
+      "The ladder of models",
+      as({.shape =
+              [](bool first, bool second, bool outer) {
+                if (first && second && outer) return Model::ball;
+                return first ? Model::symmetric_top : Model::full_body;
+              },
+          .sorts = false})},
+     {"only discs are tops",
+      "The two smaller moments were compared for a top, not the two larger ones. A pencil is a top "
+      "as well as a coin.",
+      "The ladder of models",
+      as({.shape =
+              [](bool low, bool, bool outer) {
+                if (outer) return Model::ball;
+                return low ? Model::symmetric_top : Model::full_body;
+              }})},
+     {"only needles are tops",
+      "The two larger moments were compared for a top, not the two smaller ones. A coin is a top "
+      "as well as a pencil.",
+      "The ladder of models",
+      as({.shape =
+              [](bool, bool high, bool outer) {
+                if (outer) return Model::ball;
+                return high ? Model::symmetric_top : Model::full_body;
+              }})},
+     {"a ball taken for a top",
+      "A body with three equal moments was called a top. So it is, but it needs less than that: "
+      "one number instead of two and an axis.",
+      "The ladder of models",
+      as({.shape = [](bool low, bool high,
+                      bool) { return low || high ? Model::symmetric_top : Model::full_body; }})},
+     {"a torque makes a full body",
+      "Where a torque acts, a full body was chosen. The moments of a ball or of a top stay equal "
+      "however it is pushed.",
+      "The ladder of models",
+      [](const Scene& scene, double tolerance) -> Choice {
+        const Choice choice = Reader{}(scene, tolerance);
+        return choice.steps ? Choice{Model::full_body, true} : choice;
+      }},
+     {"steps for every full body",
+      "A full body was given steps although no torque acts. Its free motion has a closed form too, "
+      "with elliptic functions for sines.",
+      "Nothing pushes, no steps",
+      as({.steps =
+              [](const Scene& s, Model model) {
+                return model == Model::full_body || Reader::with_torque(s, model);
+              }})},
+     {"no steps for balls and tops",
+      "A ball or a top was given no steps although a torque acts. Only free motion is known in "
+      "closed form.",
+      "Nothing pushes, no steps",
+      as({.steps = [](const Scene& s,
+                      Model model) { return model == Model::full_body && s.torque_acts; }})},
+     {"steps for the turning of a particle",
+      "A torque acts, so steps were chosen, for a turning that is not computed at all.",
+      "Nothing pushes, no steps",
+      as({.steps = [](const Scene& s, Model) { return s.torque_acts; }})},
+     {"the wrong way round",
+      "Steps were chosen where no torque acts, and none where one does. What nothing pushes is "
+      "known for all times.",
+      "Nothing pushes, no steps", as({.steps = [](const Scene& s, Model model) {
+        return !s.torque_acts && model != Model::particle;
+      }})}}};
