@@ -7,11 +7,13 @@
 #include <concepts>
 #include <vector>
 
-#include "tumble/body/rigid_body.hpp"
+#include "tumble/body/derived.hpp"
+#include "tumble/body/wrench.hpp"
 
 namespace tumble {
 
-/// The sum of steady forces on a body.
+/// The sum of steady forces on a body; a BodyForce itself, for those that are known only when a
+/// program runs.
 struct SteadyForces {
   /// A constant force and where it acts.
   struct AtPoint {
@@ -23,6 +25,16 @@ struct SteadyForces {
   std::vector<AtPoint> at_point;  ///< those of them that may turn the body
   double drag = 0;                ///< k in F = −k v [kg/s]
   double spin_drag = 0;           ///< k in τ = −k ω [kg m²/s]
+
+  template <class T>
+  Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
+    Wrench<T> sum{force.cast<T>() - static_cast<T>(drag) * now.v,
+                  -static_cast<T>(spin_drag) * now.omega};
+    for (const AtPoint& f : at_point)
+      sum.torque += Vector3<T>(now.R * f.p_body.cast<T>()).cross(f.force.cast<T>());
+    return sum;
+  }
+  const SteadyForces& steady(const RigidBody<>&) const { return *this; }
 
   friend SteadyForces operator+(SteadyForces a, const SteadyForces& b) {
     a.force += b.force;
@@ -36,7 +48,7 @@ struct SteadyForces {
 /// A force that says what it amounts to: `force.steady(body)`.
 template <class F>
 concept SteadyForce = requires(const F& force, const RigidBody<>& body) {
-  { force.steady(body) } -> std::same_as<SteadyForces>;
+  { force.steady(body) } -> std::convertible_to<SteadyForces>;
 };
 
 /// What all of them amount to.

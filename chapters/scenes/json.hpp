@@ -1,0 +1,23 @@
+#pragma once
+/// @file
+/// Results as JSON: every number with as many digits as tell it from its neighbours, NaN as null.
+
+#include <nlohmann/json.hpp>
+
+#include "tumble/core/types.hpp"
+
+namespace tumble::scenes {
+
+using Json = nlohmann::ordered_json;
+
+inline Json as_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// (w, x, y, z)
+inline Json as_json(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// xx, yy, zz, xy, yz, zx; products with the minus sign.
+inline Json as_json(const Mat3& I) {
+  return {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(1, 2), I(2, 0)};
+}
+
+}  // namespace tumble::scenes

@@ -1,0 +1,93 @@
+#pragma once
+/// @file
+/// A place in a JSON file: its value, and its name for messages, such as `bodies[0].omega`.
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tumble/core/require.hpp"
+#include "tumble/core/types.hpp"
+
+namespace tumble::scenes {
+
+/// A value of a JSON document that knows where it stands.
+class Place {
+ public:
+  using Json = nlohmann::json;
+
+  Place(const Json& value, std::string name) : value_(value), name_(std::move(name)) {}
+
+  const std::string& name() const { return name_; }
+  bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
+  bool is_object() const { return value_.is_object(); }
+
+  /// @throws std::invalid_argument if there is no such key
+  Place operator[](const char* key) const {
+    require(has(key), name_, " has no \"", key, "\"");
+    return {value_.at(key), name_ + "." + key};
+  }
+
+  /// The elements of a list.
+  std::vector<Place> elements() const {
+    require(value_.is_array(), name_, " is not a list, but ", value_.dump());
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < value_.size(); ++i)
+      places.emplace_back(value_[i], name_ + "[" + std::to_string(i) + "]");
+    return places;
+  }
+
+  double number() const {
+    require(value_.is_number(), name_, " is not a number, but ", value_.dump());
+    return value_.get<double>();
+  }
+  double number_or(const char* key, double otherwise) const {
+    return has(key) ? (*this)[key].number() : otherwise;
+  }
+
+  std::string text() const {
+    require(value_.is_string(), name_, " is not a text, but ", value_.dump());
+    return value_.get<std::string>();
+  }
+
+  /// A list of n numbers.
+  template <int n>
+  Eigen::Matrix<double, n, 1> numbers() const {
+    const std::vector<Place> list = elements();
+    require(list.size() == n, name_, " has ", list.size(), " numbers, not ", n);
+    Eigen::Matrix<double, n, 1> v;
+    for (int i = 0; i < n; ++i) v[i] = list[static_cast<std::size_t>(i)].number();
+    return v;
+  }
+  Vec3 vector() const { return numbers<3>(); }
+  Vec3 vector_or(const char* key, const Vec3& otherwise) const {
+    return has(key) ? (*this)[key].vector() : otherwise;
+  }
+
+  /// Refuses keys that mean nothing here: they may be misspelt.
+  void require_only(std::initializer_list<const char*> known) const {
+    require(value_.is_object(), name_, " is not { … }, but ", value_.dump());
+    std::string names;
+    for (const char* key : known) names += (names.empty() ? "" : ", ") + std::string(key);
+    for (const auto& [key, value] : value_.items()) {
+      const bool is_known = std::find(known.begin(), known.end(), key) != known.end();
+      require(is_known, name_, " has \"", key, "\", which means nothing here; there are: ", names);
+    }
+  }
+
+  /// What `f()` gives; its refusals say where.
+  template <class F>
+  auto refused_here(F&& f) const -> decltype(f()) {
+    try {
+      return f();
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(name_ + ": " + error.what());
+    }
+  }
+
+ private:
+  const Json& value_;
+  std::string name_;
+};
+
+}  // namespace tumble::scenes

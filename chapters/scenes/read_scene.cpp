@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <fstream>
+
+#include "scenes/place.hpp"
+#include "scenes/scene.hpp"
+#include "tumble/mass.hpp"
+#include "tumble/mesh/read_obj.hpp"
+
+namespace tumble::scenes {
+namespace {
+
+/// The mass properties of a shape at 1 kg/m³, in the shape's own coordinates.
+MassProperties of_shape(const Place& shape, const std::filesystem::path& folder) {
+  shape.require_only({"ball", "box", "cylinder", "cone", "capsule", "ellipsoid", "mesh"});
+  const auto round = [&](const char* name) -> std::pair<double, double> {
+    shape[name].require_only({"radius", "height"});
+    return {shape[name]["radius"].number(), shape[name]["height"].number()};
+  };
+  return shape.refused_here([&]() -> MassProperties {
+    if (shape.has("ball")) return mass_properties(Ball{shape["ball"].number()}, 1);
+    if (shape.has("box")) return mass_properties(Box{shape["box"].vector()}, 1);
+    if (shape.has("ellipsoid")) return mass_properties(Ellipsoid{shape["ellipsoid"].vector()}, 1);
+    if (shape.has("mesh"))
+      return mesh_mass_properties(read_obj((folder / shape["mesh"].text()).string()), 1);
+    for (const char* name : {"cylinder", "cone", "capsule"}) {
+      if (!shape.has(name)) continue;
+      const auto [radius, height] = round(name);
+      if (name == std::string("cylinder")) return mass_properties(Cylinder{radius, height}, 1);
+      if (name == std::string("cone")) return mass_properties(Cone{radius, height}, 1);
+      return mass_properties(Capsule{radius, height}, 1);
+    }
+    throw std::invalid_argument(
+        "is empty: give one of ball, box, cylinder, cone, capsule, "
+        "ellipsoid, mesh");
+  });
+}
+
+/// A tensor from xx, yy, zz or xx, yy, zz, xy, yz, zx.
+Mat3 tensor(const Place& place) {
+  const std::size_t count = place.elements().size();
+  Eigen::Matrix<double, 6, 1> v = Eigen::Matrix<double, 6, 1>::Zero();
+  if (count == 3)
+    v.head<3>() = place.vector();
+  else
+    v = place.numbers<6>();
+  Mat3 I;
+  I << v[0], v[3], v[5], v[3], v[1], v[4], v[5], v[4], v[2];
+  return I;
+}
+
+/// The same body at another density.
+MassProperties denser(const MassProperties& body, double factor) {
+  return {body.mass * factor, body.centre, body.inertia * factor};
+}
+
+/// Mass, centre and inertia, from a shape or as they are given.
+MassProperties mass_of(const Place& body, const std::filesystem::path& folder) {
+  if (!body.has("shape")) {
+    require(!body.has("density"), body.name(), " has a density, but no shape");
+    return {body["mass"].number(), Vec3::Zero(), tensor(body["inertia"])};
+  }
+  require(!body.has("inertia"), body.name(), " has a shape and an inertia: give one of them");
+  require(body.has("mass") != body.has("density"), body.name(),
+          " needs either a mass or a density beside its shape");
+  const MassProperties unit = of_shape(body["shape"], folder);
+  return denser(unit,
+                body.has("density") ? body["density"].number() : body["mass"].number() / unit.mass);
+}
+
+Quat orientation_of(const Place& body) {
+  if (!body.has("orientation")) return Quat(1, 0, 0, 0);
+  const Place place = body["orientation"];
+  if (!place.is_object()) {
+    const Eigen::Vector4d q = place.numbers<4>();
+    require(q.norm() > 0, place.name(), " is zero");
+    return from_coefficients<double>(q.normalized());
+  }
+  place.require_only({"axis", "angle"});
+  const Vec3 axis = place["axis"].vector();
+  require(axis.norm() > 0, place.name(), ".axis is zero");
+  return exp_quaternion<double>(place["angle"].number() * axis.normalized());
+}
+
+/// Adds a force to a body. Points count from the origin of the shape, forces from the centre.
+void add_force(const Place& force, const Vec3& centre, SceneBody& body) {
+  force.require_only({"force", "drag", "spring"});
+  const auto point = [&](const Place& at) -> Vec3 { return at.vector() - centre; };
+  if (force.has("force")) {
+    const Place f = force["force"];
+    f.require_only({"newton", "at"});
+    const ForceAtBodyPoint push{f["newton"].vector(), f.has("at") ? point(f["at"]) : Vec3(0, 0, 0)};
+    body.steady = body.steady + push.steady(body.body);
+  } else if (force.has("drag")) {
+    const Place d = force["drag"];
+    d.require_only({"linear", "angular"});
+    const BodyDrag drag{d.number_or("linear", 0), d.number_or("angular", 0)};
+    d.refused_here([&] { drag.check(); });
+    body.steady = body.steady + drag.steady(body.body);
+  } else {
+    const Place s = force["spring"];
+    s.require_only({"at", "anchor", "stiffness", "length"});
+    const SpringToWorld spring{point(s["at"]), s["anchor"].vector(), s["stiffness"].number(),
+                               s.number_or("length", 0)};
+    s.refused_here([&] { spring.check(); });
+    body.springs.push_back(spring);
+  }
+}
+
+SceneBody read_body(const Place& place, std::size_t index, const std::filesystem::path& folder,
+                    const Vec3& gravity) {
+  place.require_only({"name", "shape", "density", "mass", "inertia", "position", "orientation",
+                      "velocity", "omega", "forces"});
+  const MassProperties mass = mass_of(place, folder);
+  const RigidBody<> body = place.refused_here([&] { return RigidBody<>(mass); });
+  SceneBody result{
+      place.has("name") ? place["name"].text() : "body " + std::to_string(index + 1),
+      body,
+      state_of_motion<double>(body, place.vector_or("position", Vec3::Zero()),
+                              orientation_of(place), place.vector_or("velocity", Vec3::Zero()),
+                              place.vector_or("omega", Vec3::Zero())),
+      Weight{gravity}.steady(body),
+      {}};
+  if (place.has("forces"))
+    for (const Place& force : place["forces"].elements()) add_force(force, mass.centre, result);
+  return result;
+}
+
+StopWhen read_stop(const Place& place, const std::vector<SceneBody>& bodies) {
+  place.require_only({"body", "coordinate", "passes"});
+  const std::string name = place.has("body") ? place["body"].text() : bodies.front().name;
+  const auto found = std::find_if(bodies.begin(), bodies.end(),
+                                  [&](const SceneBody& body) { return body.name == name; });
+  require(found != bodies.end(), place.name(), ".body: there is no body \"", name, "\"");
+  const std::string coordinate = place["coordinate"].text();
+  const std::size_t axis = std::string("xyz").find(coordinate);
+  require(coordinate.size() == 1 && axis != std::string::npos, place.name(), ".coordinate is \"",
+          coordinate, "\", not x, y or z");
+  return {static_cast<std::size_t>(found - bodies.begin()), static_cast<int>(axis),
+          place["passes"].number()};
+}
+
+Scene interpret(const Place& root, const std::filesystem::path& folder) {
+  root.require_only(
+      {"bodies", "gravity", "from", "duration", "tolerance", "record_every", "stop_when"});
+  Scene scene;
+  const Vec3 gravity = root.vector_or("gravity", Vec3::Zero());
+  const std::vector<Place> bodies = root["bodies"].elements();
+  require(!bodies.empty(), root.name(), ".bodies is empty");
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    scene.bodies.push_back(read_body(bodies[i], i, folder, gravity));
+  scene.task.t0 = root.number_or("from", 0);
+  const double duration = root["duration"].number();
+  require(duration >= 0, root.name(), ".duration is ", duration, ", less than 0");
+  scene.task.t1 = scene.task.t0 + duration;
+  scene.task.tolerance = root.number_or("tolerance", 1e-9);
+  require(scene.task.tolerance > 0, root.name(), ".tolerance is ", scene.task.tolerance,
+          ", not more than 0");
+  scene.every = root.number_or("record_every", duration / 100);
+  constexpr double most = 1e7;
+  require(duration == 0 || (scene.every > 0 && duration / scene.every <= most), root.name(),
+          ".record_every is ", scene.every, ": of ", duration,
+          " s it should be between 1 and 1e-7");
+  if (root.has("stop_when")) scene.stop = read_stop(root["stop_when"], scene.bodies);
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  require(bool(stream), "cannot open ", file.string());
+  nlohmann::json json;
+  try {
+    json = nlohmann::json::parse(stream);
+  } catch (const nlohmann::json::parse_error& error) {
+    throw std::invalid_argument(file.string() + " is not JSON: " + error.what());
+  }
+  return interpret(Place(json, file.filename().string()), file.parent_path());
+}
+
+}  // namespace tumble::scenes
