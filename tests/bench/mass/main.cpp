@@ -1,13 +1,12 @@
 // Speed against error of mass properties: every method, ours and others', on the same meshes in
 // one run. The methods take turns (random interleaving), so that ratios hold on a busy machine.
-#include <benchmark/benchmark.h>
-
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <map>
 
+#include "bench/least_times.hpp"
 #include "bench/mass/case.hpp"
+#include "bench/write_file.hpp"
 #include "support/plot.hpp"
 #include "support/table.hpp"
 
@@ -29,6 +28,7 @@ struct Result {
   const Method* method;
   const Body* body;
   Answer answer;
+  Run run = {};  ///< none if the method refuses the body
   double seconds = std::numeric_limits<double>::infinity();  ///< the least of all repetitions
 };
 
@@ -49,37 +49,8 @@ std::string error_text(double error) {
   return std::isnan(error) ? "-" : support::error_number(error);
 }
 
-/// Takes down the least time of each benchmark.
-class LeastTimes : public benchmark::BenchmarkReporter {
- public:
-  explicit LeastTimes(std::vector<Result>& results) : results_(results) {}
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration) continue;
-      Result& result = results_.at(std::stoul(run.run_name.function_name));
-      result.seconds =
-          std::min(result.seconds, run.real_accumulated_time / static_cast<double>(run.iterations));
-    }
-  }
-
- private:
-  std::vector<Result>& results_;
-};
-
-void register_run(std::size_t index, const Run& run, const Options& options) {
-  const auto repeat = [run](benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(run().mass);
-  };
-  benchmark::RegisterBenchmark(std::to_string(index).c_str(), repeat)
-      ->Repetitions(options.repetitions)
-      ->MinTime(options.seconds)
-      ->UseRealTime();
-}
-
 /// Everything that is to be measured, each computed once. What a method refuses has no numbers.
-std::vector<Result> prepare(const std::vector<Method>& methods, const std::vector<Body>& bodies,
-                            const Options& options) {
+std::vector<Result> prepare(const std::vector<Method>& methods, const std::vector<Body>& bodies) {
   std::vector<Result> results;
   for (const Body& body : bodies)
     for (const Method& method : methods) {
@@ -89,13 +60,25 @@ std::vector<Result> prepare(const std::vector<Method>& methods, const std::vecto
       try {
         const Run run = method.prepare(body);
         result.answer = run();
-        register_run(results.size(), run, options);
+        result.run = run;
       } catch (const std::invalid_argument& refusal) {
         std::cerr << "tumble: refused: " << refusal.what() << '\n';
       }
       results.push_back(result);
     }
   return results;
+}
+
+/// Notes the least time of each.
+void measure(std::vector<Result>& results, const Options& options) {
+  std::vector<Timed> all;
+  for (const Result& result : results) {
+    const auto mass = [&result] { return result.run().mass; };
+    all.push_back(
+        {result.run ? mass : std::function<double()>(), options.repetitions, options.seconds});
+  }
+  const std::vector<double> seconds = least_times(all);
+  for (std::size_t i = 0; i < results.size(); ++i) results[i].seconds = seconds[i];
 }
 
 /// A table for one body: time and ratio to the plain loop, and errors.
@@ -139,12 +122,6 @@ support::Plot figure(const Body& body, const std::vector<Result>& results) {
   return plot;
 }
 
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  require(bool(file.flush()), "cannot write ", path);
-}
-
 /// What the methods promise: where a bound is given, the error is below it.
 void check_bounds(const std::vector<Result>& results) {
   for (const Result& r : results)
@@ -159,15 +136,14 @@ void run(const Options& options) {
   if (options.with_peers)
     for (const Method& peer : peers()) methods.push_back(peer);
   const std::vector<Body> all = bodies(options.triangles);
-  std::vector<Result> results = prepare(methods, all, options);
+  std::vector<Result> results = prepare(methods, all);
   check_bounds(results);
   std::cerr << "tumble: measuring\n";
-  LeastTimes reporter(results);
-  benchmark::RunSpecifiedBenchmarks(&reporter);
+  measure(results, options);
   for (const Body& body : all)
     std::cout << body.name << " (" << body.mesh.corners.size() / 3 << " triangles)\n"
               << table_for(body, results).text() << '\n';
-  if (!options.svg.empty()) write(options.svg, support::to_svg(figure(all.front(), results)));
+  if (!options.svg.empty()) write_file(options.svg, support::to_svg(figure(all.front(), results)));
 }
 
 }  // namespace
@@ -186,11 +162,6 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (quick) options = {20'000, 1, 0.001, true, options.svg};
   options.with_peers = !no_peers;
-  const char* name = "bench";
-  const char* interleaving = "--benchmark_enable_random_interleaving=true";
-  std::vector<char*> arguments = {const_cast<char*>(name), const_cast<char*>(interleaving)};
-  int count = 2;
-  benchmark::Initialize(&count, arguments.data());
   try {
     run(options);
   } catch (const std::exception& error) {

@@ -92,6 +92,21 @@ TEST_CASE("dydt: reaches the end of the heavy top's motion, known to 35 digits")
   CHECK((end.L - reference::top.L_end).norm() <= 1e-10 * reference::top.L_end.norm());
 }
 
+TEST_CASE(
+    "dydt: reaches the end of a heavy body's motion about a fixed point, known to 35 digits") {
+  // What holds the point pushes back as much: at the origin of the body, where it turns nothing.
+  const ForceAtBodyPoint& weight = reference::heavy_force;
+  const ForceAtBodyPoint reaction{-weight.force, Vec3::Zero()};
+  const RigidBodyState<> end =
+      end_state(RigidBodyMotion(RigidBody<>(1, reference::heavy.I_body), weight, reaction),
+                reference::start(reference::heavy), reference::heavy.duration);
+  // A few hundred steps at a tolerance of 1e-13; an error grows fiftyfold.
+  CHECK(angle_between(end.q, reference::heavy.q_end) <= 50 * 300 * 1e-13);
+  CHECK((end.L - reference::heavy.L_end).norm() <=
+        50 * 300 * 1e-13 * reference::heavy.L_end.norm());
+  CHECK(end.x == Vec3::Zero());
+}
+
 TEST_CASE("dydt: quaternion and matrix state tell the same motion") {
   test::Random rng(143);
   const ForceAtBodyPoint push{Vec3(0.3, -0.2, 0.5), Vec3(0.1, 0.4, 0)};

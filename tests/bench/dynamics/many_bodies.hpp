@@ -1,0 +1,14 @@
+#pragma once
+/// @file
+/// Many free bodies in one call, a second in steps of 1/240 s.
+
+#include "bench/dynamics/work_precision.hpp"
+#include "support/table.hpp"
+
+namespace tumble::bench {
+
+/// For each stepper the time of a step of one body, the root mean square of the orientation errors
+/// after a second, and how many times as long it takes as ours that is fastest.
+support::Table many_bodies(int bodies, const std::vector<Stepper>& steppers, const Budget& budget);
+
+}  // namespace tumble::bench
