@@ -35,7 +35,8 @@ struct PackBody {
 template <class P>
 struct PackMotion {
   simd::Point<P> x;       ///< centre of mass [m]
-  simd::Quaternion<P> q;  ///< orientation, the body's own axes → world; a unit quaternion
+  simd::Quaternion<P> q;  ///< orientation, the body's own axes → world; of length 1, but
+                          ///< within a step for (h |ω|)⁴/40 at most
   simd::Point<P> v;       ///< velocity of the centre of mass [m/s]
   simd::Point<P> omega;   ///< angular velocity [rad/s]
 };
