@@ -4,6 +4,7 @@
 
 #include "tumble/body/derived.hpp"
 #include "tumble/body/dydt.hpp"
+#include "tumble/body/ensemble/advance.hpp"
 #include "tumble/body/forces.hpp"
 #include "tumble/body/free/free_motion.hpp"
 #include "tumble/body/many_bodies.hpp"

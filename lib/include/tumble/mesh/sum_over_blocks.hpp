@@ -4,17 +4,11 @@
 
 #include <vector>
 
+#include "tumble/core/loop_options.hpp"
 #include "tumble/core/parallel.hpp"
 #include "tumble/mesh/triangle_blocks.hpp"
 
 namespace tumble {
-
-/// How the triangles of a mesh are gone through. The result does not depend on the threads, and on
-/// the instructions only by rounding.
-struct LoopOptions {
-  int threads = 1;  ///< at least 1
-  simd::InstructionSet instructions = simd::best_instruction_set();
-};
 
 /// The sum over all blocks.
 /// @tparam Sum has += and starts as 0

@@ -13,14 +13,42 @@ struct Point {
 };
 
 template <class T>
+TUMBLE_INLINE Point<T> operator+(const Point<T>& a, const Point<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
 TUMBLE_INLINE Point<T> operator-(const Point<T>& a, const Point<T>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// s p. @param s a double, or a T
+template <class S, class T>
+TUMBLE_INLINE Point<T> operator*(const S& s, const Point<T>& p) {
+  return {s * p.x, s * p.y, s * p.z};
+}
+
+/// a + s p, each sum of a product in one expression, which a compiler may make one instruction of.
+template <class S, class T>
+TUMBLE_INLINE Point<T> add_scaled(const Point<T>& a, const S& s, const Point<T>& p) {
+  return {a.x + s * p.x, a.y + s * p.y, a.z + s * p.z};
+}
+
+/// The products of the coordinates: diag(d) p.
+template <class T>
+TUMBLE_INLINE Point<T> scaled_axes(const Point<T>& d, const Point<T>& p) {
+  return {d.x * p.x, d.y * p.y, d.z * p.z};
 }
 
 /// a × b
 template <class T>
 TUMBLE_INLINE Point<T> cross(const Point<T>& a, const Point<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// c + a × b
+template <class T>
+TUMBLE_INLINE Point<T> add_cross(const Point<T>& c, const Point<T>& a, const Point<T>& b) {
+  return {c.x + a.y * b.z - a.z * b.y, c.y + a.z * b.x - a.x * b.z, c.z + a.x * b.y - a.y * b.x};
 }
 
 /// a · b. @tparam fma how products are added up: see multiply_add()

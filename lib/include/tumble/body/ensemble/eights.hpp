@@ -1,0 +1,63 @@
+#pragma once
+/// @file
+/// How an ensemble lies in memory: structures of arrays, eight bodies each, so that a Pack is read
+/// in one piece and everything about a body is near.
+///
+/// All is in the principal axes of each body, where the tensor has three numbers: (I ω)ᵢ = Iᵢ ωᵢ.
+
+#include "tumble/simd/quaternion.hpp"
+
+namespace tumble::ensemble {
+
+inline constexpr int eight = 8;  ///< bodies in a structure: the lanes of the widest Pack
+
+/// One number for each of eight bodies.
+using Row = double[eight];
+
+/// Where eight bodies are and how they move.
+struct alignas(64) EightMotions {
+  Row x[3], v[3];  ///< centre of mass [m], velocity [m/s], world coordinates
+  Row q[4];        ///< (w, x, y, z), principal axes → world
+  Row omega[3];    ///< angular velocity about the principal axes [rad/s]
+};
+
+/// What stays the same.
+struct alignas(64) EightBodies {
+  Row mass;          ///< [kg]
+  Row moments[3];    ///< principal moments A, B, C [kg m²]
+  Row asymmetry[3];  ///< (B − C)/A, (C − A)/B, (A − B)/C: at most 1, 0 for a ball
+  Row axes[4];       ///< (w, x, y, z), principal axes → the body's own axes
+};
+
+/// The numbers from a lane on.
+template <class P>
+TUMBLE_INLINE P load(const Row& row, int lane) {
+  P numbers;
+  std::memcpy(&numbers, row + lane, sizeof numbers);
+  return numbers;
+}
+template <class P>
+TUMBLE_INLINE simd::Point<P> load(const Row (&rows)[3], int lane) {
+  return {load<P>(rows[0], lane), load<P>(rows[1], lane), load<P>(rows[2], lane)};
+}
+template <class P>
+TUMBLE_INLINE simd::Quaternion<P> load(const Row (&rows)[4], int lane) {
+  return {load<P>(rows[0], lane), load<P>(rows[1], lane), load<P>(rows[2], lane),
+          load<P>(rows[3], lane)};
+}
+
+template <class P>
+TUMBLE_INLINE void store(const P& numbers, Row& row, int lane) {
+  std::memcpy(row + lane, &numbers, sizeof numbers);
+}
+template <class P>
+TUMBLE_INLINE void store(const simd::Point<P>& p, Row (&rows)[3], int lane) {
+  store(p.x, rows[0], lane), store(p.y, rows[1], lane), store(p.z, rows[2], lane);
+}
+template <class P>
+TUMBLE_INLINE void store(const simd::Quaternion<P>& q, Row (&rows)[4], int lane) {
+  store(q.w, rows[0], lane), store(q.x, rows[1], lane);
+  store(q.y, rows[2], lane), store(q.z, rows[3], lane);
+}
+
+}  // namespace tumble::ensemble

@@ -1,0 +1,49 @@
+#pragma once
+/// @file
+/// Which force acts on which body of an ensemble: one for all, or each its own.
+
+#include <algorithm>
+#include <span>
+
+#include "tumble/body/forces.hpp"
+
+namespace tumble {
+
+/// A force for each body, in their order: `PerBody<BodyDrag>{drags}`. Not copied.
+template <class Force>
+struct PerBody {
+  std::span<const Force> forces;
+};
+template <class Range>
+PerBody(const Range&) -> PerBody<typename Range::value_type>;
+
+namespace ensemble {
+
+/// Force i of a PerBody; lanes behind the last body have the last one.
+template <class Force>
+const Force& force_of(const PerBody<Force>& each, std::size_t i) {
+  return each.forces[std::min(i, each.forces.size() - 1)];
+}
+template <class Force>
+const Force& force_of(const Force& all, std::size_t) {
+  return all;
+}
+
+/// @throws std::invalid_argument as the force's check() does, saying which body it is for
+template <class Force>
+void check_forces(const PerBody<Force>& each, std::size_t bodies) {
+  require(each.forces.size() == bodies, "there are ", each.forces.size(), " forces for ", bodies,
+          " bodies");
+  for (std::size_t i = 0; i < bodies; ++i) try {
+      check_force(each.forces[i]);
+    } catch (const std::invalid_argument& error) {
+      require(false, "force on body ", i, ": ", error.what());
+    }
+}
+template <class Force>
+void check_forces(const Force& all, std::size_t) {
+  check_force(all);
+}
+
+}  // namespace ensemble
+}  // namespace tumble

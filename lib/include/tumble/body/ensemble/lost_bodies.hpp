@@ -1,0 +1,34 @@
+#pragma once
+/// @file
+/// What is said of bodies whose motion has left the finite numbers.
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace tumble {
+
+/// Bodies of an ensemble whose state is no longer finite.
+struct LostBodies {
+  std::size_t count = 0;
+  std::size_t first = std::numeric_limits<std::size_t>::max();  ///< the first of them, if any
+
+  void add(std::size_t body) { ++count, first = std::min(first, body); }
+  LostBodies& operator+=(const LostBodies& other) {
+    count += other.count, first = std::min(first, other.first);
+    return *this;
+  }
+};
+
+/// @throws std::runtime_error if there are any, naming the first
+inline void require_none(const LostBodies& lost) {
+  if (lost.count == 0) return;
+  std::ostringstream text;
+  text << lost.count << " of the ensemble's bodies are no longer finite, the first is body "
+       << lost.first << ": smaller steps, or a force that stays finite where it goes, may keep it";
+  throw std::runtime_error(text.str());
+}
+
+}  // namespace tumble
