@@ -1,6 +1,7 @@
 // The library's methods: what is added to it is added to the list at the end.
 #include "bench/dynamics/as_rigid_body.hpp"
 #include "tumble/body/dydt.hpp"
+#include "tumble/body/ensemble/advance.hpp"
 #include "tumble/body/geometric/lie_group_rk4.hpp"
 #include "tumble/body/geometric/splitting.hpp"
 #include "tumble/body/simulate/simulate.hpp"
@@ -150,6 +151,53 @@ using Splitting4 = SplittingOf<BlanesMoan4, Motion>;
 template <class Motion>
 using Splitting6 = SplittingOf<BlanesMoan6, Motion>;
 
+/// All bodies of a scene side by side in vector lanes.
+template <class EnsembleMethod>
+class EnsembleSteps : public Simulation {
+ public:
+  EnsembleSteps(const Scene& scene, double h, int threads)
+      : push_{scene.push.force, scene.push.p_body}, free_(scene.free()), h_(h), threads_(threads) {
+    std::vector<RigidBodyState<>> states;
+    for (const Body& body : scene.bodies) {
+      bodies_.push_back(rigid_body(body));
+      states.push_back(start_of(body));
+    }
+    start_.emplace(bodies_, states);
+  }
+  void restart() override {
+    now_ = start_;
+    t_ = 0;
+  }
+  void advance(int steps) override {
+    const tumble::FixedSteps all{h_, steps, t_, {.threads = threads_}};
+    // The centres, which the push moves too, are nobody's concern here.
+    const LostBodies lost = free_ ? tumble::advance<EnsembleMethod>(*now_, all)
+                                  : tumble::advance<EnsembleMethod>(*now_, all, push_);
+    require(lost.count == 0, "the ensemble lost ", lost.count, " bodies");
+    t_ += steps * h_;
+  }
+  Spin spin(std::size_t body) const override {
+    const RigidBodyState<> state = now_->state(body);
+    return {state.q, bodies_[body].I_body_inv() * (state.q.conjugate() * state.L)};
+  }
+
+ private:
+  ForceAtBodyPoint push_;
+  bool free_;
+  double h_, t_ = 0;
+  int threads_;
+  std::vector<RigidBody<>> bodies_;
+  std::optional<Ensemble> start_, now_;
+};
+
+template <class EnsembleMethod>
+Stepper ensemble_steps(const std::string& name, int threads = 1) {
+  const auto make = [threads](const Scene& scene, double h) {
+    return std::make_unique<EnsembleSteps<EnsembleMethod>>(scene, h, threads);
+  };
+  return {"tumble", name, make, 1e5};
+}
+
 /// What pushes the bodies of a scene, their centres held.
 SteadyForces held_forces(const Scene& scene) {
   SteadyForces forces;
@@ -227,7 +275,12 @@ Contestants own_methods() {
            adaptive<DormandPrince54>("DP 5(4)", 1e5), adaptive<Dop853>("DOP853", 1e3)},
           {fixed_steps<Rk4>("RK4", 1e5), geometric_steps<Splitting4>("splitting of order 4", 1e5),
            geometric_steps<Splitting6>("splitting of order 6", 1e5),
-           geometric_steps<TurnSteps>("Lie-group RK4", 1e5)}};
+           geometric_steps<TurnSteps>("Lie-group RK4", 1e5),
+           ensemble_steps<tumble::Rk4>("ensemble, RK4"),
+           ensemble_steps<TaylorMagnus<4>>("ensemble, Magnus 4"),
+           ensemble_steps<TaylorMagnus<6>>("ensemble, Magnus 6"),
+           ensemble_steps<TaylorMagnus<8>>("ensemble, Magnus 8"),
+           ensemble_steps<TaylorMagnus<4>>("ensemble, Magnus 4, 2 threads", 2)}};
 }
 
 }  // namespace tumble::bench
