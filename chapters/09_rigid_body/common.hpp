@@ -85,4 +85,11 @@ inline std::string order_text(double coarse, double fine) {
   return number(std::log2(coarse / fine), 2);
 }
 
+/// The state after so many steps of one length.
+template <class Method, class Motion>
+RigidBodyState<> stepped(const Motion& motion, const RigidBodyState<>& start, double duration,
+                         int steps) {
+  return unpack<double>(integrate_fixed<Method>(motion, pack(start), 0, duration, steps));
+}
+
 }  // namespace rigid_body_chapter

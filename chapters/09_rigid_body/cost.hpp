@@ -42,7 +42,7 @@ inline Table counts_table() {
   const auto motion_of = [&](const auto&... forces) { return RigidBodyMotion(body, forces...); };
   table.add({"R from q", operations([&] { return to_matrix(state.q); })});
   table.add({"ω from L", operations([&] { return angular_velocity(body, now.R, state.L); })});
-  table.add({"q̇ from ω", operations([&] { return quaternion_dot(state.q, now.omega); })});
+  table.add({"rate of q from ω", operations([&] { return quaternion_dot(state.q, now.omega); })});
   table.add({"dydt, nothing pushes", operations([&] { return motion_of()(C(0), y); })});
   table.add({"dydt, weight", operations([&] { return motion_of(weight)(C(0), y); })});
   table.add(

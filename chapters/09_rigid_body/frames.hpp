@@ -39,7 +39,8 @@ inline Table frames_table() {
       const Mat3 R = exp_rotation(Vec3(angle * degree * axis));
       const Vec3 right = ways_from_L[0].omega(R, I_inv, L), found = way.omega(R, I_inv, L);
       const double off = (found - right).norm() / right.norm();
-      row.push_back(off < 1e-14 ? "right" : number(100 * off, 2) + " %");
+      row.push_back(off < 1e-14 ? "right"
+                                : support::svg_number(100 * off, off < 0.1 ? 1 : 0) + " %");
     }
     table.add(row);
   }

@@ -50,10 +50,10 @@ inline Seven with_the_term_in_the_world(double, const Seven& y) {
 }
 
 inline const std::array<Law, 4> laws{
-    Law{"L̇ = 0", L_stays, true},
-    {"I ω̇ = −ω × I ω, body axes", by_euler, false},
-    {"ω̇ = 0: the term left out", omega_stays, false},
-    {"L̇ = −ω × L: the term put in", with_the_term_in_the_world, true}};
+    Law{"rate of L: 0", L_stays, true},
+    {"rate of ω: I⁻¹ (−ω × I ω)", by_euler, false},
+    {"rate of ω: 0, term left out", omega_stays, false},
+    {"rate of L: −ω × L, term put in", with_the_term_in_the_world, true}};
 
 /// The handle's state by a law after the time t.
 inline RigidBodyState<> by_law(const Law& law, double t) {

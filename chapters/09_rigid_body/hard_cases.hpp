@@ -133,7 +133,7 @@ inline Table honey_table() {
   const auto text = [](const PackedState<double>& y) {
     const double spin = derived(mug(), unpack<double>(y)).omega.norm();
     return std::isfinite(spin) && spin < 1e3
-               ? (spin < 1e-6 ? "< 1e-6 rad/s" : number(spin, 2) + " rad/s")
+               ? (spin < 1e-4 ? "< 1e-4 rad/s" : number(spin, 2) + " rad/s")
                : std::string("blows up");
   };
   for (const int rate : {240, 360, 480, 960})

@@ -21,7 +21,7 @@ enum class Repair { never, after_each_step, within_each_slope, both };
 inline const std::array<std::pair<const char*, Repair>, 4> repairs{
     std::pair{"never", Repair::never},
     {"after each step", Repair::after_each_step},
-    {"in each slope's state", Repair::within_each_slope},
+    {"in each slope", Repair::within_each_slope},
     {"both", Repair::both}};
 
 /// RK4's end state, and how far from 1 the length of q has been.

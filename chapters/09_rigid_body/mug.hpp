@@ -75,7 +75,7 @@ inline Table ledger_table() {
     const Ledger at = ledger_at(t);
     const auto text = [](double joule) { return support::svg_number(joule, 4); };
     table.add({number(t) + " s", text(at.motion), text(at.spin), text(at.height), text(at.stretch),
-               text(at.lost), support::svg_number(at.sum(), 9)});
+               text(at.lost), support::svg_number(at.sum(), 8)});
   }
   return table;
 }

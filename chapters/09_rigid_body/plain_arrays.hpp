@@ -37,6 +37,9 @@ inline Table arrays_table() {
   std::vector<double> Y(start.begin(), start.end());
   for (int i = 0; i < 120; ++i) ode(Y.data(), 13, t / 120, dydt, i * t / 120);
   add("120 × ode(Y, 13, h, dydt)", Y);
+  std::vector<double> end(13);
+  ode(start.data(), end.data(), 13, 0.0, t, dydt);
+  add("ode(y0, y1, 13, t0, t1, dydt)", end);
   for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12})
     add("ode(y0, t0, t1, dydt, " + number(tolerance) + ")", mug_after(t, tolerance));
   return table;

@@ -37,12 +37,6 @@ RigidBodyState<> with_stale_forces(const Motion& motion, const RigidBodyState<>&
   return unpack<double>(y);
 }
 
-template <class Method, class Motion>
-RigidBodyState<> stepped(const Motion& motion, const RigidBodyState<>& start, double duration,
-                         int steps) {
-  return unpack<double>(integrate_fixed<Method>(motion, pack(start), 0, duration, steps));
-}
-
 // ── The order ──
 
 constexpr double mug_time = 0.5;  // [s]

@@ -26,7 +26,6 @@ inline std::string nut_figure() {
   constexpr double width = 760, cell = width / pictures, row = 190;
   const PolygonMesh mesh = support::coarsened(centred(nut_object), 13);
   const Mat3 view = (exp_rotation(Vec3(0.45, 0, 0)) * exp_rotation(Vec3(0, -0.7, 0)));
-  const FreeMotion motion(nut(), nut_start());
   const double flips = time_between_flips(nut(), nut_start());
   // |L|/B is how fast the nut goes round L while it turns about its middle axis.
   const double turn = 2 * pi * principal_axes(nut().I_body()).moments[1] / nut_start().L.norm();
@@ -34,7 +33,9 @@ inline std::string nut_figure() {
   for (int i = 0; i < pictures; ++i) {
     const double t = turn * std::round((flips * (0.5 + i) / pictures) / turn);
     const double x = cell * (i + 0.5);
-    svg += support::draw_mesh(mesh, view * to_matrix(motion.at(t).q), {x, 84, 3000});
+    const RigidBodyState<> state =
+        stepped<Rk4>(RigidBodyMotion(nut()), nut_start(), t, static_cast<int>(2000 * t));
+    svg += support::draw_mesh(mesh, view * to_matrix(state.q), {x, 84, 3000});
     svg += "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(row - 8) +
            "\" fill=\"var(--ink)\" font-size=\"16\" text-anchor=\"middle\">" +
            support::svg_number(t, 2) + " s</text>\n";
