@@ -17,6 +17,7 @@ struct Numbered : T {};
 template <class Numbers, class... Laws>
 struct LawList;
 
+/// Each law with its number, so that two of a kind are two.
 template <std::size_t... i, class... Laws>
 struct LawList<std::index_sequence<i...>, Laws...> : Numbered<i, Laws>... {
   static constexpr bool drags = (Laws::drags || ...);
@@ -70,10 +71,12 @@ struct LawList<std::index_sequence<i...>, Laws...> : Numbered<i, Laws>... {
   }
 };
 
+/// What force a Law is for.
 template <class Force>
 struct ForceType {
   using type = Force;
 };
+/// Forces that differ from body to body.
 template <class Force>
 struct ForceType<PerBody<Force>> {
   using type = Force;

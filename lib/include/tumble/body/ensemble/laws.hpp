@@ -54,7 +54,7 @@ struct SilentLaw {
   template <int N>
   struct Series {
     TUMBLE_INLINE void start(const SilentLaw&, const Quaternion<P>&) {}
-    /// Adds its coefficient k divided by k + 1. @param b coefficients 0 … k
+    /// Adds its coefficient k divided by k + 1, from the coefficients 0 … k of b.
     TUMBLE_INLINE void add(const SilentLaw&, int, const Point<P>*, Point<P>&) {}
   };
 };
@@ -67,6 +67,7 @@ struct Law {
                 "also as PerBody, and any PackForce");
 };
 
+/// Falls, and does not turn.
 template <class P>
 struct Law<Weight, P> : SilentLaw<P> {
   Point<P> g;
@@ -78,6 +79,7 @@ struct Law<Weight, P> : SilentLaw<P> {
   TUMBLE_INLINE void add_push(Push<P>& push) const { push.acceleration = push.acceleration + g; }
 };
 
+/// Slows down v and ω.
 template <class P>
 struct Law<BodyDrag, P> : SilentLaw<P> {
   static constexpr bool drags = true;
@@ -95,6 +97,7 @@ struct Law<BodyDrag, P> : SilentLaw<P> {
   TUMBLE_INLINE void add_spin(const Quaternion<P>&, const Point<P>& b, Point<P>& sum) const {
     sum = sum - scaled_axes(spin_drag, b);
   }
+  /// Of the slowing down, over a step.
   template <int N>
   struct Series {
     TUMBLE_INLINE void start(const Law&, const Quaternion<P>&) {}
@@ -131,6 +134,7 @@ struct Law<ForceAtBodyPoint, P> : SilentLaw<P> {
   TUMBLE_INLINE void add_spin(const Quaternion<P>& q, const Point<P>&, Point<P>& sum) const {
     sum = sum + spin(rotate(conjugate(q), force));
   }
+  /// Of the torque, over a step.
   template <int N>
   struct Series {
     Point<P> u[std::size_t{N}];

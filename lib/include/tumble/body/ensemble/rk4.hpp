@@ -43,6 +43,7 @@ TUMBLE_INLINE State runge_kutta_4(const State& y, const Rate& rate) {
                     1. / 6, k4);
 }
 
+/// By the method of Runge and Kutta.
 template <class P, class Laws>
 class Stepper<Rk4, P, Laws> {
  public:

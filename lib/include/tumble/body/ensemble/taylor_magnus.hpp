@@ -24,6 +24,7 @@ struct TaylorMagnus {
 
 namespace ensemble {
 
+/// By the series of ω and the turn that it makes.
 template <int N, class P, class Laws>
 class Stepper<TaylorMagnus<N>, P, Laws> {
  public:
