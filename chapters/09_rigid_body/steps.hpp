@@ -120,7 +120,7 @@ support::Series energy_series(const std::string& name, int rate) {
   support::Series series{name, {}, {}};
   int next = 1, i = 0;
   double worst = 0;
-  integrate_fixed<Method>(motion, pack(handle_start()), 0, 600, 600 * rate,
+  integrate_fixed<Method>(motion, pack(handle_start()), 0, 200, 200 * rate,
                           [&](double t, const PackedState<double>& y) {
                             const double now = kinetic_energy(handle(), unpack<double>(y));
                             worst = std::max(worst, std::abs(now / energy - 1));
