@@ -326,7 +326,9 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
       }},
      {"normalised within the step",
       "The quaternion was scaled to length 1 in the middle of the step too, before a slope was "
-      "taken. The four slopes of a step then belong to different curves, and the order is lost.",
+      "taken. The slopes then belong to other states than those that the step asks for; one "
+      "scaling "
+      "is enough, when the step is done.",
       "The length of q", by([](const reference::Rhs& f, double t, const PackedState& y, double h) {
         const reference::Rhs repaired = [&f](double time, const PackedState& z) {
           return f(time, with_unit_q(z));

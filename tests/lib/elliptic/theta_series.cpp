@@ -64,3 +64,24 @@ TEST_CASE("Jacobi's functions: both series are the same where both are good") {
     }
   }
 }
+
+TEST_CASE("Jacobi's functions: no jump half a period from two whole ones") {
+  const Amplitude eta{0.6, 0.8};
+  for (const double k2 : {0.5, 0.7, 0.99, 1 - 1e-9}) {
+    CAPTURE(k2);
+    const Modulus m{k2, k2 == 1 - 1e-9 ? 1e-9 : 1 - k2};
+    const ComplementaryThetaSeries series(m, eta);
+    const double K = complete_elliptic_k(std::sqrt(m.kc2));
+    const auto phase = [&](const ThetaValues& v) {
+      return 2 * std::atan2(v.sin_half, v.cos_half) + v.turned;
+    };
+    for (int n = 0; n < 300; ++n) {
+      CAPTURE(n);
+      const double u = (2 * n + 1) * K;
+      const ThetaValues here = series(u), before = series(u * (1 - 1e-12));
+      CHECK(here.sn == doctest::Approx(n % 2 ? -1 : 1));
+      CHECK(before.sn == doctest::Approx(n % 2 ? -1 : 1));
+      CHECK(std::abs(std::remainder(phase(here) - phase(before), 2 * std::numbers::pi)) < 1e-8);
+    }
+  }
+}

@@ -50,8 +50,9 @@ class ComplementaryThetaSeries {
 
   /// @param u any real number
   ThetaValues operator()(double u) const {
-    const double periods = std::isinf(K_) ? 0 : std::nearbyint(u / (2 * K_));
-    const double rest = periods == 0 ? u : std::remainder(u, 2 * K_), a = std::abs(rest);
+    const double rest = std::isinf(K_) ? u : std::remainder(u, 2 * K_), a = std::abs(rest);
+    // From the rest, so that both round alike where u is half a period from two whole ones.
+    const double periods = std::isinf(K_) ? 0 : std::nearbyint((u - rest) / (2 * K_));
     const double e = std::exp(-std::numbers::pi / Kc_ * a);  // e^(−2y), y = π |u| / 2K'
     const double g = std::isinf(K_) ? 0 : std::exp(-std::numbers::pi / Kc_ * (K_ - a));
     const double sign = std::fmod(periods, 2) == 0 ? 1 : -1;
