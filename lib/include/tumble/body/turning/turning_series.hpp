@@ -14,7 +14,6 @@
 /// high-order Taylor methods", Experimental Mathematics 14 (2005), §2 and §3.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
