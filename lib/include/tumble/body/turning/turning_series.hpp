@@ -28,9 +28,8 @@ namespace tumble {
 template <int rank>
 class TurningSeries {
  public:
-  static constexpr int highest_order = 32;  ///< even, as all orders are
-  static constexpr std::size_t slots =
-      static_cast<std::size_t>(rank) + 1;  // none would be no array
+  static constexpr int highest_order = 32;                     ///< even, as all orders are
+  static constexpr std::size_t slots = std::size_t{rank} + 1;  // 0 would be no array
 
   /// @param torque with this rank
   /// @param order  even, 2 … highest_order
