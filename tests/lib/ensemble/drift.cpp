@@ -68,7 +68,7 @@ TEST_CASE("drift: falls as v̇ = a − κ v says, for any κ and time") {
           std::abs(x0) + std::exp(std::max(0.0, -T * drag)) * (std::abs(v0) + std::abs(a));
       CHECK(std::abs(v.x[0] - static_cast<double>(v_end)) <= 16 * eps * size);
       CHECK(std::abs(x.x[0] - static_cast<double>(x_end)) <= 16 * eps * size);
-      CHECK(x.y[0] == 0);
+      CHECK(double{x.y[0]} == 0);
     }
 }
 
@@ -76,6 +76,6 @@ TEST_CASE("drift: without drag it is the parabola") {
   simd::Point<FourDoubles> x{FourDoubles{} + 1, {}, {}}, v{FourDoubles{} + 2, {}, {}};
   const ensemble::Push<FourDoubles> fall{{FourDoubles{} - 10, {}, {}}, {}};
   ensemble::drift<false>(x, v, fall, 1.5);
-  CHECK(x.x[3] == 1 + 2 * 1.5 - 5 * 2.25);
-  CHECK(v.x[3] == 2 - 15);
+  CHECK(double{x.x[3]} == 1 + 2 * 1.5 - 5 * 2.25);
+  CHECK(double{v.x[3]} == 2 - 15);
 }

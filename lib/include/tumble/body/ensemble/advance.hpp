@@ -43,25 +43,39 @@ TUMBLE_INLINE P nan_unless_finite(const EightMotions& motion, int lane) {
   return sum;
 }
 
-/// All steps of the structures of eight begin … end − 1: a kernel for simd::dispatch().
-template <class Method, class... Forces>
-struct Advance {
-  Ensemble& bodies;
-  const FixedSteps& steps;
-  const std::tuple<const Forces&...>& forces;
-  std::size_t begin, end;
-  LostBodies& lost;
+/// Does something with a Pack: a kernel for simd::dispatch().
+template <class P, class Action>
+struct WithPack {
+  const Action& action;  // inlined always
 
-  template <class P, Fma>
+  template <class Q, Fma>
   TUMBLE_INLINE void run() const {
-    for (std::size_t at = begin; at < end; at += in_turn)
-      advance<P>(at, static_cast<int>(std::min(end - at, in_turn)) * packs_in_eight<P>);
+    if constexpr (std::is_same_v<P, Q>) action();
+  }
+};
+
+/// Takes the steps of some bodies. What is computed for a Pack is code that exists once: see
+/// TUMBLE_ONE_COPY.
+template <class Method, class... Forces>
+class Advance {
+ public:
+  Advance(Ensemble& bodies, const FixedSteps& steps, const Forces&... forces)
+      : bodies_(bodies), steps_(steps), forces_(forces...) {}
+
+  /// Of those in the structures of eight begin … end − 1.
+  LostBodies operator()(std::size_t begin, std::size_t end) const {
+    LostBodies lost;
+    for (std::size_t at = begin; at < end; at += in_turn) {
+      const std::size_t eights = std::min(end - at, in_turn);
+      if (steps_.loop.instructions == simd::InstructionSet::avx512)
+        advance<simd::EightDoubles>(at, eights, lost);
+      else
+        advance<simd::FourDoubles>(at, eights, lost);
+    }
+    return lost;
   }
 
  private:
-  template <class P>
-  static constexpr int packs_in_eight = eight / simd::lanes<P>;
-
   /// Where a Pack is: the structure of eight and the lane of its first body.
   struct Place {
     std::size_t at;
@@ -70,37 +84,58 @@ struct Advance {
   };
 
   template <class P>
-  TUMBLE_INLINE void advance(std::size_t first, int packs) const {
-    const auto place = [first](int i) __attribute__((always_inline)) {
-      return Place{first + static_cast<std::size_t>(i / packs_in_eight<P>),
-                   i % packs_in_eight<P> * simd::lanes<P>};
+  void advance(std::size_t first, std::size_t eights, LostBodies& lost) const {
+    constexpr std::size_t packs_in_eight = eight / simd::lanes<P>;
+    Stepper<Method, P, LawsOf<P, Forces...>> steppers[in_turn * packs_in_eight];
+    const std::size_t packs = eights * packs_in_eight;
+    const auto place = [first](std::size_t i) {
+      return Place{first + i / packs_in_eight,
+                   static_cast<int>(i % packs_in_eight) * simd::lanes<P>};
     };
-    Stepper<Method, P, LawsOf<P, Forces...>> steppers[in_turn * packs_in_eight<P>];
-    for (int i = 0; i < packs; ++i) begin_steps<P>(place(i), steppers[i]);
-    for (int k = 0; k < steps.count; ++k)
-      for (int i = 0; i < packs; ++i) steppers[i].step(steps.t0 + k * steps.h);
-    for (int i = 0; i < packs; ++i) end_steps<P>(place(i), steppers[i]);
+    for (std::size_t i = 0; i < packs; ++i) begin_steps<P>(place(i), steppers[i]);
+    for (int k = 0; k < steps_.count; ++k)
+      for (std::size_t i = 0; i < packs; ++i) step<P>(steppers[i], steps_.t0 + k * steps_.h);
+    for (std::size_t i = 0; i < packs; ++i) end_steps<P>(place(i), steppers[i], lost);
+  }
+
+  template <class P, class Action>
+  void with_pack(const Action& action) const {
+    dispatch(steps_.loop.instructions, WithPack<P, Action>{action});
   }
 
   template <class P>
-  TUMBLE_INLINE void begin_steps(const Place& place, auto& stepper) const {
-    const auto& [at, lane] = place;
-    const EightBodies& from = bodies.bodies()[at];
-    const PackBody<P> body{place.body(), load<P>(from.mass, lane), load<P>(from.moments, lane),
-                           load<P>(from.asymmetry, lane), load<P>(from.axes, lane)};
-    stepper.begin(bodies.motions()[at], lane, body, forces, steps.h);
+  void begin_steps(const Place& place, auto& stepper) const {
+    with_pack<P>([&]() __attribute__((always_inline)) {
+      const auto& [at, lane] = place;
+      const EightBodies& from = bodies_.bodies()[at];
+      const PackBody<P> body{place.body(), load<P>(from.mass, lane), load<P>(from.moments, lane),
+                             load<P>(from.asymmetry, lane), load<P>(from.axes, lane)};
+      stepper.begin(bodies_.motions()[at], lane, body, forces_, steps_.h);
+    });
   }
 
   template <class P>
-  TUMBLE_INLINE void end_steps(const Place& place, const auto& stepper) const {
-    EightMotions& motion = bodies.motions()[place.at];
-    stepper.end(motion, place.lane, steps.h, steps.count);
-    const P finite = nan_unless_finite<P>(motion, place.lane);
+  void step(auto& stepper, double t) const {
+    with_pack<P>([&stepper, t ]() __attribute__((always_inline)) { stepper.step(t); });
+  }
+
+  template <class P>
+  void end_steps(const Place& place, const auto& stepper, LostBodies& lost) const {
+    EightMotions& motion = bodies_.motions()[place.at];
+    P finite;
+    with_pack<P>([&]() __attribute__((always_inline)) {
+      stepper.end(motion, place.lane, steps_.h, steps_.count);
+      finite = nan_unless_finite<P>(motion, place.lane);
+    });
     for (int i = 0; i < simd::lanes<P>; ++i) {
       const std::size_t body = place.body() + static_cast<std::size_t>(i);
-      if (finite[i] != 0 && body < bodies.size()) lost.add(body);
+      if (finite[i] != 0 && body < bodies_.size()) lost.add(body);
     }
   }
+
+  Ensemble& bodies_;
+  const FixedSteps& steps_;
+  std::tuple<const Forces&...> forces_;
 };
 
 /// The method for these forces if nobody asks for another one.
@@ -140,17 +175,14 @@ template <class Method = void, class... Forces>
   ensemble::check_steps(bodies.size(), steps, forces...);
   FixedSteps all = steps;
   if (steps.h == 0) all.h = 1, all.count = 0;  // h divides
-  const std::tuple<const Forces&...> tied(forces...);
+  const ensemble::Advance<Chosen, Forces...> take_steps(bodies, all, forces...);
   constexpr std::size_t chunk = 4 * ensemble::in_turn;
   const std::size_t eights = bodies.bodies().size(), chunks = (eights + chunk - 1) / chunk;
   LostBodies lost;
   std::mutex losing;
   parallel_for(static_cast<int>(chunks), steps.loop.threads, [&](int i) {
     const std::size_t begin = chunk * static_cast<std::size_t>(i);
-    LostBodies here;
-    dispatch(steps.loop.instructions,
-             ensemble::Advance<Chosen, Forces...>{bodies, all, tied, begin,
-                                                  std::min(begin + chunk, eights), here});
+    const LostBodies here = take_steps(begin, std::min(begin + chunk, eights));
     if (here.count == 0) return;
     const std::lock_guard lock(losing);
     lost += here;
