@@ -18,6 +18,12 @@ enum class InstructionSet {
   avx512,    ///< 8 doubles at once and 32 registers
 };
 
+/// Runs a kernel compiled for what the whole program is compiled for.
+template <class Kernel>
+TUMBLE_ONE_COPY void run_baseline(const Kernel& kernel) {
+  kernel.template run<FourDoubles, baseline_fma>();
+}
+
 #if defined(__x86_64__)
 #define TUMBLE_TARGET_AVX2 __attribute__((target("avx2,fma")))
 #define TUMBLE_TARGET_AVX512 __attribute__((target("avx2,fma,avx512f,avx512dq,avx512vl")))
@@ -33,30 +39,30 @@ inline InstructionSet best_instruction_set() {
 
 /// Runs a kernel compiled for AVX2.
 template <class Kernel>
-TUMBLE_TARGET_AVX2 void run_avx2(const Kernel& kernel) {
+TUMBLE_ONE_COPY TUMBLE_TARGET_AVX2 void run_avx2(const Kernel& kernel) {
   kernel.template run<FourDoubles, Fma::fused>();
 }
 
 /// Runs a kernel compiled for AVX-512.
 template <class Kernel>
-TUMBLE_TARGET_AVX512 void run_avx512(const Kernel& kernel) {
+TUMBLE_ONE_COPY TUMBLE_TARGET_AVX512 void run_avx512(const Kernel& kernel) {
   kernel.template run<EightDoubles, Fma::fused>();
 }
 
-/// Runs a kernel with the Pack and the instructions of the set.
+/// Runs a kernel with the Pack and the instructions of the set; the same code for every call.
 /// @param kernel has a member `template <class P, Fma fma> TUMBLE_INLINE void run() const`
 /// @param set    at most best_instruction_set(): others stop the program
 template <class Kernel>
 void dispatch(InstructionSet set, const Kernel& kernel) {
   if (set == InstructionSet::avx512) return run_avx512(kernel);
   if (set == InstructionSet::avx2) return run_avx2(kernel);
-  kernel.template run<FourDoubles, baseline_fma>();
+  run_baseline(kernel);
 }
 #else
 inline InstructionSet best_instruction_set() { return InstructionSet::baseline; }
 template <class Kernel>
 void dispatch(InstructionSet, const Kernel& kernel) {
-  kernel.template run<FourDoubles, baseline_fma>();
+  run_baseline(kernel);
 }
 #endif
 

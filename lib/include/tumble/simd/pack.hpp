@@ -18,6 +18,14 @@
 /// other instructions.
 #define TUMBLE_INLINE inline __attribute__((always_inline))
 
+/// Code that exists once, however often it is called. In a copy of it a compiler may fuse other
+/// products with other sums, and so round otherwise.
+#if defined(__clang__)
+#define TUMBLE_ONE_COPY __attribute__((noinline))
+#else
+#define TUMBLE_ONE_COPY __attribute__((noipa))
+#endif
+
 namespace tumble::simd {
 
 using FourDoubles = double __attribute__((vector_size(32)));

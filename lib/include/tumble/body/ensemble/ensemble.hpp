@@ -35,7 +35,7 @@ class Ensemble {
 
   /// Where body i is now, in its own axes again, and its momenta.
   /// @throws std::invalid_argument if there is no body i
-  RigidBodyState<> state(std::size_t i) const {
+  TUMBLE_ONE_COPY RigidBodyState<> state(std::size_t i) const {
     require(i < size_, "there is no body ", i, " in an ensemble of ", size_);
     const auto& [x, v, q, omega] = motions_[i / ensemble::eight];
     const auto& [mass, moments, asymmetry, axes] = bodies_[i / ensemble::eight];
@@ -66,7 +66,7 @@ class Ensemble {
     for (std::size_t k = 0; k < n; ++k) rows[k][lane] = numbers[static_cast<int>(k)];
   }
 
-  void set(std::size_t i, const RigidBody<>& body, const RigidBodyState<>& state) {
+  TUMBLE_ONE_COPY void set(std::size_t i, const RigidBody<>& body, const RigidBodyState<>& state) {
     const PrincipalAxes principal = principal_axes(body.I_body());
     const Vec3& I = principal.moments;
     const Quat axes = from_matrix(principal.R), q = unit(i, state.q) * axes;

@@ -29,16 +29,21 @@ const Force& force_of(const Force& all, std::size_t) {
   return all;
 }
 
-/// @throws std::invalid_argument as the force's check() does, saying which body it is for
+/// @throws std::invalid_argument as check_force() does, saying which body the force is for
+template <class Force>
+void check_force_on(std::size_t body, const Force& force) try {
+  check_force(force);
+} catch (const std::invalid_argument& error) {
+  require(false, "force on body ", body, ": ", error.what());
+}
+
+/// @throws std::invalid_argument if a force refuses what it is made of, or there is not one for
+///         each body
 template <class Force>
 void check_forces(const PerBody<Force>& each, std::size_t bodies) {
   require(each.forces.size() == bodies, "there are ", each.forces.size(), " forces for ", bodies,
           " bodies");
-  for (std::size_t i = 0; i < bodies; ++i) try {
-      check_force(each.forces[i]);
-    } catch (const std::invalid_argument& error) {
-      require(false, "force on body ", i, ": ", error.what());
-    }
+  for (std::size_t i = 0; i < bodies; ++i) check_force_on(i, each.forces[i]);
 }
 template <class Force>
 void check_forces(const Force& all, std::size_t) {
