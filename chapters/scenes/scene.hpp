@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tumble/body/simulate/simulate.hpp"
+#include "tumble/simulate/simulate.hpp"
 
 namespace tumble::scenes {
 

@@ -6,7 +6,7 @@
 #include "scenes/scene.hpp"
 #include "support/plot.hpp"
 #include "support/table.hpp"
-#include "tumble/body/simulate/first_event.hpp"
+#include "tumble/simulate/first_event.hpp"
 
 namespace tumble::scenes {
 namespace {

@@ -11,7 +11,7 @@
 #include "bodies.hpp"
 #include "judge/spec/spec.hpp"
 #include "reference.hpp"
-#include "tumble/body/free/free_symmetric_top.hpp"
+#include "tumble/free_body/free_symmetric_top.hpp"
 
 using namespace bodies;
 

@@ -12,7 +12,7 @@
 #include "09_rigid_body/reference.hpp"
 #include "10_only_what_a_scene_needs/contract.hpp"
 #include "judge/spec/spec.hpp"
-#include "tumble/body/free/free_symmetric_top.hpp"
+#include "tumble/free_body/free_symmetric_top.hpp"
 
 using namespace bodies;
 using only_what_a_scene_needs::EnergyDrift;

@@ -1,6 +1,6 @@
 /// @file
 /// 10.2 free_symmetric_top: its laws, and what goes wrong.
-#include "tumble/body/free/free_symmetric_top.hpp"
+#include "tumble/free_body/free_symmetric_top.hpp"
 
 #include <cmath>
 

@@ -12,9 +12,9 @@
 #include <cmath>
 #include <utility>
 
-#include "tumble/body/free/polhode.hpp"
 #include "tumble/core/double_double.hpp"
 #include "tumble/core/types.hpp"
+#include "tumble/free_body/polhode.hpp"
 
 namespace tumble::reference {
 

@@ -4,12 +4,17 @@
 
 #include "tumble/body.hpp"
 #include "tumble/elliptic.hpp"
+#include "tumble/ensemble.hpp"
+#include "tumble/free_body.hpp"
+#include "tumble/geometric.hpp"
 #include "tumble/mass.hpp"
 #include "tumble/mesh.hpp"
 #include "tumble/ode.hpp"
 #include "tumble/particles.hpp"
 #include "tumble/quaternion.hpp"
 #include "tumble/rotation.hpp"
+#include "tumble/simulate.hpp"
+#include "tumble/steady.hpp"
 
 /// Rigid-body dynamics: the folders under `tumble/` are its topics, each header is one concept.
 namespace tumble {}

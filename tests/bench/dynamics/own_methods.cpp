@@ -1,14 +1,14 @@
 // The library's methods: what is added to it is added to the list at the end.
 #include "bench/dynamics/as_rigid_body.hpp"
 #include "tumble/body/dydt.hpp"
-#include "tumble/body/ensemble/advance.hpp"
-#include "tumble/body/geometric/lie_group_rk4.hpp"
-#include "tumble/body/geometric/splitting.hpp"
-#include "tumble/body/simulate/simulate.hpp"
+#include "tumble/ensemble/advance.hpp"
+#include "tumble/geometric/lie_group_rk4.hpp"
+#include "tumble/geometric/splitting.hpp"
 #include "tumble/ode/dop853.hpp"
 #include "tumble/ode/dormand_prince_54.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
 #include "tumble/ode/rk4.hpp"
+#include "tumble/simulate/simulate.hpp"
 
 namespace tumble::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "tumble/body/ensemble/drift.hpp"
+#include "tumble/ensemble/drift.hpp"
 
 #include <doctest/doctest.h>
 

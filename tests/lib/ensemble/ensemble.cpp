@@ -1,4 +1,4 @@
-#include "tumble/body/ensemble/ensemble.hpp"
+#include "tumble/ensemble/ensemble.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "tumble/body/ensemble/magnus.hpp"
+#include "tumble/ensemble/magnus.hpp"
 
 #include <doctest/doctest.h>
 

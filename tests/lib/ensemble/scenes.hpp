@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "support/inputs.hpp"
-#include "tumble/body/ensemble/advance.hpp"
+#include "tumble/ensemble/advance.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/rotation/exp_log.hpp"
 

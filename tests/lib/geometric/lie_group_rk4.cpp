@@ -1,4 +1,4 @@
-#include "tumble/body/geometric/lie_group_rk4.hpp"
+#include "tumble/geometric/lie_group_rk4.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "tumble/body/geometric/splitting.hpp"
+#include "tumble/geometric/splitting.hpp"
 
 #include <doctest/doctest.h>
 
 #include "reference/double_double_motion.hpp"
 #include "support/inputs.hpp"
-#include "tumble/body/free/free_motion.hpp"
+#include "tumble/free_body/free_motion.hpp"
 
 using namespace tumble;
 

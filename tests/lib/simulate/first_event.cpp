@@ -1,8 +1,8 @@
-#include "tumble/body/simulate/first_event.hpp"
+#include "tumble/simulate/first_event.hpp"
 
 #include <doctest/doctest.h>
 
-#include "tumble/body/simulate/simulate.hpp"
+#include "tumble/simulate/simulate.hpp"
 
 using namespace tumble;
 

@@ -6,7 +6,7 @@
 
 #include "reference/double_double_motion.hpp"
 #include "support/inputs.hpp"
-#include "tumble/body/simulate/simulate.hpp"
+#include "tumble/simulate/simulate.hpp"
 
 using namespace tumble;
 

@@ -1,4 +1,4 @@
-#include "tumble/body/simulate/simulate.hpp"
+#include "tumble/simulate/simulate.hpp"
 
 #include <doctest/doctest.h>
 

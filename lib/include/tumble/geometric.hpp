@@ -1,0 +1,7 @@
+#pragma once
+/// @file
+/// Steps that keep what motions keep.
+
+#include "tumble/geometric/composition.hpp"
+#include "tumble/geometric/lie_group_rk4.hpp"
+#include "tumble/geometric/splitting.hpp"

@@ -1,0 +1,10 @@
+#pragma once
+/// @file
+/// State the error, get the cheapest way.
+
+#include "tumble/simulate/first_event.hpp"
+#include "tumble/simulate/general_motion.hpp"
+#include "tumble/simulate/simulate.hpp"
+#include "tumble/simulate/stated_error.hpp"
+#include "tumble/simulate/steady_motion.hpp"
+#include "tumble/simulate/trajectory.hpp"

@@ -1,0 +1,72 @@
+#pragma once
+/// @file
+/// When something happens for the first time: where a function of time and state changes its sign.
+///
+/// Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993),
+/// II.6 "Event Location".
+
+#include <cmath>
+#include <concepts>
+#include <optional>
+
+#include "tumble/simulate/trajectory.hpp"
+
+namespace tumble {
+
+/// A callable (t, state) → number, whose change of sign is the event.
+template <class G>
+concept EventFunction = requires(const G& g, double t, const RigidBodyState<>& state) {
+  { g(t, state) } -> std::convertible_to<double>;
+};
+
+/// When it happened, and where the body was.
+struct Event {
+  double t;  ///< [s]
+  RigidBodyState<> state;
+};
+
+namespace detail {
+
+/// The first double at which `value` has left the sign it has at a, by halving and secants in turn.
+template <class Value>
+double change_of_sign(const Value& value, double a, double b, double value_a, double value_b) {
+  for (int i = 0; value_b != 0 && std::nextafter(a, b) < b; ++i) {
+    const double middle = a + (b - a) / 2;
+    const double secant = a - value_a * ((b - a) / (value_b - value_a));
+    const double t = i % 2 && secant > a && secant < b ? secant : middle;
+    const double value_t = value(t);
+    if (value_t != 0 && std::signbit(value_t) == std::signbit(value_a))
+      a = t, value_a = value_t;
+    else
+      b = t, value_b = value_t;
+  }
+  return b;
+}
+
+}  // namespace detail
+
+/// The first moment at which g is no longer of the sign it had at the start, to the last digits of
+/// t. A g that is 0 at the start counts from where it leaves 0. Looked for at eight moments in each
+/// step: what changes sign and back in between is not seen.
+template <EventFunction G>
+std::optional<Event> first_event(const Trajectory& trajectory, const G& g) {
+  constexpr int parts = 8;
+  const auto value = [&](double t) { return static_cast<double>(g(t, trajectory.at(t))); };
+  const std::vector<double>& moments = trajectory.moments();
+  double before = moments.front(), g_before = value(before);
+  for (std::size_t i = 1; i < moments.size(); ++i)
+    for (int part = 1; part <= parts; ++part) {
+      const double t = part == parts
+                           ? moments[i]
+                           : moments[i - 1] + part * (moments[i] - moments[i - 1]) / parts;
+      const double g_now = value(t);
+      if (g_before != 0 && (g_now == 0 || std::signbit(g_now) != std::signbit(g_before))) {
+        const double root = detail::change_of_sign(value, before, t, g_before, g_now);
+        return Event{root, trajectory.at(root)};
+      }
+      before = t, g_before = g_now;
+    }
+  return {};
+}
+
+}  // namespace tumble

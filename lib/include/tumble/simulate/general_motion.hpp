@@ -1,0 +1,97 @@
+#pragma once
+/// @file
+/// A body under any forces, by Dormand and Prince's method of order 8 on (x, q, P, L), in units in
+/// which all thirteen numbers are of the size of 1: so that one tolerance fits them all.
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "tumble/body/dydt.hpp"
+#include "tumble/ode/dop853.hpp"
+#include "tumble/ode/integrate_adaptive.hpp"
+#include "tumble/simulate/stated_error.hpp"
+
+namespace tumble {
+
+/// What is large and small in a scene: at least the motion through the body's own size, and the
+/// turn by one radian, in the whole time.
+template <class Motion>
+MotionScale scale_of(const Motion& motion, const RigidBodyState<>& start, double t0, double t1) {
+  const RigidBody<>& body = motion.body();
+  const double span = t1 - t0, inertia = body.I_body().trace() / 3;
+  const RigidBodyState<> rate = motion.rate(t0, start);
+  const double own_length = std::sqrt(inertia / body.mass());
+  MotionScale scale;
+  scale.momentum =
+      std::max({start.P.norm(), rate.P.norm() * span, body.mass() * own_length / span});
+  scale.length = std::max(start.x.norm(), scale.momentum / body.mass() * span);
+  scale.angular_momentum = std::max({start.L.norm(), rate.L.norm() * span, inertia / span});
+  return scale;
+}
+
+/// One integration from t0 to t1 whose steps can be gone into again.
+template <class Motion>
+class GeneralMotion {
+ public:
+  static constexpr double error_exponent = 0.5, margin = 10, first_epsilon = 0.2;
+
+  /// @param motion a RigidBodyMotion<double, …>
+  /// @throws std::runtime_error as integrate_adaptive() does
+  GeneralMotion(std::shared_ptr<const Motion> motion, const MotionScale& scale,
+                const RigidBodyState<>& start, double t0, double t1, double tolerance)
+      : motion_(std::move(motion)) {
+    units_ << Vec3::Constant(scale.length), Eigen::Vector4d::Ones(), Vec3::Constant(scale.momentum),
+        Vec3::Constant(scale.angular_momentum);
+    steps_.push_back({t0, pack(start).cwiseQuotient(units_)});
+    const auto keep = [this](double t, const Numbers& y) { steps_.push_back({t, y}); };
+    const auto solution = integrate_adaptive<Dop853>(scaled(), steps_.front().y, t0, t1,
+                                                     {tolerance, tolerance}, keep);
+    rejected_ = solution.rejected, evaluations_ = solution.evaluations;
+  }
+
+  int steps() const { return static_cast<int>(steps_.size()) - 1; }
+
+  std::vector<double> moments() const {
+    std::vector<double> times;
+    for (const Step& step : steps_) times.push_back(step.t);
+    return times;
+  }
+
+  /// Any t between t0 and t1: a part of the step that it is in.
+  RigidBodyState<> at(double t) const {
+    const auto later = [](double time, const Step& step) { return time < step.t; };
+    const Step& step = *(std::upper_bound(steps_.begin() + 1, steps_.end(), t, later) - 1);
+    const Numbers y = t == step.t ? step.y : Dop853::step(scaled(), step.t, step.y, t - step.t);
+    RigidBodyState<> state = unpack<double>(PackedState<double>(y.cwiseProduct(units_)));
+    state.q.normalize();
+    return state;
+  }
+
+  void account(SimulationReport& report) const {
+    ++report.runs;
+    report.steps += steps();
+    report.rejected += rejected_;
+    report.evaluations += evaluations_;
+  }
+
+ private:
+  using Numbers = PackedState<double>;
+  struct Step {
+    double t;
+    Numbers y;
+  };
+
+  auto scaled() const {
+    return [this](double t, const Numbers& y) -> Numbers {
+      return (*motion_)(t, Numbers(y.cwiseProduct(units_))).cwiseQuotient(units_);
+    };
+  }
+
+  std::shared_ptr<const Motion> motion_;
+  Numbers units_;
+  std::vector<Step> steps_;
+  int rejected_ = 0, evaluations_ = 0;
+};
+
+}  // namespace tumble

@@ -1,0 +1,166 @@
+#pragma once
+/// @file
+/// The heavy symmetric top in closed form: a body with two equal moments A and a third C, pulled by
+/// a constant force at a point of its axis. (About a fixed point on its axis, with the moments for
+/// that point, it is the same.)
+///
+/// With w = 1 − cos θ, θ between the axis n and the direction e away from the force, μ the largest
+/// torque, and the constants L_n = L·n, L_e = L·e, D = L_e − L_n,
+///
+///     A² ẇ² = 2 A (ε + μ w) w (2 − w) − (D + L_n w)² = 2 A μ (w − w₃)(w − w₂)(w₁ − w)
+///     w = w₁ − (w₁ − w₂) sn² v,   v = λ t + v₀,   λ² = μ (w₁ − w₃)/2A,   k² = (w₁ − w₂)/(w₁ − w₃)
+///
+/// The orientation's Cayley–Klein parameters a and b have |a|² = 1 − w/2, |b|² = w/2 and the angles
+/// α and β, each an integral of the third kind, here by theta functions:
+///
+///     α̇ = (L_e + L_n)/(2 A (2 − w)) + s/2,   β̇ = D/(2 A w) − s/2,   s = L_n (1/C − 1/A)
+///
+/// Source: Whittaker, "A Treatise on the Analytical Dynamics of Particles and Rigid Bodies" (4th
+/// ed. 1937), §71–72; Klein & Sommerfeld, "The Theory of the Top" II (2010), ch. VI, for a and b.
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <variant>
+
+#include "tumble/elliptic/complementary_theta_series.hpp"
+#include "tumble/elliptic/theta_series.hpp"
+#include "tumble/steady/steady_torque.hpp"
+#include "tumble/steady/top_motion.hpp"
+
+namespace tumble {
+
+/// The closed form of a top's turning.
+class LagrangeTop {
+ public:
+  /// Where it is: orientation and angular momentum, in world coordinates.
+  struct State {
+    Quat q;
+    Vec3 L;
+  };
+
+  /// The top of these forces, or nothing: if it is none, or if its axis passes so close to the
+  /// vertical that the closed form loses digits.
+  /// @param q unit quaternion
+  static std::optional<LagrangeTop> from(const SteadyTorque& torque, const Quat& q, const Vec3& L);
+
+  /// How fast the axis rises and falls [rad/s].
+  double rate() const { return lambda_; }
+
+  /// What the orientation's error stays below [rad]: the more, the closer the axis passes to the
+  /// vertical.
+  double error_bound(double t) const {
+    const double rate =
+        std::hypot(motion_.L_axis, motion_.L_along) / motion_.A + lambda_ + std::abs(slip_);
+    return 2e-15 * loss_ * std::max(1.0, rate * std::abs(t));
+  }
+
+  /// @param t [s], of any length and sign
+  State at(double t) const {
+    const double v = lambda_ * t + v0_;
+    const ThetaValues va = values(alpha_, v), vb = values(beta_, v + K_);
+    const double w = motion_.w1 - motion_.spread * va.sn * va.sn;
+    const std::complex<double> a =
+        std::sqrt(1 - w / 2) * a0_ * turn(sign_a_, rate_a_, slip_, va, t);
+    const std::complex<double> b = std::sqrt(w / 2) * b0_ * turn(sign_b_, rate_b_, -slip_, vb, t);
+    const Quat q = upright_ * Quat(a.real(), b.real(), b.imag(), a.imag()) * frame_;
+    const double w_rate = -2 * motion_.spread * lambda_ * va.sn * va.cn * va.dn;
+    return {q.normalized(), momentum(q * axis_, w, w_rate)};
+  }
+
+ private:
+  using Theta = std::variant<ThetaSeries, ComplementaryThetaSeries>;
+
+  LagrangeTop(const TopMotion& motion, const Vec3& up, const Vec3& axis, double slip);
+
+  static Theta series_for(const Modulus& k, const Amplitude& eta) {
+    if (k.k2 <= k.kc2) return ThetaSeries(k, eta);
+    return ComplementaryThetaSeries(k, eta);
+  }
+  static ThetaValues values(const Theta& theta, double v) {
+    return std::visit([v](const auto& series) { return series(v); }, theta);
+  }
+  static double zeta(const Theta& theta) {
+    return std::visit([](const auto& series) { return series.zeta(); }, theta);
+  }
+
+  /// e^(i angle) at time t, but for a constant.
+  static std::complex<double> turn(double sign, double rate, double slip, const ThetaValues& v,
+                                   double t) {
+    const std::complex<double> half(v.cos_half, sign * v.sin_half);
+    return std::polar(1.0, (sign * rate + slip) * t + sign * v.turned) * half * half;
+  }
+
+  /// L from its components along the axis, upwards and across.
+  Vec3 momentum(const Vec3& n, double w, double w_rate) const {
+    const double u = 1 - w, sin2 = w * (2 - w);
+    const double along_n = (motion_.L_axis * w - motion_.excess * u) / sin2;
+    const double along_up = (motion_.excess + motion_.L_axis * w) / sin2;
+    return along_n * n + along_up * up_ + (motion_.A * w_rate / sin2) * up_.cross(n);
+  }
+
+  TopMotion motion_;
+  Vec3 up_, axis_;  ///< e in the world, n in the body
+  Quat upright_;    ///< z → e
+  Quat frame_;      ///< body → coordinates with n along z
+  double slip_;     ///< s/2 [rad/s]
+  double lambda_, v0_, K_, loss_;
+  Theta alpha_, beta_;
+  double sign_a_, sign_b_, rate_a_, rate_b_;
+  std::complex<double> a0_ = 1, b0_ = 1;
+};
+
+inline LagrangeTop::LagrangeTop(const TopMotion& m, const Vec3& up, const Vec3& axis, double slip)
+    : motion_(m),
+      up_(up),
+      axis_(axis),
+      upright_(Quat::FromTwoVectors(Vec3::UnitZ(), up)),
+      frame_(Quat::FromTwoVectors(axis, Vec3::UnitZ())),
+      slip_(slip / 2),
+      alpha_(series_for(m.modulus(), m.eta_a())),
+      beta_(series_for(m.modulus(), m.eta_b())) {
+  const Modulus k = m.modulus();
+  lambda_ = m.lambda();
+  v0_ = detail::start_of(k, m.start.cn, m.start.sn);
+  K_ = complete_elliptic_k(std::sqrt(k.kc2));
+  sign_a_ = std::copysign(1, m.L_along + m.L_axis);
+  sign_b_ = std::copysign(1, m.excess);
+  loss_ = std::max((m.w2 - m.w3) / m.w2, (2 - m.w3) / (2 - m.w1));
+  const Amplitude a = m.eta_a(), b = m.eta_b();
+  const double dn_a = std::sqrt((2 - m.w2) / (2 - m.w3)), dn_b = std::sqrt(m.w1 / (m.w1 - m.w3));
+  rate_a_ = lambda_ * (dn_a / (a.sn * a.cn) - zeta(alpha_));
+  rate_b_ = lambda_ * (k.kc2 * b.sn * b.cn / dn_b - (zeta(beta_) - k.k2 * b.sn / (b.cn * dn_b)));
+}
+
+inline std::optional<LagrangeTop> LagrangeTop::from(const SteadyTorque& torque, const Quat& q,
+                                                    const Vec3& L) {
+  const Vec3& J = torque.axes().moments;
+  const bool oblate = J[0] == J[1], symmetric = oblate || J[1] == J[2];
+  if (!symmetric || J[0] == J[2] || torque.rank() != 1 || !torque.drag().isZero(0)) return {};
+  const int z = oblate ? 2 : 0, x = (z + 1) % 3, y = (z + 2) % 3;
+  const Vec3& arm = torque.arm(0);
+  if (std::hypot(arm[x], arm[y]) > 4 * 0x1p-53 * std::abs(arm[z])) return {};
+
+  // Away from the force: the torque is −μ n × e.
+  const Vec3 up = arm[z] > 0 ? Vec3(-torque.direction(0)) : torque.direction(0);
+  const auto into_top = [&](const Vec3& v) -> detail::Vec3dd {
+    const detail::Vec3dd p = detail::principal_momentum(torque.axes(), q, v);
+    return {p[x], p[y], p[z]};
+  };
+  const auto motion = detail::top_motion(J[x], std::abs(arm[z]), into_top(L), into_top(up));
+  if (!motion) return {};
+  const double slip = motion->L_axis * (J[x] - J[z]) / J[x] / J[z];
+  LagrangeTop top(*motion, up, torque.axes().R.col(z), slip);
+  const Quat raw = top.upright_.conjugate() * top.at(0).q * top.frame_.conjugate();
+  const Quat wanted = top.upright_.conjugate() * q * top.frame_.conjugate();
+  const auto direction = [](double re, double im) {
+    const std::complex<double> c(re, im);
+    return c / std::abs(c);
+  };
+  top.a0_ = direction(wanted.w(), wanted.z()) / direction(raw.w(), raw.z());
+  top.b0_ = direction(wanted.x(), wanted.y()) / direction(raw.x(), raw.y());
+  return top;
+}
+
+}  // namespace tumble

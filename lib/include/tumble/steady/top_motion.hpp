@@ -1,0 +1,101 @@
+#pragma once
+/// @file
+/// Between which angles the axis of a heavy symmetric top rises and falls: the roots of the cubic
+/// in lagrange_top.hpp.
+///
+/// Two roots may nearly meet, where the axis hardly nutates. So the cubic is solved with twice the
+/// digits: its least root first, then what is left, a quadratic.
+///
+/// Source: Whittaker, "A Treatise on the Analytical Dynamics of Particles and Rigid Bodies" (4th
+/// ed. 1937), §71.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "tumble/core/double_double.hpp"
+#include "tumble/elliptic/modulus.hpp"
+#include "tumble/free_body/polhode.hpp"
+
+namespace tumble {
+
+/// The constants of a top's motion and the turning points of its axis.
+struct TopMotion {
+  double A, mu;                    ///< [kg m²], [N m]
+  double L_axis, L_along, excess;  ///< L_n, L_e and D = L_e − L_n [kg m²/s]
+  double w1, w2, w3;               ///< of 1 − cos θ: w₃ ≤ 0 ≤ w₂ ≤ w ≤ w₁ ≤ 2
+  double spread;                   ///< w₁ − w₂
+  Amplitude start;                 ///< sn v₀, cn v₀
+
+  double lambda() const { return std::sqrt(mu * (w1 - w3) / (2 * A)); }  ///< dv/dt [1/s]
+  Modulus modulus() const { return {spread / (w1 - w3), (w2 - w3) / (w1 - w3)}; }
+  /// η of the angles α and β.
+  Amplitude eta_a() const {
+    return {std::sqrt((w1 - w3) / (2 - w3)), std::sqrt((2 - w1) / (2 - w3))};
+  }
+  Amplitude eta_b() const { return {std::sqrt(-w3 / (w2 - w3)), std::sqrt(w2 / (w2 - w3))}; }
+};
+
+namespace detail {
+
+/// √x with twice the digits, x ≥ 0.
+inline DoubleDouble square_root(const DoubleDouble& x) {
+  if (!(DoubleDouble(0) < x)) return 0;
+  const double root = std::sqrt(x.hi);
+  return DoubleDouble(root) + (x - DoubleDouble(root) * root) / DoubleDouble(2 * root);
+}
+
+/// The least root of w³ + c₂ w² + c₁ w + c₀, whose roots are real: Newton from the left of it.
+inline DoubleDouble least_root(const DoubleDouble& c2, const DoubleDouble& c1,
+                               const DoubleDouble& c0) {
+  const double size =
+      std::max({std::abs(c2.hi), std::sqrt(std::abs(c1.hi)), std::cbrt(std::abs(c0.hi))});
+  double w = -2 * size, step = 1;
+  for (int i = 0; i < 200 && std::abs(step) > 1e-8 * std::abs(w); ++i) {
+    const double slope = (3 * w + 2 * c2.hi) * w + c1.hi;
+    step = slope == 0 ? 0 : (((w + c2.hi) * w + c1.hi) * w + c0.hi) / slope;
+    w -= step;
+  }
+  DoubleDouble root = w;
+  for (int i = 0; i < 3; ++i) {
+    const DoubleDouble slope = (root * 3 + c2 * 2) * root + c1;
+    if (slope == DoubleDouble(0)) break;
+    root -= (((root + c2) * root + c1) * root + c0) / slope;
+  }
+  return root;
+}
+
+/// The turning points of the axis, or nothing if one is too close to the vertical.
+/// @param L, up in the top's coordinates, its axis along z
+inline std::optional<TopMotion> top_motion(double A, double mu, const Vec3dd& L, const Vec3dd& up) {
+  using T = DoubleDouble;
+  const T excess = L[0] * up[0] + L[1] * up[1] + L[2] * (up[2] - T(1));
+  const T w0 = (up[0] * up[0] + up[1] * up[1] + (up[2] - T(1)) * (up[2] - T(1))) * 0.5;
+  const T Amu = T(A) * T(mu);
+  const T epsilon = (L[0] * L[0] + L[1] * L[1]) / (Amu * 2) - w0;  // ε/μ
+  const T c2 = epsilon - T(2) + L[2] * L[2] / (Amu * 2), c1 = excess * L[2] / Amu - epsilon * 2,
+          c0 = excess * excess / (Amu * 2);
+  const T w3 = least_root(c2, c1, c0), sum = -c2 - w3, product = c1 - w3 * sum;  // of w₁ and w₂
+  const T spread = square_root(sum * sum - product * 4);
+  const T w1 = (sum + spread) * 0.5, w2 = (sum - spread) * 0.5;
+
+  TopMotion m{A,          mu,         double(L[2]), double(L[2] + excess), double(excess),
+              double(w1), double(w2), double(w3),   double(spread),        {0, 1}};
+  constexpr double closest =
+      1e-3;  // cosine of η: the closed form loses a part of its inverse square
+  if (!(m.w2 > closest * closest * (m.w2 - m.w3)) || !(2 - m.w1 > closest * closest * (2 - m.w3)))
+    return {};
+  if (m.spread > 0) {
+    // 2 am(v₀) from its cosine and its sine: each alone says little where it is nearly 1.
+    const double down = double(w1 - w0), back = double(w0 - w2);
+    const double rise = double(L[1] * up[0] - L[0] * up[1]) / A;  // d(cos θ)/dt
+    const double dn = std::sqrt(std::max(0.0, 1 - m.modulus().k2 * down / m.spread));
+    const double am = std::atan2(rise / (m.spread * m.lambda() * dn), (back - down) / m.spread) / 2;
+    m.start = {std::sin(am), std::cos(am)};
+  }
+  return m;
+}
+
+}  // namespace detail
+
+}  // namespace tumble

@@ -1,0 +1,200 @@
+#pragma once
+/// @file
+/// The turning of a body under forces that are constant in the world, as a power series in time.
+///
+/// In principal axes the equations are products and sums only, so that each coefficient follows
+/// from those before it:
+///
+///     J ω̇ = J ω × ω + Σ p × u − k ω,   u̇ = u × ω  (u = Rᵀ b),   q̇ = ½ q ⟨0, ω⟩
+///
+/// A product of two series is a sum over pairs of coefficients; the three or four components of a
+/// vector lie side by side and go through it together.
+///
+/// Source: Jorba & Zou, "A software package for the numerical integration of ODEs by means of
+/// high-order Taylor methods", Experimental Mathematics 14 (2005), §2 and §3.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tumble/core/pair.hpp"
+#include "tumble/simd/instruction_set.hpp"
+#include "tumble/steady/steady_torque.hpp"
+
+namespace tumble {
+
+/// The series of a body's turning about one moment.
+/// @tparam rank how many directions the torque has, 0 … 3
+template <int rank>
+class TurningSeries {
+ public:
+  static constexpr int highest_order = 32;                     ///< even, as all orders are
+  static constexpr std::size_t slots = std::size_t{rank} + 1;  // 0 would be no array
+
+  /// @param torque with this rank
+  /// @param order  even, 2 … highest_order
+  TurningSeries(const SteadyTorque& torque, int order)
+      : order_(order), instructions_(simd::best_instruction_set()), drag_(four(torque.drag())) {
+    const Vec3& J = torque.axes().moments;
+    euler_ = four({(J[1] - J[2]) / J[0], (J[2] - J[0]) / J[1], (J[0] - J[1]) / J[2]});
+    for (int r = 0; r < rank; ++r) {
+      const Vec3& a = torque.arm(r);
+      directions_[r] = torque.direction(r);
+      plus_[r] = four({a[1] / J[0], a[2] / J[1], a[0] / J[2]});
+      minus_[r] = four({a[2] / J[0], a[0] / J[1], a[1] / J[2]});
+    }
+  }
+
+  int order() const { return order_; }
+
+  /// Expands about a state; what was there before is forgotten.
+  void expand(const TurningState& state) {
+    const Quat& q = state.q;
+    w_[0] = arranged_omega(four(state.omega));
+    q_[0] = arranged_orientation(FourDoubles{q.w(), q.x(), q.y(), q.z()});
+    const double scale = 1 / q.squaredNorm();
+    for (int r = 0; r < rank; ++r)
+      u_[r][0] = arranged_direction(four(scale * (q.conjugate() * directions_[r])));
+    dispatch(instructions_, Expansion{*this});
+  }
+
+  /// The longest step whose last terms stay below the tolerance, relative to ω and to 1 for q.
+  double step(double tolerance) const {
+    double h = std::numeric_limits<double>::infinity();
+    const double q0 = size(q_[0].q), w0 = size(w_[0].xyz);
+    for (const int k : {order_ - 1, order_}) {
+      const double last = std::max(size(q_[k].q) / q0, w0 > 0 ? size(w_[k].xyz) / w0 : 0.0);
+      // Three digits of h are plenty; single precision is faster.
+      if (last > 0)
+        h = std::min<double>(
+            h, std::exp2(static_cast<float>(std::log2(tolerance / last)) / static_cast<float>(k)));
+    }
+    return h;
+  }
+
+  /// The state a time h after the one expanded about.
+  TurningState at(double h) const {
+    FourDoubles q = q_[order_].q, w = w_[order_].xyz;
+    for (int k = order_ - 1; k >= 0; --k) q = q * h + q_[k].q, w = w * h + w_[k].xyz;
+    return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2])};
+  }
+
+ private:
+  using FourDoubles = simd::FourDoubles;
+
+  TUMBLE_INLINE static FourDoubles four(const Vec3& v) {
+    return FourDoubles{v.x(), v.y(), v.z(), 0};
+  }
+
+  static double size(const FourDoubles& x) {
+    return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]);
+  }
+
+  struct Expansion {
+    TurningSeries& series;
+
+    template <class P, simd::Fma fma>
+    TUMBLE_INLINE void run() const {
+      series.template expand_with<fma>();
+    }
+  };
+
+  TUMBLE_INLINE static FourDoubles yzx(const FourDoubles& a) {
+    return __builtin_shufflevector(a, a, 1, 2, 0, 3);
+  }
+  TUMBLE_INLINE static FourDoubles zxy(const FourDoubles& a) {
+    return __builtin_shufflevector(a, a, 2, 0, 1, 3);
+  }
+
+  /// Coefficient k of ω in the orders in which products need it.
+  struct Omega {
+    FourDoubles xyz{}, yzx{}, zxy{}, x{}, y{}, z{};
+  };
+  /// Coefficient k of q, so that q ⟨0, ω⟩ = i ω_x + j ω_y + k ω_z.
+  struct Orientation {
+    FourDoubles q{}, i{}, j{}, k{};
+  };
+  /// Coefficient k of the u of each torque.
+  struct Direction {
+    FourDoubles xyz{}, yzx{}, zxy{};
+  };
+  /// Sums of products that make one coefficient.
+  struct Sums {
+    FourDoubles w{}, q{}, qz{};
+    FourDoubles plus[slots]{}, minus[slots]{};  // of u × ω
+  };
+
+  /// Adds the products of coefficient j with one of ω.
+  template <simd::Fma fma>
+  TUMBLE_INLINE void add(Sums& sums, int j, const Omega& w) const {
+    sums.w = multiply_add<fma>(w_[j].yzx, w.zxy, sums.w);
+    sums.q = multiply_add<fma>(q_[j].i, w.x, sums.q);
+    sums.qz = multiply_add<fma>(q_[j].k, w.z, sums.qz);
+    sums.q = multiply_add<fma>(q_[j].j, w.y, sums.q);
+    for (int r = 0; r < rank; ++r) {
+      sums.plus[r] = multiply_add<fma>(u_[r][j].yzx, w.zxy, sums.plus[r]);
+      sums.minus[r] = multiply_add<fma>(u_[r][j].zxy, w.yzx, sums.minus[r]);
+    }
+  }
+
+  /// Two coefficients at a time: what is read for one serves the other.
+  template <simd::Fma fma>
+  TUMBLE_INLINE void expand_with() {
+    for (int k = 0; k < order_; k += 2) {
+      Sums first{}, second{};
+      Omega next{};
+      for (int j = 0; j <= k; ++j) {
+        const Omega& stored =
+            w_[k - j];  // number by number: gcc copies a whole one by way of memory
+        const Omega w{stored.xyz, stored.yzx, stored.zxy, stored.x, stored.y, stored.z};
+        add<fma>(first, j, w);
+        add<fma>(second, j, next);
+        next.yzx = w.yzx, next.zxy = w.zxy, next.x = w.x, next.y = w.y, next.z = w.z;
+      }
+      finish(k, first);
+      add<fma>(second, 0, w_[k + 1]);
+      add<fma>(second, k + 1, w_[0]);
+      finish(k + 1, second);
+    }
+  }
+
+  /// Coefficient k + 1 from the products of those up to k.
+  TUMBLE_INLINE void finish(int k, const Sums& sums) {
+    const double share = 1.0 / (k + 1);
+    FourDoubles w = euler_ * sums.w - drag_ * w_[k].xyz;
+    for (int r = 0; r < rank; ++r) {
+      w += plus_[r] * u_[r][k].zxy - minus_[r] * u_[r][k].yzx;
+      u_[r][k + 1] = arranged_direction(share * (sums.plus[r] - sums.minus[r]));
+    }
+    w_[k + 1] = arranged_omega(share * w);
+    q_[k + 1] = arranged_orientation((share / 2) * (sums.q + sums.qz));
+  }
+
+  TUMBLE_INLINE static Omega arranged_omega(const FourDoubles& w) {
+    return {w,
+            yzx(w),
+            zxy(w),
+            __builtin_shufflevector(w, w, 0, 0, 0, 0),
+            __builtin_shufflevector(w, w, 1, 1, 1, 1),
+            __builtin_shufflevector(w, w, 2, 2, 2, 2)};
+  }
+  TUMBLE_INLINE static Orientation arranged_orientation(const FourDoubles& q) {
+    return {q, __builtin_shufflevector(q, q, 1, 0, 3, 2) * FourDoubles{-1, 1, 1, -1},
+            __builtin_shufflevector(q, q, 2, 3, 0, 1) * FourDoubles{-1, -1, 1, 1},
+            __builtin_shufflevector(q, q, 3, 2, 1, 0) * FourDoubles{-1, 1, -1, 1}};
+  }
+  TUMBLE_INLINE static Direction arranged_direction(const FourDoubles& u) {
+    return {u, yzx(u), zxy(u)};
+  }
+
+  int order_;
+  simd::InstructionSet instructions_;
+  FourDoubles euler_, drag_;
+  Vec3 directions_[slots];
+  FourDoubles plus_[slots], minus_[slots];  // the arms over J
+  Omega w_[highest_order + 1];
+  Orientation q_[highest_order + 1];
+  Direction u_[slots][highest_order + 1];
+};
+
+}  // namespace tumble
