@@ -43,6 +43,8 @@ class DoubleDoubleTurning {
     for (int i = 0; i < 4; ++i) now_[6 + i] = q[i];
   }
 
+  using State = Eigen::Matrix<DoubleDouble, 10, 1>;  ///< ω, u, q
+
   TurningEnd at(double t1) {
     while (t_ < t1) {
       expand();
@@ -55,10 +57,24 @@ class DoubleDoubleTurning {
             {number(0), number(1), number(2)}};
   }
 
+  /// All digits of the state that it has come to.
+  const State& now() const { return now_; }
+
+  /// What the state's rates are there [1/s].
+  State rates() {
+    expand();
+    return series_.col(1);
+  }
+
+  /// Goes on, or back, by a time so short that t need not know of it.
+  void shift(double h) {
+    expand();
+    advance(h);
+  }
+
  private:
   using T = DoubleDouble;
   static constexpr int order = 36;
-  using State = Eigen::Matrix<T, 10, 1>;  // ω, u, q
 
   /// Coefficient k of the product of two components' series.
   T product(int a, int b, int k) const {
@@ -91,6 +107,7 @@ class DoubleDoubleTurning {
       for (const int k : {order - 1, order}) {
         double size = 0, last = 0;
         for (int i = first; i < end; ++i) {
+          if (first == 0) size = std::max(size, std::sqrt(std::abs(series_(i, 1).hi)));  // at rest
           size = std::max(size, std::abs(series_(i, 0).hi));
           last = std::max(last, std::abs(series_(i, k).hi));
         }
