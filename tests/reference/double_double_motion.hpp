@@ -46,11 +46,11 @@ class DoubleDoubleTurning {
   using State = Eigen::Matrix<DoubleDouble, 10, 1>;  ///< ω, u, q
 
   TurningEnd at(double t1) {
-    while (t_ < t1) {
+    while (t_ < DoubleDouble(t1)) {
       expand();
-      const double h = std::min(step(), t1 - t_);
+      const double left = double(DoubleDouble(t1) - t_), h = std::min(step(), left);
       advance(h);
-      t_ = h == t1 - t_ ? t1 : t_ + h;
+      t_ = h == left ? DoubleDouble(t1) : t_ + h;  // of a sum of doubles the digits would be missed
     }
     const auto number = [&](int i) { return double(now_[i]); };
     return {Quat(number(6), number(7), number(8), number(9)).normalized(),
@@ -84,6 +84,7 @@ class DoubleDoubleTurning {
   }
 
   void expand() {
+    const bool free = body_.F.isZero(0);
     series_.col(0) = now_;
     for (int k = 0; k < order; ++k) {
       const T next = T(1) / T(k + 1);
@@ -93,7 +94,7 @@ class DoubleDoubleTurning {
         const int y = (x + 1) % 3, z = (x + 2) % 3;
         const T torque = T(body_.p[y]) * c[3 + z] - T(body_.p[z]) * c[3 + y];
         s[x] = (product(y, z, k) * (T(body_.J[y]) - T(body_.J[z])) + torque) / T(body_.J[x]) * next;
-        s[3 + x] = (product(3 + y, z, k) - product(3 + z, y, k)) * next;
+        s[3 + x] = free ? T(0) : (product(3 + y, z, k) - product(3 + z, y, k)) * next;
         s[7 + x] = (product(6, x, k) + product(7 + y, z, k) - product(7 + z, y, k)) * T(0.5) * next;
       }
       s[6] = -(product(7, 0, k) + product(8, 1, k) + product(9, 2, k)) * T(0.5) * next;
@@ -125,7 +126,7 @@ class DoubleDoubleTurning {
   }
 
   Turning body_;
-  double t_ = 0;
+  DoubleDouble t_ = 0;
   State now_;
   Eigen::Matrix<T, 10, order + 1> series_;
 };

@@ -10,9 +10,11 @@
 ///
 /// The closed forms only say where to look for T: whether it is one, ω(T) = ω(0) shows.
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "reference/double_double_motion.hpp"
+#include "double_double_motion.hpp"
 #include "tumble/elliptic/integrals.hpp"
 
 namespace tumble::reference {
@@ -40,6 +42,25 @@ class LongFreeTurning {
 
   double period() const { return double(period_); }  ///< of ω [s]
   double defect() const { return defect_; }  ///< by how much ω misses itself after it [rad/s]
+
+  /// When the body's spin about the middle axis changes its sense, up to a time [s]: first near
+  /// that which is given, then each half period.
+  std::vector<double> flips(double first, double until) const {
+    DoubleDoubleTurning motion(start_);
+    motion.at(first);
+    DoubleDouble begin = first;
+    for (int i = 0; i < 4; ++i) {
+      const double late = double(motion.now()[1] / motion.rates()[1]);
+      motion.shift(-late);
+      begin += -late;
+    }
+    std::vector<double> times;
+    for (double half = 0;; ++half) {
+      const auto t = double(begin + period_ * (half / 2));
+      if (t > until) return times;
+      times.push_back(t);
+    }
+  }
 
   /// The state at time t ≥ 0 [s].
   TurningEnd at(double t) const {
@@ -100,9 +121,9 @@ class LongFreeTurning {
   }
 
   Turning start_;
-  DoubleDouble period_;
+  DoubleDouble period_ = 0;
   double defect_ = 0;
-  Q turn_;
+  Q turn_ = {1, 0, 0, 0};
 };
 
 }  // namespace tumble::reference

@@ -98,7 +98,7 @@ TEST_CASE("LagrangeTop: is none without an axis, a torque about it, or off the a
   CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 0)), q, L));
   CHECK(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)), q, L));
   // Asleep: upright and spinning about the vertical.
-  for (const double L3 : {0.0, 1.0, 5.0, 50.0})
+  for (const double L3 : {0.0, 1.0, 5.0, 9.0, 50.0})
     CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)), Quat(1, 0, 0, 0),
                                   Vec3(0, 0, L3)));
 }

@@ -93,13 +93,13 @@ inline std::optional<TopMotion> top_motion(double A, double mu, const Vec3dd& L,
           c0 = excess * excess / (Amu * 2);
   if (c1 == T(0) && c0 == T(0)) return {};  // upright, and nothing tips it over
   const T w3 = least_root(c2, c1, c0), sum = -c2 - w3, product = c1 - w3 * sum;  // of w₁ and w₂
+  constexpr double closest = 1e-3;  // cosine of η: of the digits a part of its inverse square is lost
+  if (!(sum.hi > closest * closest * -w3.hi)) return {};
   const T spread = square_root(sum * sum - product * 4);
   const T w1 = (sum + spread) * 0.5, w2 = product / w1;
 
   TopMotion m{A,          mu,         double(L[2]), double(L[2] + excess), double(excess),
               double(w1), double(w2), double(w3),   double(spread),        {0, 1}};
-  constexpr double closest =
-      1e-3;  // cosine of η: the closed form loses a part of its inverse square
   if (!(m.w2 > closest * closest * (m.w2 - m.w3)) || !(2 - m.w1 > closest * closest * (2 - m.w3)))
     return {};
   const double rise = double(L[1] * up[0] - L[0] * up[1]) / A;  // d(cos θ)/dt
