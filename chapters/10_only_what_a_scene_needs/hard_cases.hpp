@@ -107,14 +107,13 @@ inline Table flips_table() {
       const double first = std::abs(times.front() - truth.front());
       // Between two steps in proportion: no better than 1e-3 s.
       const bool stepped = &times != &ours;
-      table.add({number(tilt / 2) + " rad", name,
-                 std::to_string(times.size()) + " of " + std::to_string(truth.size()),
-                 number(times.front(), 4) + " s",
-                 stepped && first < 0.01 ? "< 0.01 s" : late_text(first),
-                 times.size() != truth.size() ? "lost"
-                 : stepped && worst_late(times, truth) < 0.01
-                     ? "< 0.01 s"
-                     : late_text(worst_late(times, truth))});
+      table.add(
+          {number(tilt / 2) + " rad", name,
+           std::to_string(times.size()) + " of " + std::to_string(truth.size()),
+           number(times.front(), 4) + " s", stepped && first < 0.01 ? "< 0.01 s" : late_text(first),
+           times.size() != truth.size()                 ? "lost"
+           : stepped && worst_late(times, truth) < 0.01 ? "< 0.01 s"
+                                                        : late_text(worst_late(times, truth))});
     };
     add("closed form, events", ours);
     add("DOP853, 1e-13", steps.times());
@@ -168,10 +167,12 @@ inline Table hard_cases_table() {
         return free_error({{r, 1, 1 + r / 2}, slow}, 10);
       }));
   add("equal to 10⁻³ … 10⁻¹⁶", "10 s", "closed form",
-      worst({1e-3, 1e-8, 1e-12, 1e-15, 0x1p-52},
-            [&](double d) { return free_error({{1, 1 + d, 1.5}, slow}, 10); }));
-  add("10⁻⁹ and 10¹² kg, free", "10 s", "closed form",
-      worst({1e-9, 1e12}, [&](double m) { return free_error({m * Vec3(1, 2, 3), slow, m}, 10); }));
+      worst({1e-3, 1e-8, 1e-12, 1e-15, 0x1p-52}, [&](double d) {
+        return free_error({{1, 1 + d, 1.5}, slow}, 10);
+      }));
+  add("10⁻⁹ and 10¹² kg, free", "10 s", "closed form", worst({1e-9, 1e12}, [&](double m) {
+        return free_error({m * Vec3(1, 2, 3), slow, m}, 10);
+      }));
   add("10⁻⁹ and 10¹² kg, pulled at", "10 s", "Taylor series, asked 1e-9",
       worst({1e-9, 1e12}, [&](double m) {
         return pulled_error({m * Vec3(1, 2, 3), slow, m}, 10);
@@ -261,7 +262,9 @@ inline Table million_table() {
   constexpr double duration = 1e6 / 60;
   const Quat truth = reference::LongFreeTurning(c.turning()).at(duration).q;
   const double energy = kinetic_energy(c.body(), c.start());
-  const auto part = [](double error) { return error < 1e-10 ? rounding(error) : error_number(error); };
+  const auto part = [](double error) {
+    return error < 1e-10 ? rounding(error) : error_number(error);
+  };
   const auto add = [&](const std::string& name, const RigidBodyState<>& end) {
     table.add({name, part(std::abs(kinetic_energy(c.body(), end) / energy - 1)),
                part((end.L - c.start().L).norm() / c.start().L.norm()),

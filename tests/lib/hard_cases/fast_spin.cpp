@@ -1,7 +1,6 @@
 // 1e4 rad/s: a gyroscope, a turbine.
 #include <doctest/doctest.h>
 
-#include "turning.hpp"
 #include "support/relative_error.hpp"
 #include "tumble/ensemble/advance.hpp"
 #include "tumble/ode/dop853.hpp"
@@ -9,6 +8,7 @@
 #include "tumble/ode/integrate_fixed.hpp"
 #include "tumble/ode/rk4.hpp"
 #include "tumble/simulate/simulate.hpp"
+#include "turning.hpp"
 
 using namespace tumble;
 using test::eps;

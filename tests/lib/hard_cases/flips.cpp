@@ -1,12 +1,12 @@
 // A body next to its separatrix turns over and over: how often, and when each time.
 #include <doctest/doctest.h>
 
-#include "turning.hpp"
 #include "reference/rigid_body.hpp"
 #include "tumble/ode/dop853.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/simulate.hpp"
+#include "turning.hpp"
 
 using namespace tumble;
 

@@ -1,12 +1,12 @@
 // A million steps of 1/60 s, as a game takes them: four hours and a half.
 #include <doctest/doctest.h>
 
-#include "turning.hpp"
 #include "tumble/ensemble/advance.hpp"
 #include "tumble/geometric/splitting.hpp"
 #include "tumble/ode/integrate_fixed.hpp"
 #include "tumble/ode/rk4.hpp"
 #include "tumble/steady/lagrange_top.hpp"
+#include "turning.hpp"
 
 using namespace tumble;
 using test::eps;
@@ -45,11 +45,10 @@ TEST_CASE("game steps: a free body") {
   const RigidBodyState<> start = test::turning(J, Vec3(0.5, 1, 0.7));
   const Quat truth = test::truth_of(J, start).at(duration).q;
 
-  const Kept by_rk4 =
-      kept(body, start,
-           unpack<double>(integrate_fixed<Rk4>(RigidBodyMotion(body), pack(start), 0, duration,
-                                               steps)),
-           truth);
+  const Kept by_rk4 = kept(
+      body, start,
+      unpack<double>(integrate_fixed<Rk4>(RigidBodyMotion(body), pack(start), 0, duration, steps)),
+      truth);
   CHECK(by_rk4.L == 0);  // a free body's rate of L is 0: nothing is ever added
   CHECK(by_rk4.energy < 1e-6);
   CHECK(by_rk4.length < 1e-6);

@@ -1,11 +1,11 @@
 // Moments of very different size, moments that hardly differ, and tensors that no body has.
 #include <doctest/doctest.h>
 
-#include "turning.hpp"
 #include "support/refusal.hpp"
 #include "tumble/ode/dop853.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
 #include "tumble/simulate/simulate.hpp"
+#include "turning.hpp"
 
 using namespace tumble;
 using test::eps;

@@ -1,13 +1,14 @@
 // A million seconds at once.
 #include <doctest/doctest.h>
 
-#include "turning.hpp"
 #include "tumble/free_body/free_motion.hpp"
 #include "tumble/simulate/simulate.hpp"
+#include "turning.hpp"
 
 using namespace tumble;
 
-TEST_CASE("long times: after 1e6 s, and after 1e9 s, the error is what rounding of the angle makes") {
+TEST_CASE(
+    "long times: after 1e6 s, and after 1e9 s, the error is what rounding of the angle makes") {
   const Vec3 J(1, 2, 3);
   for (const Vec3& omega : {Vec3(0.5, 1, 0.7), Vec3(1e-3, 2, 1e-3), Vec3(0.01, 0.02, 3)}) {
     CAPTURE(omega.transpose());

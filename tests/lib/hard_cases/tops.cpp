@@ -1,8 +1,8 @@
 // Lagrange's top, upright: above the critical spin it sleeps, below it falls.
 #include <doctest/doctest.h>
 
-#include "turning.hpp"
 #include "tumble/simulate/simulate.hpp"
+#include "turning.hpp"
 
 using namespace tumble;
 

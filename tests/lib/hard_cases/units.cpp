@@ -1,10 +1,10 @@
 // Dust and moons: bodies of any mass, in any units, anywhere.
 #include <doctest/doctest.h>
 
-#include "turning.hpp"
 #include "tumble/ode/integrate_fixed.hpp"
 #include "tumble/ode/rk4.hpp"
 #include "tumble/simulate/simulate.hpp"
+#include "turning.hpp"
 
 using namespace tumble;
 using test::eps;

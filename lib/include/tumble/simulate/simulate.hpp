@@ -147,8 +147,8 @@ template <class... Forces>
 Trajectory general_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
                               const SimulationTask& task, const Forces&... forces) {
   using Motion = RigidBodyMotion<double, Forces...>;
-  const auto motion = std::make_shared<const Motion>(body, forces...);
-  const MotionScale scale = scale_of(*motion, start, task.t0, task.t1);
+  const Motion motion(body, forces...);
+  const MotionScale scale = scale_of(motion, start, task.t0, task.t1);
   SimulationReport report{Model::full_body, "Dormand–Prince 8(5,3)",
                           "a force depends on where the body is or how it is turned",
                           task.tolerance, 0};

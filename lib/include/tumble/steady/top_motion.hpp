@@ -93,7 +93,8 @@ inline std::optional<TopMotion> top_motion(double A, double mu, const Vec3dd& L,
           c0 = excess * excess / (Amu * 2);
   if (c1 == T(0) && c0 == T(0)) return {};  // upright, and nothing tips it over
   const T w3 = least_root(c2, c1, c0), sum = -c2 - w3, product = c1 - w3 * sum;  // of w₁ and w₂
-  constexpr double closest = 1e-3;  // cosine of η: of the digits a part of its inverse square is lost
+  constexpr double closest =
+      1e-3;  // cosine of η: of the digits a part of its inverse square is lost
   if (!(sum.hi > closest * closest * -w3.hi)) return {};
   const T spread = square_root(sum * sum - product * 4);
   const T w1 = (sum + spread) * 0.5, w2 = product / w1;
