@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "bench/dynamics/absent.hpp"
 #include "bench/dynamics/long_run.hpp"
 #include "bench/dynamics/many_bodies.hpp"
 #include "bench/dynamics/problems.hpp"
@@ -48,6 +49,28 @@ void show_precision(const Problem& problem, const std::vector<Method>& methods,
   check_promises(problem, curves);
 }
 
+void show_long(const Problem& free, const std::vector<Stepper>& steppers, int steps) {
+  const LongRun all = long_run(free, steppers, steps);
+  std::cout << "FREE in " << steps << " steps of one length: largest relative error\n"
+            << all.table.text() << std::endl;
+  require(all.broken.empty(), "long: drifts more than we promise", all.broken);
+}
+
+void show_many(const std::vector<Stepper>& steppers, const Options& options) {
+  const ManyBodies all = many_bodies(options.bodies, steppers, options.budget);
+  std::cout << options.bodies << " free bodies, 1 s in steps of 1/240 s\n"
+            << all.table.text() << std::endl;
+  require(all.broken.empty(), "many: errs more than we promise", all.broken);
+}
+
+void show_absent(const Budget& budget) {
+  const Absent all = absent(budget);
+  std::cout << "Forces that are not there\n"
+            << all.forces.text() << "\nThe rungs of the ladder\n"
+            << all.rungs.text() << std::endl;
+  require(all.broken.empty(), "absent", all.broken);
+}
+
 void run(const Options& options) {
   const auto [methods, steppers] = contestants(options.with_peers);
   std::vector<Method> all = methods;
@@ -55,13 +78,9 @@ void run(const Options& options) {
   const std::vector<Problem> three = problems();
   for (const Problem& problem : three)
     if (options.wants(problem.name)) show_precision(problem, all, options);
-  if (options.wants("long"))
-    std::cout << "FREE in " << options.long_steps
-              << " steps of one length: largest relative error\n"
-              << long_run(three.front(), steppers, options.long_steps).text() << '\n';
-  if (options.wants("many"))
-    std::cout << options.bodies << " free bodies, 1 s in steps of 1/240 s\n"
-              << many_bodies(options.bodies, steppers, options.budget).text() << '\n';
+  if (options.wants("long")) show_long(three.front(), steppers, options.long_steps);
+  if (options.wants("many")) show_many(steppers, options);
+  if (options.wants("absent")) show_absent(options.budget);
 }
 
 }  // namespace
@@ -72,7 +91,7 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Rigid-body dynamics: time to reach an error, of every method on the same problems."};
   app.add_option("--only", options.only, "one problem")
-      ->check(CLI::IsMember({"free", "top", "heavy", "long", "many"}));
+      ->check(CLI::IsMember({"free", "top", "heavy", "long", "many", "absent"}));
   app.add_option("--svg-dir", options.svg_folder, "draw error against time into this folder")
       ->check(CLI::ExistingDirectory);
   bool is_quick = false, no_peers = false;

@@ -7,8 +7,13 @@
 
 namespace tumble::bench {
 
+struct ManyBodies {
+  support::Table table;
+  std::string broken;  ///< which of ours err more than we promise; empty if none does
+};
+
 /// For each stepper the time of a step of one body, the root mean square of the orientation errors
 /// after a second, and how many times as long it takes as ours that is fastest.
-support::Table many_bodies(int bodies, const std::vector<Stepper>& steppers, const Budget& budget);
+ManyBodies many_bodies(int bodies, const std::vector<Stepper>& steppers, const Budget& budget);
 
 }  // namespace tumble::bench

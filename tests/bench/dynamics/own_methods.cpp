@@ -268,11 +268,25 @@ Method stated() {
   return {"tumble", "simulate()", Knob::tolerance, prepare, 1e3};
 }
 
+/// The same, told nothing of what the force is.
+Method stated_for_any_force() {
+  const auto prepare = [](const Problem& problem, double tolerance) -> Run {
+    if (problem.scene.free()) return {};
+    return [body = rigid_body(problem.body()), start = start_of(problem.body()),
+            held = Held{{problem.scene.push.force, problem.scene.push.p_body}},
+            t = problem.duration, tolerance] {
+      return simulate(body, start, {0, t, tolerance}, held).end().q;
+    };
+  };
+  return {"tumble", "simulate(), any force", Knob::tolerance, prepare, 1e3};
+}
+
 }  // namespace
 
 Contestants own_methods() {
   return {{free_closed_form(), free_evaluation(), top_closed_form(), taylor_series(), stated(),
-           adaptive<DormandPrince54>("DP 5(4)", 1e5), adaptive<Dop853>("DOP853", 1e3)},
+           stated_for_any_force(), adaptive<DormandPrince54>("DP 5(4)", 1e5),
+           adaptive<Dop853>("DOP853", 1e3)},
           {fixed_steps<Rk4>("RK4", 1e5), geometric_steps<Splitting4>("splitting of order 4", 1e5),
            geometric_steps<Splitting6>("splitting of order 6", 1e5),
            geometric_steps<TurnSteps>("Lie-group RK4", 1e5),
