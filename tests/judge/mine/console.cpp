@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <sstream>
@@ -28,6 +29,10 @@ std::string indented(const std::string& text, std::size_t most_lines) {
   for (std::string line; std::getline(in, line) && lines < most_lines; ++lines)
     result += "          " + line + "\n";
   return result;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, text.size()), ' ');
 }
 
 std::string order_text(double order) { return std::isfinite(order) ? number(order, 2) : "–"; }
@@ -74,10 +79,15 @@ void print_missing(std::ostream& out, const Course& course, const EngineBuild& b
   out << "An engine is made of " << build.parts.size() << " of the course's functions, and "
       << missing.size() << " of yours " << (missing.size() == 1 ? "is" : "are")
       << " not there yet:\n\n";
-  Table table({"unit", "function", "what is missing", "file"});
+  std::size_t name = 0, what = 0;
+  for (const Part& part : missing) {
+    name = std::max(name, part.unit.name.size());
+    what = std::max(what, part.missing.size());
+  }
   for (const Part& part : missing)
-    table.add({part.unit.number, part.unit.name, part.missing, shown(course, part.source)});
-  out << table.text() << "\n";
+    out << "  " << padded(part.unit.number, 6) << padded(part.unit.name, name + 3)
+        << padded(part.missing, what + 3) << shown(course, part.source) << "\n";
+  out << "\n";
   for (const Part& part : missing)
     if (!part.detail.empty())
       out << "      " << part.unit.number << " " << part.unit.name << ", " << part.missing << ":\n"

@@ -82,28 +82,41 @@ void look_at_drift(const DriftResult& drift, std::vector<std::string>& found) {
 
 // ── The curves ──
 
-/// What the finest run breaks, and what that means.
-std::string sentence_about(const Laws& laws, bool pushed) {
-  const bool energy = laws.energy <= steady, length = laws.length <= steady,
-             momentum = laws.momentum <= steady;
+/// Which laws the finest run breaks, and what that means.
+std::string sentence_about(const Laws& laws) {
   std::string text;
-  if (!momentum)
+  if (!(laws.momentum <= steady))
     text +=
         " Broken: the angular momentum, by " + percent(laws.momentum) +
         ", although nothing turns the body: the last three numbers of dydt (9.4) are the torque.";
-  if (!length)
+  if (!(laws.length <= steady))
     text += " Broken: |q| = 1, by " + error_number(laws.length) +
             ": q̇ = ½⟨0, ω⟩q turns q and does not stretch it (4.8 quaternion_dot).";
-  if (!energy) text += " Broken: the energy, by " + percent(laws.energy) + ".";
-  if (!energy && momentum && length)
-    text += std::string(pushed ? " |q| = 1 is" : " The angular momentum and |q| = 1 are") +
-            " kept: ω does not fit the way in which q turns (4.8 quaternion_dot, 5.5 "
-            "angular_velocity, 9.3 derived" +
-            (pushed ? ", or a force its torque: 5.3, 5.4)." : ").");
-  if (energy && length && momentum)
-    text += " Energy and |q| = 1" + std::string(pushed ? "" : " and angular momentum") +
-            " are kept: it is a motion that could be, but not this one.";
+  if (!(laws.energy <= steady)) text += " Broken: the energy, by " + percent(laws.energy) + ".";
   return text;
+}
+
+/// With what q turns instead of ω.
+std::string sentence_about(const Turning& turning) {
+  if (turning.right()) return {};
+  const Vec3 &measured = turning.measured, &omega = turning.omega;
+  const double close = 0.02 * measured.norm(), factor = measured.dot(omega) / omega.squaredNorm();
+  std::string instead = "another way";
+  if ((measured - factor * omega).norm() <= close)
+    instead = "with " + number(factor, 2) + " ω";
+  else if ((measured - turning.R * omega).norm() <= close)
+    instead = "as if ω were in body axes";
+  return " Broken: that q turns with ω. It turns " + instead +
+         " (4.8 quaternion_dot, 4.1 product; and ω is R I⁻¹Rᵀ L: 5.5, 9.3).";
+}
+
+std::string sentence_about_motion(const ProblemResult& result) {
+  const std::string text = (result.laws ? sentence_about(*result.laws) : "") +
+                           (result.turning ? sentence_about(*result.turning) : "");
+  if (!text.empty() || !result.laws) return text;
+  return result.problem.pull
+             ? " Energy and |q| = 1 are kept, and q turns with ω."
+             : " Energy, angular momentum and |q| = 1 are kept, and q turns with ω.";
 }
 
 std::string sentence_about(const OwnCurve& own) {
@@ -121,40 +134,59 @@ std::string sentence_about(const OwnCurve& own) {
 }
 
 std::string sentence_about_all(const ProblemResult& result, bool first) {
-  std::string text =
-      first
-          ? "No method comes to the true motion with smaller steps: what they step is wrong, dydt "
-            "(9.4) or what it calls."
-          : "In free flight all is right, here nothing is: look at the forces, 5.4 net_wrench and "
-            "5.3 torque, and where 9.4 dydt puts them.";
-  return result.laws ? text + sentence_about(*result.laws, result.problem.pull.has_value()) : text;
+  return (first
+              ? "No method comes to the true motion with smaller steps: what they step is wrong, "
+                "dydt (9.4) or what it calls."
+              : "In free flight all is right, here nothing is: look at the forces, 5.4 net_wrench "
+                "and 5.3 torque, and where 9.4 dydt puts them.") +
+         sentence_about_motion(result);
 }
 
-/// @return whether some curve is wrong, said or not
+using OwnCurves = std::vector<const OwnCurve*>;
+
+void look_at_failures(const OwnCurves& failed, std::size_t methods,
+                      std::vector<std::string>& found) {
+  const auto same = [&](const OwnCurve* own) { return own->failure == failed.front()->failure; };
+  if (failed.size() == methods && methods > 1 && std::all_of(failed.begin(), failed.end(), same))
+    found.push_back("All methods the same: " + failed.front()->failure +
+                    ". So it is what they step, dydt (9.4) or what it calls.");
+  else
+    for (const OwnCurve* own : failed) found.push_back(sentence_about(*own));
+}
+
+/// Whether none of the methods is right, but for Euler's, in whose error others can hide.
+bool all_good_methods(const OwnCurves& wrong, const OwnCurves& failed,
+                      const ProblemResult& result) {
+  const auto is_euler = [](const OwnCurve* own) { return own->method == Method::euler; };
+  const bool euler = std::none_of(wrong.begin(), wrong.end(), is_euler) &&
+                     std::none_of(failed.begin(), failed.end(), is_euler);
+  return wrong.size() + failed.size() + (euler ? 1u : 0u) == result.own.size();
+}
+
+/// @return whether all curves are right
 bool look_at_curves(const ProblemResult& result, bool first, std::vector<std::string>& found) {
-  std::vector<const OwnCurve*> wrong, failed;
+  OwnCurves wrong, failed;
   for (const OwnCurve& own : result.own) {
     if (!own.failure.empty())
       failed.push_back(&own);
     else if (!own.right())
       wrong.push_back(&own);
   }
+  look_at_failures(failed, result.own.size(), found);
   const bool other_body = result.mass.failure.empty() && result.mass.error > right_mass;
-  for (const OwnCurve* own : failed) found.push_back(sentence_about(*own));
-  const bool all = wrong.size() + failed.size() == result.own.size() && wrong.size() > 1;
   const bool lawful = result.laws && result.laws->energy <= steady;
-  if (wrong.empty() || (other_body && lawful)) return !wrong.empty() || !failed.empty();
-  if (all)
+  if (other_body && lawful) return wrong.empty() && failed.empty();  // that is why
+  if (wrong.size() > 1 && all_good_methods(wrong, failed, result))
     found.push_back(sentence_about_all(result, first));
   else
     for (const OwnCurve* own : wrong) found.push_back(sentence_about(*own));
-  return true;
+  return wrong.empty() && failed.empty();
 }
 
 }  // namespace
 
 std::vector<std::string> diagnose(const Measurement& measurement) {
-  std::vector<std::string> found;
+  std::vector<std::string> found, said;
   bool right_so_far = true;
   for (const ProblemResult& result : measurement.problems) {
     std::vector<std::string> here;
@@ -162,11 +194,13 @@ std::vector<std::string> diagnose(const Measurement& measurement) {
     look_at_choice(result, here);
     // Who cannot do the first problem, cannot do the others for the same reason.
     if (right_so_far)
-      right_so_far = !look_at_curves(result, &result == &measurement.problems.front(), here);
+      right_so_far = look_at_curves(result, &result == &measurement.problems.front(), here);
     look_at_closed_form(result, here);
-    for (const std::string& sentence : here)
-      if (std::find(found.begin(), found.end(), sentence) == found.end())
-        found.push_back("[" + result.problem.title + "] " + sentence);
+    for (const std::string& sentence : here) {
+      if (std::find(said.begin(), said.end(), sentence) != said.end()) continue;
+      said.push_back(sentence);
+      found.push_back(result.problem.title + ": " + sentence);
+    }
   }
   look_at_drift(measurement.drift, found);
   return found;

@@ -24,8 +24,8 @@ support::Plot plot_of(const ProblemResult& result) {
                      {"error of the orientation at the end [rad]", Scale::log},
                      {}};
   for (const OwnCurve& own : result.own) plot.series.push_back(series_of(own.curve));
-  if (result.closed_form) plot.series.push_back(series_of(*result.closed_form));
   for (const Curve& curve : result.library) plot.series.push_back(series_of(curve));
+  if (result.closed_form) plot.series.push_back(series_of(*result.closed_form));
   return plot;
 }
 

@@ -51,6 +51,7 @@ ordered_json json_of(const ProblemResult& result) {
     j["broken_by"] = {{"energy", result.laws->energy},
                       {"length_of_q", result.laws->length},
                       {"angular_momentum", result.laws->momentum}};
+  if (result.turning) j["turns_with_omega"] = result.turning->right();
   return j;
 }
 

@@ -9,6 +9,7 @@
 #include "judge/verdict/finding.hpp"
 #include "judge/verdict/number_text.hpp"
 #include "tumble/ode/midpoint.hpp"
+#include "tumble/quaternion.hpp"
 
 namespace tumble::judge::mine {
 
@@ -53,6 +54,8 @@ MassResult mass_of(const OwnEngine& engine, const Problem& problem) {
   try {
     result.own = engine.mass(polyhedron_of(problem.mesh), problem.density);
     const mirtich::MassProperties& own = result.own->answer;
+    require(std::isfinite(own.mass) && own.centre.allFinite() && own.inertia.allFinite(),
+            "the answer has a number that is none");
     result.error = error_of(own, problem);
     require_valid(MassProperties{own.mass, Vec3::Zero(), own.inertia});
   } catch (const NoAnswer& why) {
@@ -135,7 +138,7 @@ Curve own_closed_form(const OwnEngine& engine, const ProblemResult& result) {
                               result.problem.duration);
   Numbers y = pack(start);
   y.segment<4>(3) = top.answer;
-  return {"free_symmetric_top", true, {{0, 0, top.seconds, result.problem.error(y)}}};
+  return {"closed form", true, {{0, 0, top.seconds, result.problem.error(y)}}};
 }
 
 // ── Laws ──
@@ -156,12 +159,30 @@ Laws laws_of(const ProblemResult& result, const std::vector<Numbers>& states) {
   return laws;
 }
 
-/// Of the student's finest run by the best method that runs at all.
-std::optional<Laws> laws_of(const ProblemResult& result) {
+/// How q turns in a few short steps.
+Turning turning_of(const OwnEngine& engine, const ProblemResult& result, Method method) {
+  constexpr double moment = 1e-3;  // [s]
+  RunQuestion question = question_of(result, method, samples);
+  question.duration = moment;
+  const Numbers y = engine.run(question).answer.states.back();
+  const RigidBodyState<>& start = result.problem.start;
+  const Quat turned = Quat(y[3], y[4], y[5], y[6]) * start.q.conjugate();
+  const Vec3 measured = log_quaternion<double>(normalize(turned)) / moment;
+  return {derived(result.problem.body, start).omega, measured, to_matrix(start.q)};
+}
+
+/// Laws and turning, by the best of the student's methods that run at all.
+void look_at_laws(const OwnEngine& engine, ProblemResult& result) {
   for (const Method method : {Method::rk4, Method::midpoint, Method::euler})
-    for (const OwnCurve& own : result.own)
-      if (own.method == method && !own.states.empty()) return laws_of(result, own.states);
-  return {};
+    for (const OwnCurve& own : result.own) {
+      if (own.method != method || own.states.empty() || result.laws) continue;
+      result.laws = laws_of(result, own.states);
+      try {
+        result.turning = turning_of(engine, result, method);
+      } catch (const NoAnswer&) {
+        // Long runs have come back: what is wrong with a short one, the specs say.
+      }
+    }
 }
 
 // ── The choice of a model, and the drift of the energy ──
@@ -233,17 +254,17 @@ Measurement measure(const OwnEngine& engine,
   std::set<Method> gave_up;  // whoever hangs once, costs seconds each time
   for (Problem& problem : problems()) {
     progress(problem.sentence);
-    ProblemResult result{std::move(problem), {}, {}, {}, {}, {}, {}, {}};
-    result.mass = mass_of(engine, result.problem);
+    ProblemResult result{std::move(problem), {}, {}, {}, {}, {}, {}, {}, {}};
+    const bool same_mesh = !all.problems.empty() &&
+                           all.problems.back().problem.mesh.corners == result.problem.mesh.corners;
+    result.mass = same_mesh ? all.problems.back().mass : mass_of(engine, result.problem);
     result.chosen = chosen_for(engine, result.problem);
     for (const Ladder& ladder : ladders) {
       if (gave_up.contains(ladder.method)) continue;
       result.own.push_back(curve_of(engine, result, ladder));
       if (!result.own.back().failure.empty()) gave_up.insert(ladder.method);
     }
-    const auto& choice = result.chosen.choice;
-    if (choice && static_cast<int>(choice->model) == static_cast<int>(Model::symmetric_top) &&
-        !choice->steps) {
+    if (result.chosen.right && result.problem.model == Model::symmetric_top) {
       try {
         result.closed_form = own_closed_form(engine, result);
       } catch (const NoAnswer& why) {
@@ -251,7 +272,7 @@ Measurement measure(const OwnEngine& engine,
       }
     }
     result.library = library_curves(result.problem);
-    result.laws = laws_of(result);
+    look_at_laws(engine, result);
     all.problems.push_back(std::move(result));
   }
   all.drift = drift_of(engine, all.problems.front());

@@ -38,6 +38,16 @@ struct Laws {
   double energy = 0, length = 0, momentum = 0;
 };
 
+/// How the orientation turns in the first thousandth of a second.
+struct Turning {
+  Vec3 omega;     ///< as it follows from L [rad/s]
+  Vec3 measured;  ///< as q has turned [rad/s]
+  Mat3 R;         ///< orientation meanwhile
+
+  /// Whether q turns with ω.
+  bool right() const { return (measured - omega).norm() <= 0.02 * omega.norm(); }
+};
+
 struct Chosen {
   std::optional<only_what_a_scene_needs::Choice> choice;
   std::string failure;
@@ -52,7 +62,8 @@ struct ProblemResult {
   std::optional<Curve> closed_form;  ///< by 10.2, if that was chosen
   std::string closed_form_failure;
   std::vector<Curve> library;
-  std::optional<Laws> laws;  ///< of the finest run of the best method
+  std::optional<Laws> laws;        ///< of the finest run of the best method
+  std::optional<Turning> turning;  ///< by the best method
 };
 
 struct DriftResult {

@@ -37,8 +37,9 @@ class Asker {
   StudentWorker worker_;
 };
 
-constexpr double long_enough = 0.02;  // [s]: against the clock and the pipe
-constexpr double enough_time = 0.3;  // [s] of processor time, of the two seconds that a process has
+constexpr double slice = 0.004;  // [s]: long against the clock, and short enough to be let alone
+constexpr double spent_on_it = 0.06;  // [s] on slices
+constexpr double long_run = 0.3;      // [s], of the two seconds that a process has: once will do
 constexpr int most_repeats = 10000;
 
 /// The least time of one of several repeats, without that of the way there and back.
@@ -46,14 +47,14 @@ constexpr int most_repeats = 10000;
 template <class Ask>
 auto timed(Ask&& ask) {
   auto result = ask(1);  // starts the process
-  if (result.seconds > enough_time) return result;
-  const double once = std::min(ask(1).seconds, result.seconds);
-  double way = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) way = std::min(way, ask(0).seconds);
-  const int repeats =
-      std::clamp(static_cast<int>(long_enough / std::max(once - way, 1e-6)), 1, most_repeats);
-  double least = once;
-  for (double spent = once; spent < enough_time && spent < 5 * long_enough;) {
+  if (result.seconds > long_run) return result;
+  double least = ask(1).seconds, way = least;
+  for (int i = 0; i < 5; ++i) way = std::min(way, ask(0).seconds);
+  // What takes long on its way needs a longer question.
+  const double enough = std::max(slice, 2 * way);
+  int repeats = 1;
+  while (repeats < most_repeats && ask(repeats).seconds - way < enough) repeats *= 2;
+  for (double spent = 0; spent < spent_on_it;) {
     const double seconds = ask(repeats).seconds;
     spent += seconds;
     least = std::min(least, way + (seconds - way) / repeats);

@@ -176,7 +176,7 @@ std::vector<Curve> library_curves(const Problem& problem) {
     for (int digits = 3; digits <= 12; ++digits)
       curves.back().points.push_back(by_simulate(problem, std::pow(10.0, -digits)));
   } else {
-    curves.push_back({"simulate(), closed form", false, {by_simulate(problem, 1e-12)}});
+    curves.push_back({"closed form", false, {by_simulate(problem, 1e-12)}});
   }
   return curves;
 }
