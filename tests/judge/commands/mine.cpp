@@ -76,7 +76,7 @@ int measured(const Course& course, const MineOptions& options, const mine::Engin
   const fs::path svg = figure_file(course, options);
   write_text(svg, mine::figure_of(build, measurement));
   if (options.json) write_text(*options.json, mine::json_of(build, &measurement, findings));
-  mine::print_measurement(std::cout, measurement);
+  mine::print_measurement(std::cout, build, measurement);
   if (!findings.empty()) explain(course, build, findings);
   std::cout << "\n"
             << (findings.empty() ? "Every curve falls as its method promises. " : "")

@@ -45,21 +45,22 @@ void add_row(Table& table, const std::string& name, const Point& point, const st
 }
 
 /// The first, the middle and the last point of a curve.
-void add_curve(Table& table, const OwnCurve& own) {
+void add_curve(Table& table, const EngineBuild& build, const OwnCurve& own) {
   const std::vector<Point>& points = own.curve.points;
-  const std::string name = "your " + own.curve.name;
+  const std::string name = owner_of(build, number_of(own.method)) + " " + own.curve.name;
   if (points.empty()) table.add({name, "–", "–", "no answer", "–", "–", "–"});
   for (std::size_t i = 0; i < points.size(); ++i)
     if (i == 0 || i == points.size() / 2 || i + 1 == points.size())
       add_row(table, name, points[i], i + 1 == points.size() ? order_text(own.order) : "");
 }
 
-std::string table_of(const ProblemResult& result) {
+std::string table_of(const EngineBuild& build, const ProblemResult& result) {
   Table table({"method", "steps", "evaluations", "error at the end [rad]", "order", "µs a step",
                "time of all"});
-  for (const OwnCurve& own : result.own) add_curve(table, own);
+  for (const OwnCurve& own : result.own) add_curve(table, build, own);
   if (result.closed_form)
-    add_row(table, "your " + result.closed_form->name, result.closed_form->points.front(), "");
+    add_row(table, owner_of(build, closed_form_unit) + " " + result.closed_form->name,
+            result.closed_form->points.front(), "");
   for (const Curve& curve : result.library)
     add_row(table, "library's " + curve.name, curve.points.back(), "");
   return table.text();
@@ -72,6 +73,12 @@ std::string names_of(const std::vector<Part>& parts) {
   for (const Part& part : parts)
     names += (names.empty() ? "" : ", ") + part.unit.number + " " + part.unit.name;
   return names;
+}
+
+std::string owner_of(const EngineBuild& build, const std::string& number) {
+  for (const Part& part : build.parts)
+    if (part.unit.number == number && !part.own()) return "solution's";
+  return "your";
 }
 
 void print_missing(std::ostream& out, const Course& course, const EngineBuild& build) {
@@ -109,14 +116,15 @@ void print_parts(std::ostream& out, const EngineBuild& build) {
         << ". Here the first one counts for all; helpers belong into an unnamed namespace.\n";
 }
 
-void print_measurement(std::ostream& out, const Measurement& measurement) {
+void print_measurement(std::ostream& out, const EngineBuild& build,
+                       const Measurement& measurement) {
   for (const ProblemResult& result : measurement.problems) {
     out << "\nIn " << number(result.problem.duration) << " s: " << result.problem.sentence << ".\n";
     if (result.mass.own)
       out << "Mass, centre and inertia from its " << result.problem.mesh.face_count()
           << " faces: off by " << error_number(result.mass.error) << " of their size, in "
           << duration(result.mass.own->seconds) << ".\n";
-    out << "\n" << table_of(result);
+    out << "\n" << table_of(build, result);
   }
   if (measurement.drift.own)
     out << "\nIts energy in 128 midpoint steps strays by " +

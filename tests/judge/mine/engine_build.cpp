@@ -70,17 +70,15 @@ class Linker {
 
   EngineBuild build() {
     EngineBuild result;
-    for (Finished step = link(false); step.ending != Ending{false, 0}; step = link(false)) {
-      const std::vector<std::string> undefined = undefined_functions(step.output);
-      if (add(undefined)) continue;
-      if (undefined.empty()) result.defined_twice = duplicate_functions(step.output);
-      if (!undefined.empty() || link(true).ending != Ending{false, 0}) {
-        result.does_not_link = text_of(undefined, step.output);
-        break;
-      }
-      break;
+    Finished step = link(Twice::first_counts);
+    while (failed(step) && add(undefined_functions(step.output))) step = link(Twice::first_counts);
+    if (failed(step))
+      result.does_not_link = text_of(undefined_functions(step.output), step.output);
+    else if (const Finished strict = link(Twice::refused); failed(strict)) {
+      result.defined_twice = duplicate_functions(strict.output);
+      link(Twice::first_counts);
     }
-    if (result.does_not_link.empty()) result.worker = confined_worker(linked_in(), worker());
+    if (!failed(step)) result.worker = confined_worker(linked_in(), worker());
     for (const auto& [place, compiled] : compiled_) result.parts.push_back(compiled.part);
     return result;
   }
@@ -89,15 +87,19 @@ class Linker {
   fs::path linked_in() const { return folder_ / "engine"; }
   fs::path worker() const { return linked_in() / "worker"; }
 
-  /// @param first_counts of two functions with the same name
-  Finished link(bool first_counts) const {
+  static bool failed(const Finished& step) { return step.ending != Ending{false, 0}; }
+
+  /// What becomes of a function that two files define.
+  enum class Twice { refused, first_counts };
+
+  Finished link(Twice twice) const {
     const Toolchain& tools = course_.toolchain;
     std::vector<fs::path> objects{course_.engine};
     for (const auto& [place, compiled] : compiled_) objects.push_back(compiled.object);
     objects.push_back(tools.runtime);
     Arguments arguments(objects.begin(), objects.end());
     arguments.insert(arguments.end(), {"-no-pie", "-static", "-o", worker().string()});
-    if (first_counts) arguments.emplace_back("-Wl,-z,muldefs");
+    if (twice == Twice::first_counts) arguments.emplace_back("-Wl,-z,muldefs");
     if (!tools.linker.empty()) arguments.push_back("-fuse-ld=" + tools.linker);
     if (tools.linker == "lld") arguments.emplace_back("-Wl,--error-limit=0");
     const ConfinedCompiler compiler(course_, linked_in(), objects);

@@ -8,8 +8,8 @@ namespace {
 using support::Look;
 using support::Scale;
 
-support::Series series_of(const Curve& curve) {
-  support::Series series{(curve.own ? "your " : "library ") + curve.name, {}, {}};
+support::Series series_of(const Curve& curve, const std::string& owner) {
+  support::Series series{owner + " " + curve.name, {}, {}};
   series.look = curve.own ? Look::line : Look::dashed;
   for (const Point& point : curve.points) {
     series.x.push_back(point.seconds);
@@ -18,14 +18,16 @@ support::Series series_of(const Curve& curve) {
   return series;
 }
 
-support::Plot plot_of(const ProblemResult& result) {
+support::Plot plot_of(const EngineBuild& build, const ProblemResult& result) {
   support::Plot plot{result.problem.title,
                      {"time [s]", Scale::log},
                      {"error of the orientation at the end [rad]", Scale::log},
                      {}};
-  for (const OwnCurve& own : result.own) plot.series.push_back(series_of(own.curve));
-  for (const Curve& curve : result.library) plot.series.push_back(series_of(curve));
-  if (result.closed_form) plot.series.push_back(series_of(*result.closed_form));
+  for (const OwnCurve& own : result.own)
+    plot.series.push_back(series_of(own.curve, owner_of(build, number_of(own.method))));
+  for (const Curve& curve : result.library) plot.series.push_back(series_of(curve, "library"));
+  if (result.closed_form)
+    plot.series.push_back(series_of(*result.closed_form, owner_of(build, closed_form_unit)));
   return plot;
 }
 
@@ -48,7 +50,7 @@ std::vector<std::string> lines_of(const std::string& start, const std::string& n
 
 std::string figure_of(const EngineBuild& build, const Measurement& measurement) {
   std::vector<support::Plot> plots;
-  for (const ProblemResult& result : measurement.problems) plots.push_back(plot_of(result));
+  for (const ProblemResult& result : measurement.problems) plots.push_back(plot_of(build, result));
   const std::vector<Part> missing = build.missing();
   std::vector<std::string> notes =
       missing.empty() ? std::vector<std::string>{"All functions of this engine are yours."}

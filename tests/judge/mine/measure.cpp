@@ -8,14 +8,11 @@
 
 #include "judge/verdict/finding.hpp"
 #include "judge/verdict/number_text.hpp"
-#include "tumble/ode/midpoint.hpp"
-#include "tumble/quaternion.hpp"
 
 namespace tumble::judge::mine {
 
 namespace {
 
-constexpr int samples = 16;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double long_run = 0.35;  // [s]: four times that comes near what a process is given
 constexpr double floor_of_rounding = 1e-10;  // [rad], at the end of these motions
@@ -27,11 +24,6 @@ struct Ladder {
 constexpr std::array<Ladder, 4> ladders = {
     Ladder{Method::euler, 128, 4, 1 << 17}, Ladder{Method::midpoint, 64, 4, 1 << 16},
     Ladder{Method::rk4, 32, 2, 4096}, Ladder{Method::simulate, 32, 2, 4096}};
-
-std::string text_of(const NoAnswer& why) {
-  const std::string detail = one_line(why.what());
-  return tumble::judge::name_of(why.outcome) + (detail.empty() ? "" : ": " + detail);
-}
 
 // ── Mass properties ──
 
@@ -66,36 +58,7 @@ MassResult mass_of(const OwnEngine& engine, const Problem& problem) {
   return result;
 }
 
-/// The body as the student's mass properties have it, or as it is where they cannot be used.
-MassProperties properties_for(const ProblemResult& result) {
-  if (!result.mass.failure.empty()) return result.problem.exact;
-  const mirtich::MassProperties& own = result.mass.own->answer;
-  return {own.mass, Vec3::Zero(), own.inertia};
-}
-
 // ── Curves ──
-
-Setting setting_of(const ProblemResult& result) {
-  const MassProperties body = properties_for(result);
-  Setting setting{body.mass, body.inertia};
-  if (const auto& pull = result.problem.pull) {
-    setting.gravity = pull->gravity;
-    setting.stiffness = pull->spring.stiffness;
-    setting.p_body = pull->spring.p_body;
-    setting.anchor = pull->spring.anchor;
-  }
-  return setting;
-}
-
-RunQuestion question_of(const ProblemResult& result, Method method, int steps) {
-  return {setting_of(result),
-          pack(result.problem.start),
-          result.problem.duration,
-          method,
-          steps,
-          1,
-          samples};
-}
 
 /// By which power of the step the error fell at last, where it is more than rounding.
 double order_of(const std::vector<Point>& points) {
@@ -113,7 +76,7 @@ OwnCurve curve_of(const OwnEngine& engine, const ProblemResult& result, const La
   std::vector<Point>& points = own.curve.points;
   try {
     for (int steps = ladder.fewest; steps <= ladder.most; steps *= ladder.factor) {
-      const Timed<RunAnswer> run = engine.run(question_of(result, ladder.method, steps));
+      const Timed<RunAnswer> run = engine.run(result.question(ladder.method, steps));
       own.states = run.answer.states;
       points.push_back(
           {steps, run.answer.evaluations, run.seconds, result.problem.error(own.states.back())});
@@ -132,57 +95,13 @@ OwnCurve curve_of(const OwnEngine& engine, const ProblemResult& result, const La
 }
 
 Curve own_closed_form(const OwnEngine& engine, const ProblemResult& result) {
-  const Mat3 I = properties_for(result).inertia;
+  const Mat3 I = result.body().inertia;
   const RigidBodyState<>& start = result.problem.start;
   const auto top = engine.top((I(0, 0) + I(1, 1)) / 2, I(2, 2), coefficients(start.q), start.L,
                               result.problem.duration);
   Numbers y = pack(start);
   y.segment<4>(3) = top.answer;
   return {"closed form", true, {{0, 0, top.seconds, result.problem.error(y)}}};
-}
-
-// ── Laws ──
-
-Laws laws_of(const ProblemResult& result, const std::vector<Numbers>& states) {
-  const MassProperties body = properties_for(result);
-  const double E0 = result.problem.energy(states.front(), body);
-  const RigidBodyState<> start = unpack<double>(states.front());
-  Laws laws;
-  for (const Numbers& y : states) {
-    const auto worse = [](double& largest, double x) {
-      if (!(x <= largest)) largest = x;  // not a number counts too
-    };
-    worse(laws.energy, std::abs(result.problem.energy(y, body) / E0 - 1));
-    worse(laws.length, std::abs(y.segment<4>(3).norm() - 1));
-    if (!result.problem.pull) worse(laws.momentum, (y.tail<3>() - start.L).norm() / start.L.norm());
-  }
-  return laws;
-}
-
-/// How q turns in a few short steps.
-Turning turning_of(const OwnEngine& engine, const ProblemResult& result, Method method) {
-  constexpr double moment = 1e-3;  // [s]
-  RunQuestion question = question_of(result, method, samples);
-  question.duration = moment;
-  const Numbers y = engine.run(question).answer.states.back();
-  const RigidBodyState<>& start = result.problem.start;
-  const Quat turned = Quat(y[3], y[4], y[5], y[6]) * start.q.conjugate();
-  const Vec3 measured = log_quaternion<double>(normalize(turned)) / moment;
-  return {derived(result.problem.body, start).omega, measured, to_matrix(start.q)};
-}
-
-/// Laws and turning, by the best of the student's methods that run at all.
-void look_at_laws(const OwnEngine& engine, ProblemResult& result) {
-  for (const Method method : {Method::rk4, Method::midpoint, Method::euler})
-    for (const OwnCurve& own : result.own) {
-      if (own.method != method || own.states.empty() || result.laws) continue;
-      result.laws = laws_of(result, own.states);
-      try {
-        result.turning = turning_of(engine, result, method);
-      } catch (const NoAnswer&) {
-        // Long runs have come back: what is wrong with a short one, the specs say.
-      }
-    }
 }
 
 // ── The choice of a model, and the drift of the energy ──
@@ -206,41 +125,44 @@ Chosen chosen_for(const OwnEngine& engine, const Problem& problem) {
   return chosen;
 }
 
-only_what_a_scene_needs::EnergyDrift right_drift(const ProblemResult& result,
-                                                 const std::vector<Numbers>& states, double h) {
-  const double E0 = result.problem.energy(states.front(), properties_for(result));
-  only_what_a_scene_needs::EnergyDrift drift{0, 0};
-  double above = 0, below = 0, n = -(static_cast<double>(states.size()) - 1) / 2;
-  for (const Numbers& y : states) {
-    const double e = result.problem.energy(y, properties_for(result)) / E0 - 1;
-    drift.largest = std::max(drift.largest, std::abs(e));
-    above += n * e;
-    below += n * n;
-    ++n;
+/// All of the student's, but for methods that have given up before.
+void take_curves(const OwnEngine& engine, ProblemResult& result, std::set<Method>& gave_up) {
+  for (const Ladder& ladder : ladders) {
+    if (gave_up.contains(ladder.method)) continue;
+    result.own.push_back(curve_of(engine, result, ladder));
+    if (!result.own.back().failure.empty()) gave_up.insert(ladder.method);
   }
-  drift.trend = above / below / h;
-  return drift;
-}
-
-/// On a run that is so coarse that the energy visibly strays.
-DriftResult drift_of(const OwnEngine& engine, const ProblemResult& result) {
-  constexpr int steps = 128;
-  DriftResult drift;
-  const PackedState<double> start = pack(result.problem.start);
-  std::vector<Numbers> states{start};
-  const double h = result.problem.duration / steps;
-  const RigidBodyMotion motion(result.problem.body);
-  for (int i = 0; i < steps; ++i) states.push_back(Midpoint::step(motion, i * h, states.back(), h));
+  if (!result.chosen.right || result.problem.model != Model::symmetric_top) return;
   try {
-    drift.right = right_drift(result, states, h);
-    drift.own = engine.drift(setting_of(result), states, h);
+    result.closed_form = own_closed_form(engine, result);
   } catch (const NoAnswer& why) {
-    drift.failure = text_of(why);
+    result.closed_form_failure = text_of(why);
   }
-  return drift;
 }
 
 }  // namespace
+
+MassProperties ProblemResult::body() const {
+  if (!mass.failure.empty()) return problem.exact;
+  const mirtich::MassProperties& measured = mass.own->answer;
+  return {measured.mass, Vec3::Zero(), measured.inertia};
+}
+
+Setting ProblemResult::setting() const {
+  const MassProperties moved = body();
+  Setting setting{moved.mass, moved.inertia};
+  if (const auto& pull = problem.pull) {
+    setting.gravity = pull->gravity;
+    setting.stiffness = pull->spring.stiffness;
+    setting.p_body = pull->spring.p_body;
+    setting.anchor = pull->spring.anchor;
+  }
+  return setting;
+}
+
+RunQuestion ProblemResult::question(Method method, int steps) const {
+  return {setting(), pack(problem.start), problem.duration, method, steps, 1, samples};
+}
 
 bool OwnCurve::right() const {
   constexpr double as_good = 10;
@@ -255,28 +177,22 @@ Measurement measure(const OwnEngine& engine,
   for (Problem& problem : problems()) {
     progress(problem.sentence);
     ProblemResult result{std::move(problem), {}, {}, {}, {}, {}, {}, {}, {}};
-    const bool same_mesh = !all.problems.empty() &&
-                           all.problems.back().problem.mesh.corners == result.problem.mesh.corners;
-    result.mass = same_mesh ? all.problems.back().mass : mass_of(engine, result.problem);
+    const ProblemResult* before = all.problems.empty() ? nullptr : &all.problems.back();
+    const bool same_mesh = before && before->problem.mesh.corners == result.problem.mesh.corners;
+    result.mass = same_mesh ? before->mass : mass_of(engine, result.problem);
     result.chosen = chosen_for(engine, result.problem);
-    for (const Ladder& ladder : ladders) {
-      if (gave_up.contains(ladder.method)) continue;
-      result.own.push_back(curve_of(engine, result, ladder));
-      if (!result.own.back().failure.empty()) gave_up.insert(ladder.method);
-    }
-    if (result.chosen.right && result.problem.model == Model::symmetric_top) {
-      try {
-        result.closed_form = own_closed_form(engine, result);
-      } catch (const NoAnswer& why) {
-        result.closed_form_failure = text_of(why);
-      }
-    }
+    take_curves(engine, result, gave_up);
     result.library = library_curves(result.problem);
     look_at_laws(engine, result);
     all.problems.push_back(std::move(result));
   }
   all.drift = drift_of(engine, all.problems.front());
   return all;
+}
+
+std::string text_of(const NoAnswer& why) {
+  const std::string detail = one_line(why.what());
+  return tumble::judge::name_of(why.outcome) + (detail.empty() ? "" : ": " + detail);
 }
 
 std::string name_of(Method method) {
@@ -288,6 +204,11 @@ std::string unit_of(Method method) {
   constexpr const char* units[] = {"1.3 euler_step", "1.4 midpoint_step", "1.5 rk4_step",
                                    "9.5 simulate"};
   return units[static_cast<int>(method)];
+}
+
+std::string number_of(Method method) {
+  const std::string unit = unit_of(method);
+  return unit.substr(0, unit.find(' '));
 }
 
 int order_of(Method method) {

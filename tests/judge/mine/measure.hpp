@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/mine/laws.hpp"
 #include "judge/mine/own_engine.hpp"
 #include "judge/mine/problem.hpp"
 
@@ -33,21 +34,6 @@ struct OwnCurve {
   bool right() const;
 };
 
-/// By how much at most the states of a run break what has to stay, as fractions.
-struct Laws {
-  double energy = 0, length = 0, momentum = 0;
-};
-
-/// How the orientation turns in the first thousandth of a second.
-struct Turning {
-  Vec3 omega;     ///< as it follows from L [rad/s]
-  Vec3 measured;  ///< as q has turned [rad/s]
-  Mat3 R;         ///< orientation meanwhile
-
-  /// Whether q turns with ω.
-  bool right() const { return (measured - omega).norm() <= 0.02 * omega.norm(); }
-};
-
 struct Chosen {
   std::optional<only_what_a_scene_needs::Choice> choice;
   std::string failure;
@@ -64,12 +50,11 @@ struct ProblemResult {
   std::vector<Curve> library;
   std::optional<Laws> laws;        ///< of the finest run of the best method
   std::optional<Turning> turning;  ///< by the best method
-};
 
-struct DriftResult {
-  std::optional<only_what_a_scene_needs::EnergyDrift> own;
-  only_what_a_scene_needs::EnergyDrift right{};
-  std::string failure;
+  /// The body as the student's mass properties have it, or as it is where they cannot be used.
+  MassProperties body() const;
+  Setting setting() const;
+  RunQuestion question(Method method, int steps) const;
 };
 
 struct Measurement {
@@ -82,10 +67,17 @@ struct Measurement {
 Measurement measure(const OwnEngine& engine,
                     const std::function<void(const std::string&)>& progress);
 
+/// How many states of a run are looked at, beside its start.
+inline constexpr int samples = 16;
+
+/// Why no answer came, in words.
+std::string text_of(const NoAnswer& why);
 /// "Euler", …
 std::string name_of(Method method);
 /// The function that takes its steps: "1.3 euler_step", …
 std::string unit_of(Method method);
+std::string number_of(Method method);
+inline constexpr const char* closed_form_unit = "10.2";
 int order_of(Method method);
 
 }  // namespace tumble::judge::mine

@@ -63,6 +63,19 @@ auto timed(Ask&& ask) {
   return result;
 }
 
+/// @throws NoAnswer if these are not the states of a motion
+void require_states(const RunAnswer& answer, const RunQuestion& question) {
+  if (answer.states.size() != static_cast<std::size_t>(question.samples) + 1)
+    throw NoAnswer(Outcome::malformed, "not as many states as were asked for");
+  for (const Numbers& y : answer.states) {
+    const double length = y.segment<4>(3).norm();
+    if (y.allFinite() && length > 0 && std::isfinite(length)) continue;
+    throw NoAnswer(Outcome::wrong, "with " + std::to_string(question.steps) + " steps " +
+                                       (y.allFinite() ? "q becomes zero, or endless"
+                                                      : "the state becomes no number"));
+  }
+}
+
 }  // namespace
 
 Timed<mirtich::MassProperties> OwnEngine::mass(const mirtich::Polyhedron& mesh,
@@ -78,9 +91,7 @@ Timed<RunAnswer> OwnEngine::run(RunQuestion question) const {
   return timed([&](int repeats) {
     question.repeats = repeats;
     Timed<RunAnswer> timed = asker.ask<RunAnswer>(Topic::run, question);
-    const auto states = static_cast<std::size_t>(question.samples) + 1;
-    if (repeats > 0 && timed.answer.states.size() != states)
-      throw NoAnswer(Outcome::malformed, "not as many states as were asked for");
+    if (repeats > 0) require_states(timed.answer, question);
     return timed;
   });
 }

@@ -16,7 +16,7 @@ void print_missing(std::ostream& out, const Course& course, const EngineBuild& b
 /// Whose functions the engine is made of.
 void print_parts(std::ostream& out, const EngineBuild& build);
 /// The tables of numbers.
-void print_measurement(std::ostream& out, const Measurement& measurement);
+void print_measurement(std::ostream& out, const EngineBuild& build, const Measurement& measurement);
 
 /// Error against time, the student's curves beside the library's: a complete SVG document.
 std::string figure_of(const EngineBuild& build, const Measurement& measurement);
@@ -28,5 +28,7 @@ std::string json_of(const EngineBuild& build, const Measurement* measurement,
 
 /// "4.8 quaternion_dot, 9.4 dydt"
 std::string names_of(const std::vector<Part>& parts);
+/// Whose function this unit is, for a curve's name: "your RK4", "solution's RK4".
+std::string owner_of(const EngineBuild& build, const std::string& number);
 
 }  // namespace tumble::judge::mine
