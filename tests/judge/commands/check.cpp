@@ -4,6 +4,7 @@
 #include <random>
 
 #include "judge/commands/commands.hpp"
+#include "judge/commands/given_files.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "judge/course/progress.hpp"
 #include "judge/verdict/console.hpp"
@@ -42,28 +43,9 @@ Selection select(const Course& course, const Progress& progress, const std::stri
   return {course.select(what.substr(0, second_dot)), number_of(what.substr(second_dot + 1))};
 }
 
-/// The file of a unit in a folder of files: DIR/04_quaternions/product.cpp or DIR/product.cpp.
-fs::path file_in(const fs::path& folder, const Unit& unit) {
-  const std::string name = unit.name + ".cpp";
-  const fs::path in_chapter = folder / unit.chapter / name;
-  const bool flat =
-      !fs::exists(fs::symlink_status(in_chapter)) && fs::exists(fs::symlink_status(folder / name));
-  return flat ? folder / name : in_chapter;
-}
-
 fs::path source_of(const Course& course, const CheckOptions& options, const Unit& unit) {
   if (options.from) return file_in(fs::weakly_canonical(*options.from), unit);
   return options.solutions ? course.solution(unit) : course.exercise(unit);
-}
-
-/// Says which walls are missing.
-/// @return whether all of them stand
-bool report_missing_walls(const Course& course, bool strict) {
-  const std::vector<MissingLayer> missing = missing_walls(course);
-  for (const MissingLayer& each : missing)
-    if (strict || each.layer != Layer::other_user)  // a student judges their own code
-      std::cerr << "tumble: the sandbox lacks " << name_of(each.layer) << ": " << each.why << "\n";
-  return missing.empty();
 }
 
 std::uint64_t fresh_seed() { return std::random_device{}() % 1000000 + 1; }
