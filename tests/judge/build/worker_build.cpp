@@ -19,14 +19,6 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// May every user pass through all folders of this path?
-bool all_may_enter(const fs::path& path) {
-  for (fs::path folder = path; folder != folder.root_path(); folder = folder.parent_path())
-    if ((fs::status(folder).permissions() & fs::perms::others_exec) == fs::perms::none)
-      return false;
-  return true;
-}
-
 /// The steps from a source file to a worker, each a run of the compiler behind its walls.
 class Builder {
  public:
@@ -271,8 +263,8 @@ std::string name_of(BuildOutcome outcome) {
 }
 
 bool others_may_compile(const Course& course) {
-  return all_may_enter(course.toolchain.precompiled.parent_path()) &&
-         all_may_enter(course.root / "exercises");
+  return others_may_enter(course.toolchain.precompiled.parent_path()) &&
+         others_may_enter(course.root / "exercises");
 }
 
 WorkerBuild build_worker(const Course& course, const Unit& unit, const fs::path& source,

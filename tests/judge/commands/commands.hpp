@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "judge/course/course.hpp"
 
@@ -23,6 +24,14 @@ struct CheckOptions {
   bool sanitized = false;             ///< run everything with sanitizers
 };
 
+struct GradeOptions {
+  std::vector<fs::path> folders;  ///< of submissions
+  fs::path out = "grades";        ///< folder for the results; what is there already is gone on with
+  std::optional<fs::path> settings;    ///< course.json
+  std::optional<std::size_t> at_once;  ///< submissions; as many as there are cores if not given
+  bool strict = false;                 ///< refuse to judge if a wall of the sandbox is missing
+};
+
 /// Judges what was asked for, explains, and remembers.
 int check(const Course& course, const CheckOptions& options);
 /// Judges each file when it is saved, until interrupted.
@@ -37,6 +46,8 @@ int reset(const Course& course, const std::string& unit);
 int solution(const Course& course, const std::string& unit, bool anyway);
 /// Which walls of the sandbox stand here.
 int sandbox(const Course& course);
+/// Grades a class.
+int grade(const Course& course, const GradeOptions& options);
 /// Every misconception is killed and named: a table.
 int matrix(const Course& course, const std::string& what, std::uint64_t seed);
 /// Every exercise in the tree is the untouched stub, and fails every case of its spec.

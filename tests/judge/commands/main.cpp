@@ -26,6 +26,18 @@ void add_check(CLI::App& app, CheckOptions& options) {
   app.add_flag("--sanitize", options.sanitized, "run with AddressSanitizer and UBSan");
 }
 
+void add_grade(CLI::App& app, GradeOptions& options) {
+  app.add_option("DIR", options.folders, "folders of submissions: a folder or archive a student")
+      ->required();
+  app.add_option("--out", options.out, "folder for the results; grading goes on where it was")
+      ->capture_default_str();
+  app.add_option("--course", options.settings,
+                 "course.json: units, weights, credit, due date, seed");
+  app.add_option("--jobs", options.at_once, "submissions at a time; as many as cores if not given")
+      ->check(CLI::Range(1, 1000));
+  app.add_flag("--strict", options.strict, "refuse to judge if a wall of the sandbox is missing");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -62,6 +74,11 @@ int main(int argc, char** argv) {
                              [&](const Course& course) { return solution(course, unit, anyway); });
   answer->add_option("unit", unit)->required();
   answer->add_flag("--anyway", anyway, "although it does not pass");
+
+  GradeOptions grading;
+  add_grade(*command("grade", "grade a class",
+                     [&](const Course& course) { return grade(course, grading); }),
+            grading);
 
   CLI::App* kills = command("matrix", "every spec against every misconception",
                             [&](const Course& course) { return matrix(course, what, seed); });

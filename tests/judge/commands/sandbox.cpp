@@ -19,6 +19,16 @@ std::vector<MissingLayer> missing_walls(const Course& course) {
   return missing;
 }
 
+bool may_judge(const Course& course, Strangers strangers) {
+  const std::vector<MissingLayer> missing = missing_walls(course);
+  for (const MissingLayer& each : missing)
+    if (strangers != Strangers::no || each.layer != Layer::other_user)
+      std::cerr << "tumble: the sandbox lacks " << name_of(each.layer) << ": " << each.why << "\n";
+  if (missing.empty() || strangers != Strangers::strictly) return true;
+  std::cerr << "tumble: --strict: nothing is judged\n";
+  return false;
+}
+
 int sandbox(const Course& course) {
   const std::vector<MissingLayer> missing = missing_walls(course);
   for (const Layer layer : {Layer::limits, Layer::other_user, Layer::files, Layer::system_calls}) {

@@ -1,0 +1,112 @@
+#include "judge/class/grade_student.hpp"
+
+#include "judge/build/work_folder.hpp"
+#include "judge/class/archive.hpp"
+#include "judge/course/progress.hpp"
+#include "judge/course/stable_hash.hpp"
+#include "judge/course/text_file.hpp"
+#include "judge/verdict/judge_all.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// The files of a submission, where the judge can read them.
+class Sources {
+ public:
+  Sources(const Course& course, const Submission& submission) : folder_(submission.path) {
+    if (submission.is_archive) {
+      take(unpack(submission.path));
+      folder_ = own_.path();
+    }
+    if (refused_.empty()) files_ = files_of_units(course, files_below(folder_));
+  }
+
+  const std::string& refused() const { return refused_; }
+
+  /// The file of a unit; where it should be, if it was not handed in.
+  fs::path of(const Unit& unit) const {
+    const auto found = files_.find(unit.id());
+    return folder_ /
+           (found == files_.end() ? fs::path(unit.chapter) / (unit.name + ".cpp") : found->second);
+  }
+
+ private:
+  void take(const Unpacked& unpacked) {
+    refused_ = unpacked.refused;
+    for (const auto& [path, text] : unpacked.files) {
+      fs::create_directories((own_.path() / path).parent_path());
+      write_text(own_.path() / path, text);
+    }
+  }
+
+  WorkFolder own_;
+  fs::path folder_;
+  std::string refused_;
+  std::map<std::string, fs::path> files_;
+};
+
+/// Is a record of before about this file, these inputs and this judge?
+bool still_holds(const UnitRecord& unit, const StudentRecord& before, const StudentRecord& now,
+                 const fs::path& source) {
+  return before.judge == now.judge && unit.seed == now.seed && unit.source == fingerprint(source);
+}
+
+/// Those units whose verdict is known already.
+std::vector<UnitRecord> kept(const CourseSettings& settings, const Sources& sources,
+                             const std::optional<StudentRecord>& before, const StudentRecord& now) {
+  std::vector<UnitRecord> units;
+  if (!before) return units;
+  for (const Unit& unit : settings.units)
+    if (const UnitRecord* known = before->find(unit))
+      if (still_holds(*known, *before, now, sources.of(unit))) units.push_back(*known);
+  return units;
+}
+
+void add_in_order(StudentRecord& record, UnitRecord unit, const CourseSettings& settings) {
+  record.units.push_back(std::move(unit));
+  std::vector<UnitRecord> ordered;
+  for (const Unit& each : settings.units)
+    if (const UnitRecord* known = record.find(each)) ordered.push_back(*known);
+  record.units = std::move(ordered);
+}
+
+}  // namespace
+
+void grade_student(const Grading& grading, const Submission& submission,
+                   const std::filesystem::path& file, const std::function<void()>& done) {
+  const Sources sources(grading.course, submission);
+  StudentRecord record{submission.student,
+                       seed_of(grading.seed, submission.student),
+                       grading.judge,
+                       sources.refused(),
+                       {}};
+  if (record.refused.empty())
+    record.units = kept(grading.settings, sources, read_record(file), record);
+  write_record(file, record, grading.settings);
+  std::vector<Unit> open;
+  for (const Unit& unit : grading.settings.units) {
+    const bool known = record.find(unit) != nullptr || !record.refused.empty();
+    if (known)
+      done();
+    else
+      open.push_back(unit);
+  }
+  Judgement judgement;
+  judgement.seed = record.seed;
+  judgement.locate_crashes = false;  // with sanitizers the walls are lower
+  judge_all(
+      grading.course, open, [&](const Unit& unit) { return sources.of(unit); }, judgement,
+      [&](const UnitResult& result) {
+        add_in_order(record, record_of(grading.course, result), grading.settings);
+        write_record(file, record, grading.settings);
+        done();
+      });
+}
+
+std::uint64_t judge_fingerprint() {
+  const fs::path self = "/proc/self/exe";
+  return fs::exists(self) ? stable_hash(read_text(self)) : 0;
+}
+
+}  // namespace tumble::judge
