@@ -24,6 +24,14 @@ class Sources {
 
   const std::string& refused() const { return refused_; }
 
+  /// A text for the student, in which their files are called as in their submission.
+  std::string as_handed_in(std::string text) const {
+    const std::string folder = folder_.string() + "/";
+    for (std::size_t at; (at = text.find(folder)) != std::string::npos;)
+      text.erase(at, folder.size());
+    return text;
+  }
+
   /// The file of a unit; where it should be, if it was not handed in.
   fs::path of(const Unit& unit) const {
     const auto found = files_.find(unit.id());
@@ -98,7 +106,10 @@ void grade_student(const Grading& grading, const Submission& submission,
   judge_all(
       grading.course, open, [&](const Unit& unit) { return sources.of(unit); }, judgement,
       [&](const UnitResult& result) {
-        add_in_order(record, record_of(grading.course, result), grading.settings);
+        UnitRecord unit = record_of(grading.course, result);
+        for (std::string* text : {&unit.detail, &unit.explanation})
+          *text = sources.as_handed_in(*text);
+        add_in_order(record, std::move(unit), grading.settings);
         write_record(file, record, grading.settings);
         done();
       });
