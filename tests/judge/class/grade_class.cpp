@@ -1,5 +1,6 @@
 #include "judge/class/grade_class.hpp"
 
+#include <algorithm>
 #include <random>
 
 #include "judge/class/process_pool.hpp"
@@ -37,12 +38,24 @@ std::vector<std::string> grade_class(const Grading& grading,
   return failed;
 }
 
-std::vector<StudentRecord> read_records(const GradesFolder& folder,
-                                        const std::vector<Submission>& submissions) {
+std::vector<StudentRecord> records_of(const GradesFolder& folder,
+                                      const std::vector<Submission>& submissions) {
   std::vector<StudentRecord> records;
   for (const Submission& submission : submissions)
     if (auto record = read_record(folder.record_of(submission.student)))
       records.push_back(std::move(*record));
+  return records;
+}
+
+std::vector<StudentRecord> read_records(const GradesFolder& folder) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder.path / "students"))
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.path / "students"))
+      if (entry.path().extension() == ".json") files.push_back(entry.path());
+  require(!files.empty(), folder.path.string(), " holds no grades: ./tumble grade makes them");
+  std::sort(files.begin(), files.end());
+  std::vector<StudentRecord> records;
+  for (const fs::path& file : files) records.push_back(*read_record(file));
   return records;
 }
 

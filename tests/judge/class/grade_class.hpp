@@ -33,7 +33,11 @@ std::vector<std::string> grade_class(const Grading& grading,
                                      const GradesFolder& folder, std::size_t at_once);
 
 /// The records of these students, as far as they are there.
-std::vector<StudentRecord> read_records(const GradesFolder& folder,
-                                        const std::vector<Submission>& submissions);
+std::vector<StudentRecord> records_of(const GradesFolder& folder,
+                                      const std::vector<Submission>& submissions);
+
+/// All records in a folder, by name.
+/// @throws std::invalid_argument if there are none
+std::vector<StudentRecord> read_records(const GradesFolder& folder);
 
 }  // namespace tumble::judge

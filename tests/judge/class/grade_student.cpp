@@ -71,6 +71,15 @@ std::vector<UnitRecord> kept(const CourseSettings& settings, const Sources& sour
   return units;
 }
 
+/// How many files of a unit were judged, with the one that is judged now. The untouched stub is
+/// none.
+int tries_with(const UnitResult& now, const std::optional<StudentRecord>& before) {
+  const UnitRecord* last = before ? before->find(now.unit) : nullptr;
+  const int past = last ? last->tries : 0;
+  const bool is_new = !last || last->source != fingerprint(now.source);
+  return past + (is_new && !now.untouched() && fs::exists(now.source) ? 1 : 0);
+}
+
 void add_in_order(StudentRecord& record, UnitRecord unit, const CourseSettings& settings) {
   record.units.push_back(std::move(unit));
   std::vector<UnitRecord> ordered;
@@ -89,8 +98,8 @@ void grade_student(const Grading& grading, const Submission& submission,
                        grading.judge,
                        sources.refused(),
                        {}};
-  if (record.refused.empty())
-    record.units = kept(grading.settings, sources, read_record(file), record);
+  const std::optional<StudentRecord> before = read_record(file);
+  if (record.refused.empty()) record.units = kept(grading.settings, sources, before, record);
   write_record(file, record, grading.settings);
   std::vector<Unit> open;
   for (const Unit& unit : grading.settings.units) {
@@ -107,6 +116,7 @@ void grade_student(const Grading& grading, const Submission& submission,
       grading.course, open, [&](const Unit& unit) { return sources.of(unit); }, judgement,
       [&](const UnitResult& result) {
         UnitRecord unit = record_of(grading.course, result);
+        unit.tries = tries_with(result, before);
         for (std::string* text : {&unit.detail, &unit.explanation})
           *text = sources.as_handed_in(*text);
         add_in_order(record, std::move(unit), grading.settings);

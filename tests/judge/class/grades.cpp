@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "judge/verdict/markup.hpp"
+
 namespace tumble::judge {
 
 namespace {
@@ -27,27 +29,6 @@ std::string csv_field(std::string text) {
   return quoted + "\"";
 }
 
-/// A text in XML 1.0, where most control characters cannot be said at all.
-std::string xml(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (code >= 0x20 || c == '\n' || c == '\t')
-      result += c;
-    else
-      result += '?';
-  }
-  return result;
-}
-
 std::size_t count_passed(const StudentRecord& record) {
   return static_cast<std::size_t>(std::count_if(record.units.begin(), record.units.end(),
                                                 [](const UnitRecord& u) { return u.passed; }));
@@ -56,13 +37,13 @@ std::size_t count_passed(const StudentRecord& record) {
 void write_case(std::ostream& out, const StudentRecord& student, const UnitRecord& unit) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f", unit.seconds);
-  out << "    <testcase classname=\"" << xml(student.student) << "\" name=\"" << unit.number << " "
-      << xml(unit.unit) << "\" time=\"" << seconds << "\"";
+  out << "    <testcase classname=\"" << markup(student.student) << "\" name=\"" << unit.number
+      << " " << markup(unit.unit) << "\" time=\"" << seconds << "\"";
   if (unit.passed)
     out << "/>\n";
   else
-    out << ">\n      <failure message=\"" << xml(unit.summary) << "\">" << xml(unit.explanation)
-        << "</failure>\n    </testcase>\n";
+    out << ">\n      <failure message=\"" << markup(unit.summary) << "\">"
+        << markup(unit.explanation) << "</failure>\n    </testcase>\n";
 }
 
 }  // namespace
@@ -90,16 +71,16 @@ std::string grades_csv(const CourseSettings& settings, const std::vector<Student
 std::string grades_junit(const CourseSettings& settings,
                          const std::vector<StudentRecord>& records) {
   std::ostringstream out;
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" << xml(settings.title)
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" << markup(settings.title)
       << "\">\n";
   for (const StudentRecord& record : records) {
     const std::size_t errors = record.refused.empty() ? 0 : 1;
-    out << "  <testsuite name=\"" << xml(record.student) << "\" tests=\""
+    out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
         << record.units.size() + errors << "\" failures=\""
         << record.units.size() - count_passed(record) << "\" errors=\"" << errors << "\">\n";
     if (errors > 0)
-      out << "    <testcase classname=\"" << xml(record.student)
-          << "\" name=\"submission\">\n      <error message=\"" << xml(record.refused)
+      out << "    <testcase classname=\"" << markup(record.student)
+          << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
           << "\"/>\n    </testcase>\n";
     for (const UnitRecord& unit : record.units) write_case(out, record, unit);
     out << "  </testsuite>\n";

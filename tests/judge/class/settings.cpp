@@ -122,6 +122,11 @@ CourseSettings read_settings(const Course& course, const std::filesystem::path& 
   return settings_of(course, Place(json, file.string()));
 }
 
+CourseSettings settings_or_default(const Course& course,
+                                   const std::optional<std::filesystem::path>& file) {
+  return file ? read_settings(course, *file) : default_settings(course);
+}
+
 std::uint64_t seed_of(std::uint64_t course_seed, const std::string& student) {
   const std::uint64_t h = stable_hash(student, stable_hash(std::to_string(course_seed)));
   return (h ^ (h >> 29)) % 1'000'000'000 + 1;

@@ -52,6 +52,10 @@ CourseSettings default_settings(const Course& course);
 /// @throws std::invalid_argument naming the file and the place of what means nothing
 CourseSettings read_settings(const Course& course, const std::filesystem::path& file);
 
+/// The one or the other.
+CourseSettings settings_or_default(const Course& course,
+                                   const std::optional<std::filesystem::path>& file);
+
 /// The seed of one student's inputs: another one for each, the same each time.
 std::uint64_t seed_of(std::uint64_t course_seed, const std::string& student);
 

@@ -32,6 +32,13 @@ struct GradeOptions {
   bool strict = false;                 ///< refuse to judge if a wall of the sandbox is missing
 };
 
+struct ReportOptions {
+  fs::path grades = "grades";  ///< what `grade` has made
+  fs::path out = "report.html";
+  std::optional<fs::path> settings;  ///< course.json
+  bool names = false;                ///< the students' too
+};
+
 /// Judges what was asked for, explains, and remembers.
 int check(const Course& course, const CheckOptions& options);
 /// Judges each file when it is saved, until interrupted.
@@ -48,6 +55,8 @@ int solution(const Course& course, const std::string& unit, bool anyway);
 int sandbox(const Course& course);
 /// Grades a class.
 int grade(const Course& course, const GradeOptions& options);
+/// Writes one page about a class.
+int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.
 int matrix(const Course& course, const std::string& what, std::uint64_t seed);
 /// Every exercise in the tree is the untouched stub, and fails every case of its spec.

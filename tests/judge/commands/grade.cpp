@@ -30,8 +30,7 @@ void print_grades(const CourseSettings& settings, const std::vector<StudentRecor
 }  // namespace
 
 int grade(const Course& course, const GradeOptions& options) {
-  const CourseSettings settings =
-      options.settings ? read_settings(course, *options.settings) : default_settings(course);
+  const CourseSettings settings = settings_or_default(course, options.settings);
   const std::vector<Submission> submissions = submissions_in(options.folders);
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::yes)) return 2;
   const GradesFolder folder{options.out};
@@ -43,7 +42,7 @@ int grade(const Course& course, const GradeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<std::string> failed =
       grade_class(grading, submissions, folder, options.at_once.value_or(cores));
-  const std::vector<StudentRecord> records = read_records(folder, submissions);
+  const std::vector<StudentRecord> records = records_of(folder, submissions);
   write_text(folder.csv(), grades_csv(settings, records));
   write_text(folder.junit(), grades_junit(settings, records));
   print_grades(settings, records);

@@ -38,6 +38,13 @@ void add_grade(CLI::App& app, GradeOptions& options) {
   app.add_flag("--strict", options.strict, "refuse to judge if a wall of the sandbox is missing");
 }
 
+void add_report(CLI::App& app, ReportOptions& options) {
+  app.add_option("GRADES", options.grades, "folder that `grade` has made")->capture_default_str();
+  app.add_option("--out", options.out, "the page")->capture_default_str();
+  app.add_option("--course", options.settings, "course.json: units, weights, credit");
+  app.add_flag("--names", options.names, "the students' names, too");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -79,6 +86,11 @@ int main(int argc, char** argv) {
   add_grade(*command("grade", "grade a class",
                      [&](const Course& course) { return grade(course, grading); }),
             grading);
+
+  ReportOptions reporting;
+  add_report(*command("report", "one page about a class: what to explain again",
+                      [&](const Course& course) { return report(course, reporting); }),
+             reporting);
 
   CLI::App* kills = command("matrix", "every spec against every misconception",
                             [&](const Course& course) { return matrix(course, what, seed); });

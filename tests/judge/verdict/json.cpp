@@ -40,6 +40,7 @@ ordered_json json_of(const UnitRecord& record) {
                  {"seed", record.seed},
                  {"laws", record.laws},
                  {"laws_that_hold", record.laws_that_hold},
+                 {"tries", record.tries},
                  {"seconds", record.seconds},
                  {"source", record.source},
                  {"cases", ordered_json::array()}};
@@ -58,6 +59,7 @@ UnitRecord unit_record_of(const ordered_json& j) {
   record.seed = j.at("seed");
   record.laws = j.at("laws");
   record.laws_that_hold = j.at("laws_that_hold");
+  record.tries = j.at("tries");
   record.seconds = j.at("seconds");
   record.source = j.at("source");
   record.detail = j.value("detail", "");

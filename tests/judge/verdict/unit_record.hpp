@@ -28,6 +28,7 @@ struct UnitRecord {
   std::string summary;     ///< in one or two words: "passed", "wrong", "does not compile", …
   std::uint64_t seed = 1;  ///< of the inputs
   std::size_t laws = 0, laws_that_hold = 0;
+  int tries = 1;             ///< how many different files of this student were judged so far
   double seconds = 0;        ///< from the file to the verdict
   std::uint64_t source = 0;  ///< fingerprint of the file that was judged, 0 if there was none
   std::string detail;        ///< of a build that failed

@@ -121,6 +121,8 @@ TEST_CASE("grade: nothing is graded twice, and what has changed is graded again"
   const json after = all.record("bob");
   CHECK(after.at("points") == 1);
   CHECK(after.at("units")[0] == before.at("units")[0]);  // to the hundredth of a second
+  CHECK(before.at("units")[1].at("tries") == 1);
+  CHECK(after.at("units")[1].at("tries") == 2);
   CHECK(all.record("ann") == unchanged);
   CHECK(after.at("seed") == before.at("seed"));
 }
