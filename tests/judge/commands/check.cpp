@@ -4,6 +4,7 @@
 #include <random>
 
 #include "judge/commands/commands.hpp"
+#include "judge/commands/given_files.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "judge/course/progress.hpp"
 #include "judge/verdict/console.hpp"
@@ -40,15 +41,6 @@ Selection select(const Course& course, const Progress& progress, const std::stri
   if (first_dot == std::string::npos || second_dot == std::string::npos)
     return {course.select(what), 0};
   return {course.select(what.substr(0, second_dot)), number_of(what.substr(second_dot + 1))};
-}
-
-/// The file of a unit in a folder of files: DIR/04_quaternions/product.cpp or DIR/product.cpp.
-fs::path file_in(const fs::path& folder, const Unit& unit) {
-  const std::string name = unit.name + ".cpp";
-  const fs::path in_chapter = folder / unit.chapter / name;
-  const bool flat =
-      !fs::exists(fs::symlink_status(in_chapter)) && fs::exists(fs::symlink_status(folder / name));
-  return flat ? folder / name : in_chapter;
 }
 
 fs::path source_of(const Course& course, const CheckOptions& options, const Unit& unit) {

@@ -24,6 +24,14 @@ struct CheckOptions {
   bool sanitized = false;             ///< run everything with sanitizers
 };
 
+struct MineOptions {
+  std::optional<fs::path> from;  ///< folder with the files, instead of exercises/
+  std::optional<fs::path> svg;   ///< where the figure goes; build/mine.svg if not given
+  std::optional<fs::path> json;  ///< where to write the numbers
+  bool fill = false;             ///< take what is missing from the solutions
+  bool strict = false;           ///< refuse to run anything if a wall of the sandbox is missing
+};
+
 struct GradeOptions {
   std::vector<fs::path> folders;  ///< of submissions
   fs::path out = "grades";        ///< folder for the results; what is there already is gone on with
@@ -41,6 +49,8 @@ struct ReportOptions {
 
 /// Judges what was asked for, explains, and remembers.
 int check(const Course& course, const CheckOptions& options);
+/// Builds an engine of the student's own functions, and shows its errors beside the library's.
+int mine_command(const Course& course, const MineOptions& options);
 /// Judges each file when it is saved, until interrupted.
 int watch(const Course& course);
 /// All units with what is known about them.

@@ -26,6 +26,14 @@ void add_check(CLI::App& app, CheckOptions& options) {
   app.add_flag("--sanitize", options.sanitized, "run with AddressSanitizer and UBSan");
 }
 
+void add_mine(CLI::App& app, MineOptions& options) {
+  app.add_flag("--fill", options.fill, "take the functions that are missing from the solutions");
+  app.add_option("--from", options.from, "folder with your files, instead of exercises/");
+  app.add_option("--svg", options.svg, "write the figure here, instead of build/mine.svg");
+  app.add_option("--json", options.json, "write the numbers here");
+  app.add_flag("--strict", options.strict, "refuse to run if a wall of the sandbox is missing");
+}
+
 void add_grade(CLI::App& app, GradeOptions& options) {
   app.add_option("DIR", options.folders, "folders of submissions: a folder or archive a student")
       ->required();
@@ -62,6 +70,10 @@ int main(int argc, char** argv) {
   add_check(*command("check", "judge what you have written",
                      [&](const Course& course) { return check(course, options); }),
             options);
+  MineOptions mine_options;
+  add_mine(*command("mine", "an engine of your own functions, beside the library",
+                    [&](const Course& course) { return mine_command(course, mine_options); }),
+           mine_options);
   command("watch", "judge each file when it is saved", watch);
   command("list", "all units, and how far you are", list);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "judge/build/worker_build.hpp"
+#include "judge/build/confined_compiler.hpp"
 #include "judge/commands/commands.hpp"
 
 namespace tumble::judge {
