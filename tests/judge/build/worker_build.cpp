@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <vector>
 
 #include "judge/build/confined_compiler.hpp"
 #include "judge/build/diagnostics.hpp"
 #include "judge/build/inspection.hpp"
+#include "judge/build/object_cache.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/course/contract.hpp"
 
@@ -26,10 +28,20 @@ class Builder {
         contracts_(contracts_of(course)),
         compiler_(course, folder, files_to_read(course, unit)) {}
 
-  WorkerBuild build(const std::string& text) {
-    WorkerBuild result = compiled(text);
+  WorkerBuild build(const std::string& text, const ObjectCache* cache) {
+    WorkerBuild result = cache ? compiled_once(text, *cache) : compiled(text);
     if (result.outcome == BuildOutcome::built && link(result))
       result.worker = sanitized_ ? sanitized_worker() : confined_worker(folder(), worker());
+    return result;
+  }
+
+  WorkerBuild compiled_once(const std::string& text, const ObjectCache& cache) {
+    if (std::optional<WorkerBuild> known = cache.find(unit_, text, object())) {
+      compiler_.hand_over({object()});
+      return *known;
+    }
+    const WorkerBuild result = compiled(text);
+    cache.keep(unit_, text, result);
     return result;
   }
 
@@ -229,9 +241,10 @@ std::string name_of(BuildOutcome outcome) {
 }
 
 WorkerBuild build_worker(const Course& course, const Unit& unit, const fs::path& source,
-                         const fs::path& folder, Instrumentation instrumentation) {
+                         const fs::path& folder, Instrumentation instrumentation,
+                         const ObjectCache* compiled) {
   return with_text_of(source, [&](const std::string& text) {
-    return Builder(course, unit, folder, instrumentation).build(text);
+    return Builder(course, unit, folder, instrumentation).build(text, compiled);
   });
 }
 

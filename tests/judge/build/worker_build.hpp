@@ -37,11 +37,15 @@ enum class Instrumentation {
   sanitizers,  ///< AddressSanitizer and UndefinedBehaviorSanitizer: to find where it crashes
 };
 
+class ObjectCache;
+
 /// Builds the worker of `unit` from the file `source`, in `folder` (made here).
+/// @param compiled what was compiled before, if anything
 /// @throws std::runtime_error if the judge itself is broken: no compiler, no walls
 WorkerBuild build_worker(const Course& course, const Unit& unit,
                          const std::filesystem::path& source, const std::filesystem::path& folder,
-                         Instrumentation instrumentation = Instrumentation::none);
+                         Instrumentation instrumentation = Instrumentation::none,
+                         const ObjectCache* compiled = nullptr);
 
 /// The same as far as the object, which other units' objects can be linked with.
 WorkerBuild compile_unit(const Course& course, const Unit& unit,

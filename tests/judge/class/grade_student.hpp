@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "judge/build/object_cache.hpp"
 #include "judge/class/student_record.hpp"
 #include "judge/class/submissions.hpp"
 
@@ -14,8 +15,9 @@ namespace tumble::judge {
 struct Grading {
   const Course& course;
   const CourseSettings& settings;
-  std::uint64_t seed;   ///< of the course's inputs; each student's follows from it
-  std::uint64_t judge;  ///< fingerprint of this judge
+  std::uint64_t seed;           ///< of the course's inputs; each student's follows from it
+  std::uint64_t judge;          ///< fingerprint of this judge
+  const ObjectCache& compiled;  ///< by all students
 };
 
 /// Grades a submission and keeps its record in `file`. What the file holds already, about the same

@@ -83,7 +83,7 @@ class Page {
  private:
   void add_summary() {
     std::size_t refused = 0;
-    for (const StudentRecord& record : records_) refused += record.refused.empty() ? 0 : 1;
+    for (const StudentRecord& record : records_) refused += record.refused.empty() ? 0u : 1u;
     out_ << "<p>" << records_.size() << " submissions, " << units_.size() << " exercises, "
          << number(settings_.most()) << " points.";
     if (refused > 0) out_ << " " << refused << " could not be read.";

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <thread>
 
+#include "judge/build/work_folder.hpp"
 #include "judge/class/grade_class.hpp"
 #include "judge/class/grades.hpp"
 #include "judge/class/progress_line.hpp"
@@ -35,7 +36,10 @@ int grade(const Course& course, const GradeOptions& options) {
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::yes)) return 2;
   const GradesFolder folder{options.out};
   fs::create_directories(folder.path / "students");
-  const Grading grading{course, settings, class_seed(settings, folder), judge_fingerprint()};
+  const WorkFolder compiled;
+  fs::permissions(compiled.path(), fs::perms::owner_all);  // nobody else's, not even to look in
+  const ObjectCache cache(compiled.path());
+  const Grading grading{course, settings, class_seed(settings, folder), judge_fingerprint(), cache};
   const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
   std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
             << " exercises each\n";
