@@ -10,7 +10,7 @@ using namespace tumble::judge;
 
 namespace {
 
-const Unit unit{"4.1", "04_quaternions", "product", "", {}};
+const Unit unit{"4.1", "04_quaternions", "product", "", {}, {}};
 
 CourseSettings settings() {
   Course course;
@@ -25,7 +25,7 @@ StudentRecord student(const std::string& name, const std::string& summary, int t
   record.unit = unit.id(), record.number = unit.number, record.summary = summary;
   record.passed = summary == "passed", record.tries = tries, record.source = 17;
   for (const std::size_t i : {1u, 2u}) {
-    CaseRecord each{i, "law " + std::to_string(i), summary, "", "", {}};
+    CaseRecord each{i, "law " + std::to_string(i), summary, "", "", {}, {}};
     if (!mistake.empty()) each.misconceptions = {mistake};
     record.cases.push_back(each);
   }

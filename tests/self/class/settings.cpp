@@ -15,9 +15,9 @@ namespace {
 
 Course small_course() {
   Course course;
-  course.units = {{"1.1", "01_particles", "flatten", "", {}},
-                  {"4.1", "04_quaternions", "product", "", {}},
-                  {"4.2", "04_quaternions", "inverse", "", {}}};
+  course.units = {{"1.1", "01_particles", "flatten", "", {}, {}},
+                  {"4.1", "04_quaternions", "product", "", {}, {}},
+                  {"4.2", "04_quaternions", "inverse", "", {}, {}}};
   return course;
 }
 

@@ -16,9 +16,9 @@ namespace {
 
 Course small_course() {
   Course course;
-  course.units = {{"1.2", "01_particles", "dydt", "", {}},
-                  {"4.1", "04_quaternions", "product", "", {}},
-                  {"9.4", "09_rigid_body", "dydt", "", {}}};
+  course.units = {{"1.2", "01_particles", "dydt", "", {}, {}},
+                  {"4.1", "04_quaternions", "product", "", {}, {}},
+                  {"9.4", "09_rigid_body", "dydt", "", {}, {}}};
   return course;
 }
 
