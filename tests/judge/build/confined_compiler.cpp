@@ -9,14 +9,6 @@ namespace tumble::judge {
 
 namespace {
 
-/// May every user pass through all folders of this path?
-bool all_may_enter(const fs::path& path) {
-  for (fs::path folder = path; folder != folder.root_path(); folder = folder.parent_path())
-    if ((fs::status(folder).permissions() & fs::perms::others_exec) == fs::perms::none)
-      return false;
-  return true;
-}
-
 /// What every step reads: the system, the compiler and an Eigen that may live elsewhere.
 std::vector<fs::path> system_files(const Toolchain& tools) {
   std::vector<fs::path> read = {"/usr",
@@ -37,8 +29,8 @@ std::vector<fs::path> system_files(const Toolchain& tools) {
 }  // namespace
 
 bool others_may_compile(const Course& course) {
-  return all_may_enter(course.toolchain.precompiled.parent_path()) &&
-         all_may_enter(course.root / "exercises");
+  return others_may_enter(course.toolchain.precompiled.parent_path()) &&
+         others_may_enter(course.root / "exercises");
 }
 
 ConfinedCompiler::ConfinedCompiler(const Course& course, fs::path folder,

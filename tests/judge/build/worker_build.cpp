@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <vector>
 
 #include "judge/build/confined_compiler.hpp"
 #include "judge/build/diagnostics.hpp"
 #include "judge/build/inspection.hpp"
+#include "judge/build/object_cache.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/course/contract.hpp"
 
@@ -26,10 +28,20 @@ class Builder {
         contracts_(contracts_of(course)),
         compiler_(course, folder, files_to_read(course, unit)) {}
 
-  WorkerBuild build(const std::string& text) {
-    WorkerBuild result = compiled(text);
+  WorkerBuild build(const std::string& text, const ObjectCache* cache) {
+    WorkerBuild result = cache ? compiled_once(text, *cache) : compiled(text);
     if (result.outcome == BuildOutcome::built && link(result))
       result.worker = sanitized_ ? sanitized_worker() : confined_worker(folder(), worker());
+    return result;
+  }
+
+  WorkerBuild compiled_once(const std::string& text, const ObjectCache& cache) {
+    if (std::optional<WorkerBuild> known = cache.find(unit_, text, object())) {
+      compiler_.hand_over({object()});
+      return *known;
+    }
+    const WorkerBuild result = compiled(text);
+    cache.keep(unit_, text, result);
     return result;
   }
 
@@ -38,7 +50,7 @@ class Builder {
     std::ofstream(source()) << text;
     compiler_.hand_over({source()});
     WorkerBuild result;
-    if (preprocess(result) && compile(result) && assemble(result)) result.object = object();
+    if (compile(result) && assemble(result)) result.object = object();
     return result;
   }
 
@@ -86,6 +98,8 @@ class Builder {
     return flags;
   }
 
+  /// What a file includes that does not compile: before the compiler's words about it are passed
+  /// on.
   bool preprocess(WorkerBuild& result) const {
     const fs::path rule = folder() / "included";
     Arguments arguments = source_flags();
@@ -113,12 +127,11 @@ class Builder {
 
   bool compile(WorkerBuild& result) const {
     Arguments arguments = source_flags();
-    // The source is read a second time, and may ask (__has_include) what has changed since the
-    // first.
     const fs::path rule = folder() / "compiled";
     arguments.insert(arguments.end(), {"-S", "-MD", "-MF", rule.string(), source().string(), "-o",
                                        assembly().string()});
     const Finished step = run(arguments);
+    if (step.ending != Ending{false, 0} && !preprocess(result)) return false;
     if (!succeeded(step, result, true) || !sees_nothing_forbidden(rule, result)) return false;
     result.warnings = messages_about(source(), step.output, false);
     if (line_with_assembler(assembly()) > 0 && !sanitized_) {
@@ -228,9 +241,10 @@ std::string name_of(BuildOutcome outcome) {
 }
 
 WorkerBuild build_worker(const Course& course, const Unit& unit, const fs::path& source,
-                         const fs::path& folder, Instrumentation instrumentation) {
+                         const fs::path& folder, Instrumentation instrumentation,
+                         const ObjectCache* compiled) {
   return with_text_of(source, [&](const std::string& text) {
-    return Builder(course, unit, folder, instrumentation).build(text);
+    return Builder(course, unit, folder, instrumentation).build(text, compiled);
   });
 }
 

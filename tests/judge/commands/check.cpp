@@ -83,10 +83,7 @@ int check(const Course& course, const CheckOptions& options) {
     print_next(course, progress);
     return 0;
   }
-  if (!report_missing_walls(course, options.strict) && options.strict) {
-    std::cerr << "tumble: --strict: nothing is judged\n";
-    return 2;
-  }
+  if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
   Judgement judgement;
   judgement.seed = options.seed.value_or(fresh_seed());
   judgement.seeds = options.seeds;
@@ -99,6 +96,7 @@ int check(const Course& course, const CheckOptions& options) {
   style.every_case = options.every_case;
   const bool own_work = !options.from && !options.solutions && selection.only_case == 0;
   std::vector<UnitResult> results;
+  std::vector<UnitRecord> records;
   judge_all(
       course, selection.units, [&](const Unit& unit) { return source_of(course, options, unit); },
       judgement,
@@ -110,7 +108,8 @@ int check(const Course& course, const CheckOptions& options) {
           print_result(std::cout, course, result, style);
         std::cout << std::flush;
         results.push_back(result);
-        if (options.json) write_json(*options.json, results);
+        if (options.json) records.push_back(record_of(course, result));
+        if (options.json) write_json(*options.json, records);
         if (own_work) remember(progress, course, result);
       });
   const bool all_passed = std::all_of(results.begin(), results.end(),

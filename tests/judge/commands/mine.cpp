@@ -93,10 +93,7 @@ int not_built(const MineOptions& options, const mine::EngineBuild& build,
 }  // namespace
 
 int mine_command(const Course& course, const MineOptions& options) {
-  if (!report_missing_walls(course, options.strict) && options.strict) {
-    std::cerr << "tumble: --strict: nothing is run\n";
-    return 2;
-  }
+  if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
   const WorkFolder work;
   progress("compiling the functions that an engine needs");
   const mine::EngineBuild build = mine::build_engine(

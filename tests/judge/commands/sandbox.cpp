@@ -19,12 +19,14 @@ std::vector<MissingLayer> missing_walls(const Course& course) {
   return missing;
 }
 
-bool report_missing_walls(const Course& course, bool strict) {
+bool may_judge(const Course& course, Strangers strangers) {
   const std::vector<MissingLayer> missing = missing_walls(course);
   for (const MissingLayer& each : missing)
-    if (strict || each.layer != Layer::other_user)
+    if (strangers != Strangers::no || each.layer != Layer::other_user)
       std::cerr << "tumble: the sandbox lacks " << name_of(each.layer) << ": " << each.why << "\n";
-  return missing.empty();
+  if (missing.empty() || strangers != Strangers::strictly) return true;
+  std::cerr << "tumble: --strict: nothing is judged\n";
+  return false;
 }
 
 int sandbox(const Course& course) {

@@ -12,9 +12,16 @@ namespace tumble::judge {
 /// The walls that are missing around a worker or around the compiler. The compiler of a judge that
 /// root has started is another user only if other users may enter the course's folders.
 std::vector<MissingLayer> missing_walls(const Course& course);
-/// Says which walls are missing; if not strict, no word about that of another user: a student runs
-/// their own code.
-/// @return whether all of them stand
-bool report_missing_walls(const Course& course, bool strict);
+
+/// Whose code is judged.
+enum class Strangers {
+  no,        ///< students judge their own: another user for it would be too much
+  yes,       ///< every missing wall is said
+  strictly,  ///< nothing is judged if one is missing
+};
+
+/// Says on stderr which walls are missing.
+/// @return whether judging may go on
+bool may_judge(const Course& course, Strangers strangers);
 
 }  // namespace tumble::judge
