@@ -43,22 +43,38 @@ class DoubleDoubleTurning {
     for (int i = 0; i < 4; ++i) now_[6 + i] = q[i];
   }
 
+  using State = Eigen::Matrix<DoubleDouble, 10, 1>;  ///< ω, u, q
+
   TurningEnd at(double t1) {
-    while (t_ < t1) {
+    while (t_ < DoubleDouble(t1)) {
       expand();
-      const double h = std::min(step(), t1 - t_);
+      const double left = double(DoubleDouble(t1) - t_), h = std::min(step(), left);
       advance(h);
-      t_ = h == t1 - t_ ? t1 : t_ + h;
+      t_ = h == left ? DoubleDouble(t1) : t_ + h;  // of a sum of doubles the digits would be missed
     }
     const auto number = [&](int i) { return double(now_[i]); };
     return {Quat(number(6), number(7), number(8), number(9)).normalized(),
             {number(0), number(1), number(2)}};
   }
 
+  /// All digits of the state that it has come to.
+  const State& now() const { return now_; }
+
+  /// What the state's rates are there [1/s].
+  State rates() {
+    expand();
+    return series_.col(1);
+  }
+
+  /// Goes on, or back, by a time so short that t need not know of it.
+  void shift(double h) {
+    expand();
+    advance(h);
+  }
+
  private:
   using T = DoubleDouble;
   static constexpr int order = 36;
-  using State = Eigen::Matrix<T, 10, 1>;  // ω, u, q
 
   /// Coefficient k of the product of two components' series.
   T product(int a, int b, int k) const {
@@ -68,6 +84,7 @@ class DoubleDoubleTurning {
   }
 
   void expand() {
+    const bool free = body_.F.isZero(0);
     series_.col(0) = now_;
     for (int k = 0; k < order; ++k) {
       const T next = T(1) / T(k + 1);
@@ -77,7 +94,7 @@ class DoubleDoubleTurning {
         const int y = (x + 1) % 3, z = (x + 2) % 3;
         const T torque = T(body_.p[y]) * c[3 + z] - T(body_.p[z]) * c[3 + y];
         s[x] = (product(y, z, k) * (T(body_.J[y]) - T(body_.J[z])) + torque) / T(body_.J[x]) * next;
-        s[3 + x] = (product(3 + y, z, k) - product(3 + z, y, k)) * next;
+        s[3 + x] = free ? T(0) : (product(3 + y, z, k) - product(3 + z, y, k)) * next;
         s[7 + x] = (product(6, x, k) + product(7 + y, z, k) - product(7 + z, y, k)) * T(0.5) * next;
       }
       s[6] = -(product(7, 0, k) + product(8, 1, k) + product(9, 2, k)) * T(0.5) * next;
@@ -91,6 +108,7 @@ class DoubleDoubleTurning {
       for (const int k : {order - 1, order}) {
         double size = 0, last = 0;
         for (int i = first; i < end; ++i) {
+          if (first == 0) size = std::max(size, std::sqrt(std::abs(series_(i, 1).hi)));  // at rest
           size = std::max(size, std::abs(series_(i, 0).hi));
           last = std::max(last, std::abs(series_(i, k).hi));
         }
@@ -108,7 +126,7 @@ class DoubleDoubleTurning {
   }
 
   Turning body_;
-  double t_ = 0;
+  DoubleDouble t_ = 0;
   State now_;
   Eigen::Matrix<T, 10, order + 1> series_;
 };

@@ -74,6 +74,21 @@ TEST_CASE("LagrangeTop: regular precession, with hardly any nutation or none") {
   }
 }
 
+TEST_CASE("LagrangeTop: too slow to sleep, it falls from as near to upright as doubles tell") {
+  const Vec3 J(1, 1, 0.5), down(0, 0, -5), p(0, 0, 1);
+  const double critical = std::sqrt(4 * J[0] * 5) / J[2];
+  for (const double part : {0.99, 0.9, 0.5, 0.1})
+    for (const double tilt : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
+      CAPTURE(part);
+      CAPTURE(tilt);
+      const Quat q(std::cos(tilt / 2), std::sin(tilt / 2), 0, 0);
+      const Vec3 L = q * Vec3(0, 0, J[2] * part * critical);
+      CHECK(error_in_bounds(J, down, p, q, L, 10) < 1);
+      // Upright a second time: for 1e-12 the truth itself would need more digits.
+      if (tilt >= 1e-9) CHECK(error_in_bounds(J, down, p, q, L, 40) < 1);
+    }
+}
+
 TEST_CASE("LagrangeTop: is none without an axis, a torque about it, or off the axis") {
   const Vec3 down(0, 0, -5), L(1, 2, 3);
   const Quat q = exp_quaternion<double>(Vec3(0.4, 0, 0));
@@ -83,6 +98,7 @@ TEST_CASE("LagrangeTop: is none without an axis, a torque about it, or off the a
   CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 0)), q, L));
   CHECK(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)), q, L));
   // Asleep: upright and spinning about the vertical.
-  CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)), Quat(1, 0, 0, 0),
-                                Vec3(0, 0, 5)));
+  for (const double L3 : {0.0, 1.0, 5.0, 9.0, 50.0})
+    CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)), Quat(1, 0, 0, 0),
+                                  Vec3(0, 0, L3)));
 }

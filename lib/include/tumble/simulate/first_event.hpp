@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// When something happens for the first time: where a function of time and state changes its sign.
+/// When something happens, for the first time or each time: where a function of time and state
+/// changes its sign.
 ///
 /// Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993),
 /// II.6 "Event Location".
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <concepts>
 #include <optional>
+#include <vector>
 
 #include "tumble/simulate/trajectory.hpp"
 
@@ -43,13 +45,10 @@ double change_of_sign(const Value& value, double a, double b, double value_a, do
   return b;
 }
 
-}  // namespace detail
-
-/// The first moment at which g is no longer of the sign it had at the start, to the last digits of
-/// t. A g that is 0 at the start counts from where it leaves 0. Looked for at eight moments in each
-/// step: what changes sign and back in between is not seen.
-template <EventFunction G>
-std::optional<Event> first_event(const Trajectory& trajectory, const G& g) {
+/// Shows `visit` each event, in turn, until it has seen enough.
+/// @param visit visit(event) → whether to look for more
+template <EventFunction G, class Visit>
+void visit_events(const Trajectory& trajectory, const G& g, const Visit& visit) {
   constexpr int parts = 8;
   const auto value = [&](double t) { return static_cast<double>(g(t, trajectory.at(t))); };
   const std::vector<double>& moments = trajectory.moments();
@@ -61,12 +60,37 @@ std::optional<Event> first_event(const Trajectory& trajectory, const G& g) {
                            : moments[i - 1] + part * (moments[i] - moments[i - 1]) / parts;
       const double g_now = value(t);
       if (g_before != 0 && (g_now == 0 || std::signbit(g_now) != std::signbit(g_before))) {
-        const double root = detail::change_of_sign(value, before, t, g_before, g_now);
-        return Event{root, trajectory.at(root)};
+        const double root = change_of_sign(value, before, t, g_before, g_now);
+        if (!visit(Event{root, trajectory.at(root)})) return;
       }
       before = t, g_before = g_now;
     }
-  return {};
+}
+
+}  // namespace detail
+
+/// The first moment at which g is no longer of the sign it had at the start, to the last digits of
+/// t. A g that is 0 at the start counts from where it leaves 0. Looked for at eight moments in each
+/// step: what changes sign and back in between is not seen.
+template <EventFunction G>
+std::optional<Event> first_event(const Trajectory& trajectory, const G& g) {
+  std::optional<Event> first;
+  detail::visit_events(trajectory, g, [&](const Event& event) {
+    first = event;
+    return false;
+  });
+  return first;
+}
+
+/// All such moments, ascending, each found as first_event() finds the first.
+template <EventFunction G>
+std::vector<Event> every_event(const Trajectory& trajectory, const G& g) {
+  std::vector<Event> all;
+  detail::visit_events(trajectory, g, [&](const Event& event) {
+    all.push_back(event);
+    return true;
+  });
+  return all;
 }
 
 }  // namespace tumble

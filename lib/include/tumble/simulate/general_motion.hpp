@@ -1,15 +1,14 @@
 #pragma once
 /// @file
-/// A body under any forces, by Dormand and Prince's method of order 8 on (x, q, P, L), in units in
-/// which all thirteen numbers are of the size of 1: so that one tolerance fits them all.
+/// A body under any forces, by Dormand and Prince's method of order 8 on thirteen numbers that are
+/// of the size of 1.
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
-#include "tumble/body/dydt.hpp"
 #include "tumble/ode/dop853.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
+#include "tumble/simulate/scaled_motion.hpp"
 #include "tumble/simulate/stated_error.hpp"
 
 namespace tumble {
@@ -34,19 +33,17 @@ MotionScale scale_of(const Motion& motion, const RigidBodyState<>& start, double
 template <class Motion>
 class GeneralMotion {
  public:
-  static constexpr double error_exponent = 0.5, margin = 10, first_epsilon = 0.2;
+  static constexpr double error_exponent = 0.5, margin = 10, first_epsilon = 0.01;
 
   /// @param motion a RigidBodyMotion<double, …>
   /// @throws std::runtime_error as integrate_adaptive() does
-  GeneralMotion(std::shared_ptr<const Motion> motion, const MotionScale& scale,
-                const RigidBodyState<>& start, double t0, double t1, double tolerance)
-      : motion_(std::move(motion)) {
-    units_ << Vec3::Constant(scale.length), Eigen::Vector4d::Ones(), Vec3::Constant(scale.momentum),
-        Vec3::Constant(scale.angular_momentum);
-    steps_.push_back({t0, pack(start).cwiseQuotient(units_)});
+  GeneralMotion(const Motion& motion, const MotionScale& scale, const RigidBodyState<>& start,
+                double t0, double t1, double tolerance)
+      : motion_(motion, scale) {
+    steps_.push_back({t0, motion_.numbers(start)});
     const auto keep = [this](double t, const Numbers& y) { steps_.push_back({t, y}); };
-    const auto solution = integrate_adaptive<Dop853>(scaled(), steps_.front().y, t0, t1,
-                                                     {tolerance, tolerance}, keep);
+    const auto solution =
+        integrate_adaptive<Dop853>(motion_, steps_.front().y, t0, t1, {tolerance, tolerance}, keep);
     rejected_ = solution.rejected, evaluations_ = solution.evaluations;
   }
 
@@ -62,10 +59,7 @@ class GeneralMotion {
   RigidBodyState<> at(double t) const {
     const auto later = [](double time, const Step& step) { return time < step.t; };
     const Step& step = *(std::upper_bound(steps_.begin() + 1, steps_.end(), t, later) - 1);
-    const Numbers y = t == step.t ? step.y : Dop853::step(scaled(), step.t, step.y, t - step.t);
-    RigidBodyState<> state = unpack<double>(PackedState<double>(y.cwiseProduct(units_)));
-    state.q.normalize();
-    return state;
+    return motion_.state(t == step.t ? step.y : Dop853::step(motion_, step.t, step.y, t - step.t));
   }
 
   void account(SimulationReport& report) const {
@@ -76,20 +70,13 @@ class GeneralMotion {
   }
 
  private:
-  using Numbers = PackedState<double>;
+  using Numbers = typename ScaledMotion<Motion>::Numbers;
   struct Step {
     double t;
     Numbers y;
   };
 
-  auto scaled() const {
-    return [this](double t, const Numbers& y) -> Numbers {
-      return (*motion_)(t, Numbers(y.cwiseProduct(units_))).cwiseQuotient(units_);
-    };
-  }
-
-  std::shared_ptr<const Motion> motion_;
-  Numbers units_;
+  ScaledMotion<Motion> motion_;
   std::vector<Step> steps_;
   int rejected_ = 0, evaluations_ = 0;
 };

@@ -3,7 +3,8 @@
 /// Says where a body goes, with an error that is stated and kept, in the cheapest way there is.
 ///
 ///   nobody asks for the turning    a particle: its path, in closed form under steady forces
-///   nothing turns the body         closed forms, exact to rounding at any time
+///   nothing turns the body         closed forms, exact to rounding at any time (so too where
+///                                  forces pull along the axis that it spins about)
 ///   a symmetric top is pulled at   a closed form too, unless its axis passes next to the vertical
 ///   its axis
 ///   steady forces turn it          Taylor series of high order; the path in closed form
@@ -125,7 +126,8 @@ inline Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyStat
   const SteadyPath path(body, start, forces);
   if (task.wanted == Wanted::path_only) return particle_trajectory(start, path, task);
   const SteadyTorque torque(body, forces);
-  if (torque.is_free() || task.t0 == task.t1) return free_trajectory(body, start, path, task);
+  if (torque.is_free() || torque.is_idle(torque.turning(start.q, start.L)) || task.t0 == task.t1)
+    return free_trajectory(body, start, path, task);
   if (const auto top = LagrangeTop::from(torque, start.q, start.L))
     if (top->error_bound(task.t1 - task.t0) <= task.tolerance)
       return top_trajectory(*top, body, start, path, task);
@@ -145,8 +147,8 @@ template <class... Forces>
 Trajectory general_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
                               const SimulationTask& task, const Forces&... forces) {
   using Motion = RigidBodyMotion<double, Forces...>;
-  const auto motion = std::make_shared<const Motion>(body, forces...);
-  const MotionScale scale = scale_of(*motion, start, task.t0, task.t1);
+  const Motion motion(body, forces...);
+  const MotionScale scale = scale_of(motion, start, task.t0, task.t1);
   SimulationReport report{Model::full_body, "Dormand–Prince 8(5,3)",
                           "a force depends on where the body is or how it is turned",
                           task.tolerance, 0};

@@ -60,9 +60,10 @@ class LagrangeTop {
   State at(double t) const {
     const double v = lambda_ * t + v0_;
     const ThetaValues va = values(alpha_, v), vb = values(beta_, v + K_);
-    const double w = motion_.w1 - motion_.spread * va.sn * va.sn;
+    const double w = motion_.w2 + motion_.spread * va.cn * va.cn,
+                 up_to_2 = 2 - motion_.w1 + motion_.spread * va.sn * va.sn;  // 2 − w
     const std::complex<double> a =
-        std::sqrt(1 - w / 2) * a0_ * turn(sign_a_, rate_a_, slip_, va, t);
+        std::sqrt(up_to_2 / 2) * a0_ * turn(sign_a_, rate_a_, slip_, va, t);
     const std::complex<double> b = std::sqrt(w / 2) * b0_ * turn(sign_b_, rate_b_, -slip_, vb, t);
     const Quat q = upright_ * Quat(a.real(), b.real(), b.imag(), a.imag()) * frame_;
     const double w_rate = -2 * motion_.spread * lambda_ * va.sn * va.cn * va.dn;

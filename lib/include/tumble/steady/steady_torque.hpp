@@ -41,6 +41,18 @@ class SteadyTorque {
   /// Nothing turns the body: no torque, no drag.
   bool is_free() const { return rank_ == 0 && drag_.isZero(0); }
 
+  /// Nothing turns the body as long as it turns like this: its forces pull along the principal axis
+  /// that it spins about, as those on a sleeping top.
+  bool is_idle(const TurningState& s) const {
+    const Vec3& w = s.omega;
+    bool idle = drag_.isZero(0) && axes_.moments.cwiseProduct(w).cross(w).isZero(0);
+    for (int r = 0; r < rank_; ++r) {
+      const Vec3 u = s.q.conjugate() * directions_[index(r)];
+      idle = idle && arms_[index(r)].cross(u).isZero(0) && u.cross(w).isZero(0);
+    }
+    return idle;
+  }
+
   TurningState turning(const Quat& q, const Vec3& L) const {
     const Quat into_world = q * frame();
     const Vec3 L_principal = into_world.conjugate() * L / into_world.squaredNorm();
