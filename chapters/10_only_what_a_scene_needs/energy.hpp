@@ -112,7 +112,7 @@ inline Steps of_turns(const KnownTurning& scene) {
 inline std::vector<Steps> rivals(const KnownTurning& scene) {
   return {of_method<Rk4>(scene, "RK4", 4),
           of_turns(scene),
-          of_method<Dop853>(scene, "DOP853, fixed steps", 12),
+          of_method<Dop853>(scene, "DOP853, fixed", 12),
           of_splitting<Strang>(scene, "splitting, order 2"),
           of_splitting<BlanesMoan4>(scene, "splitting, order 4"),
           of_splitting<BlanesMoan6>(scene, "splitting, order 6"),

@@ -90,7 +90,7 @@ inline RigidBodyState<> thrown(const RigidBody<>& body) {
 }
 
 inline Table ladder_table() {
-  Table table({"scene, 2 s", "model", "evaluations", "full body by DOP853", "apart"});
+  Table table({"scene, 2 s", "model", "evaluations", "by DOP853", "apart"});
   const BodyDrag air{0.003, 0};
   const SimulationTask path{0, 2, 1e-7, Wanted::path_only}, all{0, 2, 1e-7};
   add_rung(table, "ball in the air, only its path", ball(), thrown(ball()), path, weight, air);
