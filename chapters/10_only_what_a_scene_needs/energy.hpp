@@ -155,7 +155,7 @@ inline std::string trend_number(double trend) {
 
 inline Table drift_table() {
   Table table(
-      {"method", "largest, 10 s", "100 s", "1000 s", "trend [1/s], 10 s", "100 s", "1000 s"});
+      {"method", "largest 10 s", "100 s", "1000 s", "trend [1/s], 10 s", "100 s", "1000 s"});
   for (const Steps& method : rivals(nodding_top())) {
     const std::array<Witness, 3> seen = witnesses(method);
     std::vector<std::string> row{method.name};
