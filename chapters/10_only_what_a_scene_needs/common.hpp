@@ -16,9 +16,9 @@ using support::degrees;
 
 // ── Numbers ──
 
-/// An error that may be rounding: the power of ten that it is below.
+/// An error that may be rounding: the power of ten that it is below, twice as large or not.
 inline std::string below(double error) {
-  return "< 1e" + std::to_string(static_cast<int>(std::floor(std::log10(error))) + 1);
+  return "< 1e" + std::to_string(static_cast<int>(std::floor(std::log10(2 * error))) + 1);
 }
 
 /// An error, or that it is below what the truth is known to.

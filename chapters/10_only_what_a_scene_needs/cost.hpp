@@ -20,7 +20,7 @@ inline void add_point(support::Series& series, double work, double error) {
 
 inline support::Series by_fixed_steps(const KnownTurning& scene, const Steps& method) {
   support::Series series{method.name, {}, {}};
-  for (double steps = 20; steps * method.evaluations < 3e5; steps *= 1.5) {
+  for (double steps = 20; steps * method.evaluations < 6e4; steps *= 1.5) {
     const int count = static_cast<int>(steps);
     const double h = scene.duration / count;
     RigidBodyState<> state = scene.start;

@@ -36,7 +36,7 @@ inline Crowd crowd_of(int count) {
   return crowd;
 }
 
-constexpr int crowd_size = 800, crowd_steps = 240;
+constexpr int crowd_size = 160, crowd_steps = 240;
 constexpr double crowd_step = 1.0 / crowd_steps;  // [s]
 
 /// Root mean square over the bodies after one second [rad].

@@ -141,18 +141,24 @@ std::vector<double> stepped_errors(const KnownFuture& known, int rate) {
     const int t = static_cast<int>(std::lround(std::pow(10, i)));
     y = integrate_fixed<Method>(motion, y, before, t, (t - before) * rate);
     errors.push_back(angle_between(unpack<double>(y).q, known.ends[static_cast<std::size_t>(i)]));
+    if (errors.back() > 0.5) break;  // lost
     before = t;
   }
   return errors;
 }
 
+inline const std::vector<double>& rk4_errors() {
+  static const std::vector<double> errors = stepped_errors<Rk4>(askew_future, 30);
+  return errors;
+}
+
 inline Table future_table() {
-  Table table({"after", "RK4, 60 steps/s", "its evaluations", "closed form", "near the middle axis",
+  Table table({"after", "RK4, 30 steps/s", "its evaluations", "closed form", "near the middle axis",
                "promised"});
-  const std::vector<double> rk4 = stepped_errors<Rk4>(askew_future, 60);
+  const std::vector<double>& rk4 = rk4_errors();
   for (std::size_t i = 0; i < 7; ++i) {
     const double t = std::pow(10, i), rate = askew_future.omega.norm();
-    const std::string evaluations = "2.4e" + std::to_string(2 + i);
+    const std::string evaluations = "1.2e" + std::to_string(2 + i);
     table.add({"1e" + std::to_string(i) + " s",
                i < rk4.size() ? error_number(rk4[i]) + " rad" : "–",
                i < rk4.size() ? evaluations : "–", below(future_error(askew_future, i)) + " rad",
@@ -182,9 +188,9 @@ inline std::string future_figure() {
     promised.x.push_back(std::pow(10, i));
     promised.y.push_back(1e-13 * askew_future.omega.norm() * std::pow(10, i));
   }
-  plot.series = {growth("midpoint, 120 steps/s", stepped_errors<Midpoint>(askew_future, 120)),
-                 growth("RK4, 60", stepped_errors<Rk4>(askew_future, 60)),
-                 growth("DOP853, 8", stepped_errors<Dop853>(askew_future, 8)), promised};
+  plot.series = {growth("midpoint, 60 steps/s", stepped_errors<Midpoint>(askew_future, 60)),
+                 growth("RK4, 30", rk4_errors()),
+                 growth("DOP853, 5", stepped_errors<Dop853>(askew_future, 5)), promised};
   return support::to_svg(plot);
 }
 
