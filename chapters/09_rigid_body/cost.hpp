@@ -6,6 +6,7 @@
 #include "steps.hpp"
 #include "support/counted.hpp"
 #include "support/stopwatch.hpp"
+#include "tumble/simulate/simulate.hpp"
 
 namespace rigid_body_chapter {
 

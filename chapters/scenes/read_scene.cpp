@@ -1,13 +1,15 @@
 #include <algorithm>
 #include <fstream>
 
-#include "scenes/place.hpp"
 #include "scenes/scene.hpp"
+#include "support/place.hpp"
 #include "tumble/mass.hpp"
 #include "tumble/mesh/read_obj.hpp"
 
 namespace tumble::scenes {
 namespace {
+
+using support::Place;
 
 /// The mass properties of a shape at 1 kg/m³, in the shape's own coordinates.
 MassProperties of_shape(const Place& shape, const std::filesystem::path& folder) {

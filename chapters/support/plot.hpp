@@ -13,8 +13,9 @@
 
 namespace tumble::support {
 
-/// How points are shown: joined by a line, on which few of them are marked; or as dots alone.
-enum class Look { line, dots };
+/// How points are shown: joined by a line, on which few of them are marked; or as dots alone. A
+/// dashed line is for what is there to compare with.
+enum class Look { line, dots, dashed };
 
 /// One curve. Points that an axis cannot show (not finite; not positive on a log axis)
 /// are left out.
@@ -105,8 +106,9 @@ inline std::string curve(const Series& series, const Frame& frame, const std::st
       markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"3\" fill=\"" + colour + "\"/>\n";
   }
   if (series.look == Look::dots) return markers;
-  return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour +
-         "\" stroke-width=\"1.8\"/>\n" + markers;
+  const std::string dashes = series.look == Look::dashed ? " stroke-dasharray=\"6 4\"" : "";
+  return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.8\"" +
+         dashes + "/>\n" + markers;
 }
 
 struct EndLabel {
@@ -158,6 +160,17 @@ inline Frame fitted_frame(const Plot& plot) {
   return frame;
 }
 
+/// All but the sheet that it is drawn on.
+inline std::string drawing(const Plot& plot, const Frame& frame) {
+  std::string svg = axes(plot, frame);
+  for (std::size_t s = 0; s < plot.series.size(); ++s)
+    svg += curve(plot.series[s], frame, colour_of(s));
+  for (const EndLabel& label : end_labels(plot, frame))
+    svg += text(frame.right_end() + 10, label.y + 4, plot.series[label.series].name,
+                "fill=\"" + colour_of(label.series) + "\"");
+  return svg;
+}
+
 }  // namespace plot_detail
 
 /// The plot as a complete SVG document.
@@ -165,13 +178,26 @@ inline Frame fitted_frame(const Plot& plot) {
 inline std::string to_svg(const Plot& plot) {
   using namespace plot_detail;
   const Frame frame = fitted_frame(plot);
-  std::string svg = svg_open(width, frame.floor() + bottom, plot.title) + axes(plot, frame);
-  for (std::size_t s = 0; s < plot.series.size(); ++s)
-    svg += curve(plot.series[s], frame, colour_of(s));
-  for (const EndLabel& label : end_labels(plot, frame))
-    svg += text(frame.right_end() + 10, label.y + 4, plot.series[label.series].name,
-                "fill=\"" + colour_of(label.series) + "\"");
-  return svg + "</svg>\n";
+  return svg_open(width, frame.floor() + bottom, plot.title) + drawing(plot, frame) + "</svg>\n";
+}
+
+/// Several plots below each other in one document, and below them lines of text.
+/// @param title for screen readers
+inline std::string to_svg(const std::string& title, const std::vector<Plot>& plots,
+                          const std::vector<std::string>& notes) {
+  using namespace plot_detail;
+  constexpr double line_height = 19, margin = 12;
+  std::string svg;
+  double y = 0;
+  for (const Plot& plot : plots) {
+    const Frame frame = fitted_frame(plot);
+    svg +=
+        "<g transform=\"translate(0 " + svg_number(y) + ")\">\n" + drawing(plot, frame) + "</g>\n";
+    y += frame.floor() + bottom;
+  }
+  for (const std::string& note : notes)
+    svg += text(margin, y += line_height, note, "fill=\"var(--ink)\"");
+  return svg_open(width, y + margin, title) + svg + "</svg>\n";
 }
 
 }  // namespace tumble::support

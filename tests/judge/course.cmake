@@ -135,14 +135,25 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
 
       tumble_add_check(${target} ${chapter} ${name} ${number})
 
+      set(solution_object "\"$<FILTER:$<TARGET_OBJECTS:${id}_solution>,INCLUDE,/solutions/>\"")
       list(JOIN earlier "," earlier_json)
       string(APPEND json "${separator}
     {\"number\": \"${number}\", \"chapter\": \"${chapter}\", \"name\": \"${name}\",
-     \"worker\": \"$<FILTER:$<TARGET_OBJECTS:${id}_worker>,INCLUDE,/workers/>\", \"earlier\": [${earlier_json}]}")
+     \"worker\": \"$<FILTER:$<TARGET_OBJECTS:${id}_worker>,INCLUDE,/workers/>\",
+     \"solution\": ${solution_object}, \"earlier\": [${earlier_json}]}")
       set(separator ",")
-      list(APPEND earlier "\"$<FILTER:$<TARGET_OBJECTS:${id}_solution>,INCLUDE,/solutions/>\"")
+      list(APPEND earlier ${solution_object})
     endforeach()
   endforeach()
+
+  # What makes one engine of all of a student's functions: ./tumble mine.
+  set(engine)
+  if(EXISTS ${root}/tests/judge/mine/engine.cpp)
+    tumble_student_object(${target}_engine ${root}/tests/judge/mine/engine.cpp
+      ${PROJECT_SOURCE_DIR}/tests ${root}/exercises)
+    add_dependencies(${target} ${target}_engine)
+    set(engine "$<FILTER:$<TARGET_OBJECTS:${target}_engine>,INCLUDE,/engine.cpp>")
+  endif()
 
   set(flags ${TUMBLE_STUDENT_FLAGS})
   list(TRANSFORM flags REPLACE "(.+)" "\"\\1\"")
@@ -155,6 +166,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
   \"flags\": [${flags}],
   \"precompiled\": \"${TUMBLE_STUDENT_PCH}\",
   \"linker\": \"${TUMBLE_STUDENT_LINKER}\",
+  \"engine\": \"${engine}\",
   \"runtime\": \"$<TARGET_FILE:tumble_worker>\",
   \"units\": [${json}
   ]

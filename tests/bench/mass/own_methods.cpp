@@ -51,9 +51,9 @@ Method on_mesh(const std::string& name, const F& compute) {
           }};
 }
 
-Method integrals(const std::string& name, Accuracy accuracy, int threads = 1) {
+Method integrals(const std::string& name, Accuracy accuracy, const LoopOptions& loop = {}) {
   return on_mesh(name, [=](const PolygonMesh& mesh) {
-    return unchecked_mass_properties(mesh, 1, accuracy, {.threads = threads});
+    return unchecked_mass_properties(mesh, 1, accuracy, loop);
   });
 }
 
@@ -67,6 +67,20 @@ Method diagnosed(const std::string& name, Accuracy accuracy) {
 Method only_in_table(Method method) {
   method.in_figure = false;
   return method;
+}
+
+/// The same with less than this processor has: what others will get.
+void add_older_processors(std::vector<Method>& methods) {
+  using simd::InstructionSet;
+  const std::pair<const char*, InstructionSet> sets[] = {{"AVX2", InstructionSet::avx2},
+                                                         {"baseline", InstructionSet::baseline}};
+  for (const auto& [name, instructions] : sets) {
+    if (instructions >= simd::best_instruction_set()) continue;
+    for (const auto& [tier, accuracy] :
+         {std::pair{"fast, ", Accuracy::fast}, std::pair{"tight, ", Accuracy::tight}})
+      methods.push_back(only_in_table(
+          integrals(std::string(tier) + name, accuracy, {.instructions = instructions})));
+  }
 }
 
 /// @tparam Points RandomPoints or R3Points
@@ -105,9 +119,9 @@ std::vector<Method> own_methods() {
           on_mesh("plain loop about the origin",
                   [](const PolygonMesh& mesh) { return plain_loop(mesh, Vec3(0, 0, 0)); })),
       integrals("fast", Accuracy::fast),
-      only_in_table(integrals("fast, 2 threads", Accuracy::fast, 2)),
+      only_in_table(integrals("fast, 2 threads", Accuracy::fast, {.threads = 2})),
       integrals("tight", Accuracy::tight),
-      only_in_table(integrals("tight, 2 threads", Accuracy::tight, 2)),
+      only_in_table(integrals("tight, 2 threads", Accuracy::tight, {.threads = 2})),
       integrals("textbook (Mirtich)", Accuracy::textbook),
       only_in_table(diagnosed("fast, diagnosed", Accuracy::fast)),
       diagnosed("tight, diagnosed", Accuracy::tight),
@@ -116,6 +130,7 @@ std::vector<Method> own_methods() {
            return box_mass_properties(aligned_box(body.mesh.vertices), body.truth.mass);
          };
        }}};
+  add_older_processors(methods);
   add_sampling<RandomPoints>(methods, "random points");
   add_sampling<R3Points>(methods, "R3 points");
   add_columns(methods);

@@ -150,3 +150,20 @@ TEST_CASE("plot: dots alone have no line") {
   CHECK(count(to_svg(plot), "<path") == 0);
   CHECK(count(to_svg(plot), "<circle") == 2);
 }
+
+TEST_CASE("plot: a dashed line is one, with its markers") {
+  const Plot plot{"", {"x"}, {"y"}, {{"there", {1, 2}, {1, 2}, Look::dashed}}};
+  const std::string svg = to_svg(plot);
+  CHECK(count(svg, "stroke-dasharray") == 1);
+  CHECK(count(svg, "<circle") == 2);
+}
+
+TEST_CASE("plots below each other are one document, and so are the notes below them") {
+  const Plot plot{"one", {"x"}, {"y"}, {{"curve", {1, 2}, {1, 2}}}};
+  const std::string svg = to_svg("all", {plot, plot}, {"a < b", "more"});
+  CHECK(count(svg, "<svg") == 1);
+  CHECK(count(svg, "<style>") == 1);
+  CHECK(count(svg, ">curve</text>") == 2);
+  CHECK(count(svg, ">a &lt; b</text>") == 1);
+  CHECK(count(svg, "height=\"930\"") == 1);  // 2 (44 + 340 + 56) + 2 · 19 + 12
+}

@@ -52,18 +52,37 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
   return kept;
 }
 
-std::vector<std::string> undefined_functions(const std::string& linker_output) {
+namespace {
+
+/// The names that follow one of these texts, each once.
+std::vector<std::string> names_after(const std::vector<std::string>& texts,
+                                     const std::string& linker_output) {
   std::istringstream in(linker_output);
   std::vector<std::string> names;
   for (std::string line; std::getline(in, line);)
-    for (const std::string before :
-         {"undefined symbol: ", "undefined reference to `", "undefined reference to '"}) {
+    for (const std::string& before : texts) {
       const auto at = line.find(before);
       if (at == std::string::npos) continue;
       const auto start = at + before.size();
       const std::string name = line.substr(start, line.find_first_of("('", start) - start);
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> undefined_functions(const std::string& linker_output) {
+  return names_after({"undefined symbol: ", "undefined reference to `", "undefined reference to '"},
+                     linker_output);
+}
+
+std::vector<std::string> duplicate_functions(const std::string& linker_output) {
+  std::vector<std::string> names =
+      names_after({"multiple definition of `", "multiple definition of '", "duplicate symbol: "},
+                  linker_output);
+  for (std::string& name : names)  // mold names the files first
+    if (const auto at = name.rfind(": "); at != std::string::npos) name.erase(0, at + 2);
   return names;
 }
 

@@ -16,4 +16,7 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
 /// The functions that a linker misses, by name: "quaternions::inverse".
 std::vector<std::string> undefined_functions(const std::string& linker_output);
 
+/// The functions that a linker finds in more than one file.
+std::vector<std::string> duplicate_functions(const std::string& linker_output);
+
 }  // namespace tumble::judge

@@ -1,15 +1,14 @@
 #include "judge/build/worker_build.hpp"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
-#include <stdexcept>
+#include <optional>
 #include <vector>
 
+#include "judge/build/confined_compiler.hpp"
 #include "judge/build/diagnostics.hpp"
 #include "judge/build/inspection.hpp"
+#include "judge/build/object_cache.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/course/contract.hpp"
 
@@ -17,101 +16,67 @@ namespace tumble::judge {
 
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-/// May every user pass through all folders of this path?
-bool all_may_enter(const fs::path& path) {
-  for (fs::path folder = path; folder != folder.root_path(); folder = folder.parent_path())
-    if ((fs::status(folder).permissions() & fs::perms::others_exec) == fs::perms::none)
-      return false;
-  return true;
-}
-
 /// The steps from a source file to a worker, each a run of the compiler behind its walls.
 class Builder {
  public:
-  Builder(const Course& course, const Unit& unit, fs::path folder, Instrumentation instrumentation)
+  Builder(const Course& course, const Unit& unit, const fs::path& folder,
+          Instrumentation instrumentation)
       : course_(course),
         unit_(unit),
         tools_(course.toolchain),
-        folder_(std::move(folder)),
-        sanitized_(instrumentation == Instrumentation::sanitizers) {
-    source_ = folder_ / (unit.name + ".cpp");
-    contracts_ = {course.root / "exercises" / "not_implemented.hpp"};
-    for (const Unit& each : course.units) contracts_.push_back(course.contract(each));
-    confine_compiler();
+        sanitized_(instrumentation == Instrumentation::sanitizers),
+        contracts_(contracts_of(course)),
+        compiler_(course, folder, files_to_read(course, unit)) {}
+
+  WorkerBuild build(const std::string& text, const ObjectCache* cache) {
+    WorkerBuild result = cache ? compiled_once(text, *cache) : compiled(text);
+    if (result.outcome == BuildOutcome::built && link(result))
+      result.worker = sanitized_ ? sanitized_worker() : confined_worker(folder(), worker());
+    return result;
   }
 
-  WorkerBuild build(const std::string& text) {
-    std::ofstream(source_) << text;
-    hand_over();
+  WorkerBuild compiled_once(const std::string& text, const ObjectCache& cache) {
+    if (std::optional<WorkerBuild> known = cache.find(unit_, text, object())) {
+      compiler_.hand_over({object()});
+      return *known;
+    }
+    const WorkerBuild result = compiled(text);
+    cache.keep(unit_, text, result);
+    return result;
+  }
+
+  /// As far as the object; the first step that fails says what the outcome is.
+  WorkerBuild compiled(const std::string& text) {
+    std::ofstream(source()) << text;
+    compiler_.hand_over({source()});
     WorkerBuild result;
-    // The first step that fails says what the outcome is.
-    static_cast<void>(preprocess(result) && compile(result) && assemble(result) && link(result));
-    if (result.outcome == BuildOutcome::built) result.worker = confined_worker();
+    if (compile(result) && assemble(result)) result.object = object();
     return result;
   }
 
  private:
-  void confine_compiler() {
-    fs::create_directories(folder_);
-    confinement_.folder = folder_;
-    confinement_.limits = {.cpu_seconds = 10,
-                           .wall_seconds = 40,
-                           .memory_bytes = 4ull << 30,
-                           .file_bytes = 256ull << 20,
-                           .processes = 64};
-    confinement_.other_user = others_may_compile(course_);
-    confinement_.files.write = {folder_, "/dev/null"};
-    auto& read = confinement_.files.read;
-    read = {"/usr",
-            "/lib",
-            "/lib32",
-            "/lib64",
-            "/bin",
-            "/etc/alternatives",
-            "/etc/ld.so.cache",
-            "/proc/cpuinfo",
-            "/proc/meminfo"};
-    // A compiler and an Eigen that live elsewhere.
-    read.push_back(fs::canonical(tools_.compiler).parent_path().parent_path());
-    for (std::size_t i = 0; i + 1 < tools_.flags.size(); ++i)
-      if (tools_.flags[i] == "-isystem") read.emplace_back(tools_.flags[i + 1]);
-    read.push_back(tools_.precompiled.parent_path());
-    read.push_back(tools_.runtime);
-    read.push_back(unit_.worker);
-    read.insert(read.end(), unit_.earlier.begin(), unit_.earlier.end());
-    read.insert(read.end(), contracts_.begin(), contracts_.end());
+  static std::vector<fs::path> contracts_of(const Course& course) {
+    std::vector<fs::path> contracts = {course.root / "exercises" / "not_implemented.hpp"};
+    for (const Unit& each : course.units) contracts.push_back(course.contract(each));
+    return contracts;
   }
 
-  /// The folder belongs to the user that the compiler runs as.
-  void hand_over() const {
-    if (geteuid() != 0 || !confinement_.other_user) return;
-    for (const fs::path& path : {folder_, source_})
-      if (chown(path.c_str(), unprivileged_id, unprivileged_id) != 0)
-        throw std::runtime_error("cannot hand " + path.string() + " to the compiler's user");
+  static std::vector<fs::path> files_to_read(const Course& course, const Unit& unit) {
+    std::vector<fs::path> files = contracts_of(course);
+    files.insert(files.end(), {course.toolchain.precompiled.parent_path(), course.toolchain.runtime,
+                               unit.worker});
+    files.insert(files.end(), unit.earlier.begin(), unit.earlier.end());
+    return files;
   }
 
-  Finished run(const Arguments& arguments) const {
-    Arguments command{tools_.compiler};
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    return run_confined(
-        command, {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + folder_.string()},
-        confinement_);
-  }
+  Finished run(const Arguments& arguments) const { return compiler_.run(arguments); }
 
   /// Files the outcome of a step of the compiler that did not succeed.
   bool succeeded(const Finished& step, WorkerBuild& result, bool others) const {
     if (step.ending == Ending{false, 0}) return true;
-    result.detail = messages_about(source_, step.output, others);
-    const bool out_of_memory = step.output.find("out of memory") != std::string::npos ||
-                               step.output.find("cannot allocate") != std::string::npos ||
-                               step.output.find("memory exhausted") != std::string::npos;
-    const bool stopped = step.timed_out || step.ending.by_signal || out_of_memory ||
-                         step.output.find("Killed") != std::string::npos ||
-                         step.output.find("CPU time limit") != std::string::npos ||
-                         step.output.find("File size limit") != std::string::npos;
-    result.outcome = stopped ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
+    result.detail = messages_about(source(), step.output, others);
+    result.outcome =
+        ran_into_limits(step) ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
     return false;
   }
 
@@ -133,15 +98,17 @@ class Builder {
     return flags;
   }
 
+  /// What a file includes that does not compile: before the compiler's words about it are passed
+  /// on.
   bool preprocess(WorkerBuild& result) const {
-    const fs::path rule = folder_ / "included";
+    const fs::path rule = folder() / "included";
     Arguments arguments = source_flags();
-    arguments.insert(arguments.end(), {"-E", "-MD", "-MF", rule.string(), source_.string(), "-o",
-                                       (folder_ / "preprocessed").string()});
+    arguments.insert(arguments.end(), {"-E", "-MD", "-MF", rule.string(), source().string(), "-o",
+                                       (folder() / "preprocessed").string()});
     const Finished step = run(arguments);
     if (step.output.find("Permission denied") != std::string::npos) {
       result.outcome = BuildOutcome::forbidden_include;
-      result.detail = messages_about(source_, step.output, false);
+      result.detail = messages_about(source(), step.output, false);
       return false;
     }
     return succeeded(step, result, false) && sees_nothing_forbidden(rule, result);
@@ -150,7 +117,7 @@ class Builder {
   bool sees_nothing_forbidden(const fs::path& rule, WorkerBuild& result) const {
     const AllowedHeaders allowed(fs::path(tools_.precompiled.string() + ".d"), contracts_);
     for (const fs::path& file : dependencies_of(rule)) {
-      if (file == source_ || allowed.contains(file) || file == tools_.precompiled) continue;
+      if (file == source() || allowed.contains(file) || file == tools_.precompiled) continue;
       result.outcome = BuildOutcome::forbidden_include;
       result.detail = file.string();
       return false;
@@ -160,14 +127,13 @@ class Builder {
 
   bool compile(WorkerBuild& result) const {
     Arguments arguments = source_flags();
-    // The source is read a second time, and may ask (__has_include) what has changed since the
-    // first.
-    const fs::path rule = folder_ / "compiled";
-    arguments.insert(arguments.end(), {"-S", "-MD", "-MF", rule.string(), source_.string(), "-o",
+    const fs::path rule = folder() / "compiled";
+    arguments.insert(arguments.end(), {"-S", "-MD", "-MF", rule.string(), source().string(), "-o",
                                        assembly().string()});
     const Finished step = run(arguments);
+    if (step.ending != Ending{false, 0} && !preprocess(result)) return false;
     if (!succeeded(step, result, true) || !sees_nothing_forbidden(rule, result)) return false;
-    result.warnings = messages_about(source_, step.output, false);
+    result.warnings = messages_about(source(), step.output, false);
     if (line_with_assembler(assembly()) > 0 && !sanitized_) {
       result.outcome = BuildOutcome::assembly;
       return false;
@@ -210,43 +176,47 @@ class Builder {
     return false;
   }
 
-  WorkerProgram confined_worker() const {
-    fs::permissions(folder_, fs::perms::owner_all | fs::perms::others_exec | fs::perms::group_exec);
-    fs::permissions(worker(), fs::perms::owner_all | fs::perms::others_read |
-                                  fs::perms::others_exec | fs::perms::group_exec);
-    const fs::path empty = folder_ / "empty";
-    fs::create_directory(empty);
-    fs::permissions(empty, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
-    Confinement confinement;
-    confinement.folder = empty;
-    confinement.files.read = {worker()};
-    confinement.system_calls = CallRules::worker;
-    Arguments environment;
-    if (sanitized_) {  // its shadow memory is terabytes, and it reads about itself in /proc
-      confinement.system_calls = CallRules::sanitizer;
-      confinement.limits.memory_bytes = ~0ull;
-      confinement.limits.cpu_seconds = 10;
-      confinement.files.read.insert(confinement.files.read.end(),
-                                    {"/proc", "/usr", "/lib", "/lib64", "/etc/ld.so.cache"});
-      environment = {
-          "ASAN_OPTIONS=detect_leaks=0:handle_abort=1:handle_sigfpe=1:hard_rss_limit_mb=1024",
-          "UBSAN_OPTIONS=print_stacktrace=1"};
-    }
-    return {worker(), confinement, environment};
+  /// Its shadow memory is terabytes, and it reads about itself in /proc.
+  WorkerProgram sanitized_worker() const {
+    WorkerProgram program = confined_worker(folder(), worker());
+    Confinement& confinement = program.confinement;
+    confinement.system_calls = CallRules::sanitizer;
+    confinement.limits.memory_bytes = ~0ull;
+    confinement.limits.cpu_seconds = 10;
+    confinement.files.read.insert(confinement.files.read.end(),
+                                  {"/proc", "/usr", "/lib", "/lib64", "/etc/ld.so.cache"});
+    program.environment = {
+        "ASAN_OPTIONS=detect_leaks=0:handle_abort=1:handle_sigfpe=1:hard_rss_limit_mb=1024",
+        "UBSAN_OPTIONS=print_stacktrace=1"};
+    return program;
   }
 
-  fs::path assembly() const { return folder_ / (unit_.name + ".s"); }
-  fs::path object() const { return folder_ / (unit_.name + ".o"); }
-  fs::path worker() const { return folder_ / "worker"; }
+  const fs::path& folder() const { return compiler_.folder(); }
+  fs::path source() const { return folder() / (unit_.name + ".cpp"); }
+  fs::path assembly() const { return folder() / (unit_.name + ".s"); }
+  fs::path object() const { return folder() / (unit_.name + ".o"); }
+  fs::path worker() const { return folder() / "worker"; }
 
   const Course& course_;
   const Unit& unit_;
   const Toolchain& tools_;
-  fs::path folder_, source_;
   bool sanitized_;
   std::vector<fs::path> contracts_;
-  Confinement confinement_;
+  ConfinedCompiler compiler_;
 };
+
+/// Runs `step` on the text of a file, unless that is refused.
+template <class Step>
+WorkerBuild with_text_of(const fs::path& source, Step&& step) {
+  try {
+    return step(read_submission(source));
+  } catch (const Refused& why) {
+    WorkerBuild result;
+    result.outcome = BuildOutcome::refused;
+    result.detail = why.what();
+    return result;
+  }
+}
 
 }  // namespace
 
@@ -270,21 +240,19 @@ std::string name_of(BuildOutcome outcome) {
   return "unknown";
 }
 
-bool others_may_compile(const Course& course) {
-  return all_may_enter(course.toolchain.precompiled.parent_path()) &&
-         all_may_enter(course.root / "exercises");
+WorkerBuild build_worker(const Course& course, const Unit& unit, const fs::path& source,
+                         const fs::path& folder, Instrumentation instrumentation,
+                         const ObjectCache* compiled) {
+  return with_text_of(source, [&](const std::string& text) {
+    return Builder(course, unit, folder, instrumentation).build(text, compiled);
+  });
 }
 
-WorkerBuild build_worker(const Course& course, const Unit& unit, const fs::path& source,
-                         const fs::path& folder, Instrumentation instrumentation) {
-  try {
-    return Builder(course, unit, folder, instrumentation).build(read_submission(source));
-  } catch (const Refused& why) {
-    WorkerBuild result;
-    result.outcome = BuildOutcome::refused;
-    result.detail = why.what();
-    return result;
-  }
+WorkerBuild compile_unit(const Course& course, const Unit& unit, const fs::path& source,
+                         const fs::path& folder) {
+  return with_text_of(source, [&](const std::string& text) {
+    return Builder(course, unit, folder, Instrumentation::none).compiled(text);
+  });
 }
 
 }  // namespace tumble::judge

@@ -1,8 +1,7 @@
 #pragma once
 /// @file
-/// From a student's file to a worker: preprocess, look what was included, compile, look for
-/// assembly, link. The compiler runs behind walls too: a source file can attack it, and what it can
-/// read.
+/// From a student's file to a worker: compile, look what was included, look for assembly, link. The
+/// compiler runs behind walls too: a source file can attack it, and what it can read.
 
 #include <filesystem>
 #include <string>
@@ -28,12 +27,9 @@ struct WorkerBuild {
   BuildOutcome outcome = BuildOutcome::built;
   std::string detail;    ///< what the compiler said, about this file only
   std::string warnings;  ///< of a file that compiles
+  fs::path object;       ///< if compiled
   WorkerProgram worker;  ///< if built
 };
-
-/// Whether a judge that root has started can run the compiler as another user, too: not if other
-/// users may not enter the course's folders.
-bool others_may_compile(const Course& course);
 
 /// How the worker is to be built.
 enum class Instrumentation {
@@ -41,10 +37,18 @@ enum class Instrumentation {
   sanitizers,  ///< AddressSanitizer and UndefinedBehaviorSanitizer: to find where it crashes
 };
 
+class ObjectCache;
+
 /// Builds the worker of `unit` from the file `source`, in `folder` (made here).
+/// @param compiled what was compiled before, if anything
 /// @throws std::runtime_error if the judge itself is broken: no compiler, no walls
 WorkerBuild build_worker(const Course& course, const Unit& unit,
                          const std::filesystem::path& source, const std::filesystem::path& folder,
-                         Instrumentation instrumentation = Instrumentation::none);
+                         Instrumentation instrumentation = Instrumentation::none,
+                         const ObjectCache* compiled = nullptr);
+
+/// The same as far as the object, which other units' objects can be linked with.
+WorkerBuild compile_unit(const Course& course, const Unit& unit,
+                         const std::filesystem::path& source, const std::filesystem::path& folder);
 
 }  // namespace tumble::judge

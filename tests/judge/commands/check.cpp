@@ -4,6 +4,7 @@
 #include <random>
 
 #include "judge/commands/commands.hpp"
+#include "judge/commands/given_files.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "judge/course/progress.hpp"
 #include "judge/verdict/console.hpp"
@@ -42,28 +43,9 @@ Selection select(const Course& course, const Progress& progress, const std::stri
   return {course.select(what.substr(0, second_dot)), number_of(what.substr(second_dot + 1))};
 }
 
-/// The file of a unit in a folder of files: DIR/04_quaternions/product.cpp or DIR/product.cpp.
-fs::path file_in(const fs::path& folder, const Unit& unit) {
-  const std::string name = unit.name + ".cpp";
-  const fs::path in_chapter = folder / unit.chapter / name;
-  const bool flat =
-      !fs::exists(fs::symlink_status(in_chapter)) && fs::exists(fs::symlink_status(folder / name));
-  return flat ? folder / name : in_chapter;
-}
-
 fs::path source_of(const Course& course, const CheckOptions& options, const Unit& unit) {
   if (options.from) return file_in(fs::weakly_canonical(*options.from), unit);
   return options.solutions ? course.solution(unit) : course.exercise(unit);
-}
-
-/// Says which walls are missing.
-/// @return whether all of them stand
-bool report_missing_walls(const Course& course, bool strict) {
-  const std::vector<MissingLayer> missing = missing_walls(course);
-  for (const MissingLayer& each : missing)
-    if (strict || each.layer != Layer::other_user)  // a student judges their own code
-      std::cerr << "tumble: the sandbox lacks " << name_of(each.layer) << ": " << each.why << "\n";
-  return missing.empty();
 }
 
 std::uint64_t fresh_seed() { return std::random_device{}() % 1000000 + 1; }
@@ -101,10 +83,7 @@ int check(const Course& course, const CheckOptions& options) {
     print_next(course, progress);
     return 0;
   }
-  if (!report_missing_walls(course, options.strict) && options.strict) {
-    std::cerr << "tumble: --strict: nothing is judged\n";
-    return 2;
-  }
+  if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
   Judgement judgement;
   judgement.seed = options.seed.value_or(fresh_seed());
   judgement.seeds = options.seeds;
@@ -117,6 +96,7 @@ int check(const Course& course, const CheckOptions& options) {
   style.every_case = options.every_case;
   const bool own_work = !options.from && !options.solutions && selection.only_case == 0;
   std::vector<UnitResult> results;
+  std::vector<UnitRecord> records;
   judge_all(
       course, selection.units, [&](const Unit& unit) { return source_of(course, options, unit); },
       judgement,
@@ -128,7 +108,8 @@ int check(const Course& course, const CheckOptions& options) {
           print_result(std::cout, course, result, style);
         std::cout << std::flush;
         results.push_back(result);
-        if (options.json) write_json(*options.json, results);
+        if (options.json) records.push_back(record_of(course, result));
+        if (options.json) write_json(*options.json, records);
         if (own_work) remember(progress, course, result);
       });
   const bool all_passed = std::all_of(results.begin(), results.end(),

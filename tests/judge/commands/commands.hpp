@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "judge/course/course.hpp"
 
@@ -23,8 +24,33 @@ struct CheckOptions {
   bool sanitized = false;             ///< run everything with sanitizers
 };
 
+struct MineOptions {
+  std::optional<fs::path> from;  ///< folder with the files, instead of exercises/
+  std::optional<fs::path> svg;   ///< where the figure goes; build/mine.svg if not given
+  std::optional<fs::path> json;  ///< where to write the numbers
+  bool fill = false;             ///< take what is missing from the solutions
+  bool strict = false;           ///< refuse to run anything if a wall of the sandbox is missing
+};
+
+struct GradeOptions {
+  std::vector<fs::path> folders;  ///< of submissions
+  fs::path out = "grades";        ///< folder for the results; what is there already is gone on with
+  std::optional<fs::path> settings;    ///< course.json
+  std::optional<std::size_t> at_once;  ///< submissions; as many as there are cores if not given
+  bool strict = false;                 ///< refuse to judge if a wall of the sandbox is missing
+};
+
+struct ReportOptions {
+  fs::path grades = "grades";  ///< what `grade` has made
+  fs::path out = "report.html";
+  std::optional<fs::path> settings;  ///< course.json
+  bool names = false;                ///< the students' too
+};
+
 /// Judges what was asked for, explains, and remembers.
 int check(const Course& course, const CheckOptions& options);
+/// Builds an engine of the student's own functions, and shows its errors beside the library's.
+int mine_command(const Course& course, const MineOptions& options);
 /// Judges each file when it is saved, until interrupted.
 int watch(const Course& course);
 /// All units with what is known about them.
@@ -37,6 +63,10 @@ int reset(const Course& course, const std::string& unit);
 int solution(const Course& course, const std::string& unit, bool anyway);
 /// Which walls of the sandbox stand here.
 int sandbox(const Course& course);
+/// Grades a class.
+int grade(const Course& course, const GradeOptions& options);
+/// Writes one page about a class.
+int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.
 int matrix(const Course& course, const std::string& what, std::uint64_t seed);
 /// Every exercise in the tree is the untouched stub, and fails every case of its spec.

@@ -26,6 +26,33 @@ void add_check(CLI::App& app, CheckOptions& options) {
   app.add_flag("--sanitize", options.sanitized, "run with AddressSanitizer and UBSan");
 }
 
+void add_mine(CLI::App& app, MineOptions& options) {
+  app.add_flag("--fill", options.fill, "take the functions that are missing from the solutions");
+  app.add_option("--from", options.from, "folder with your files, instead of exercises/");
+  app.add_option("--svg", options.svg, "write the figure here, instead of build/mine.svg");
+  app.add_option("--json", options.json, "write the numbers here");
+  app.add_flag("--strict", options.strict, "refuse to run if a wall of the sandbox is missing");
+}
+
+void add_grade(CLI::App& app, GradeOptions& options) {
+  app.add_option("DIR", options.folders, "folders of submissions: a folder or archive a student")
+      ->required();
+  app.add_option("--out", options.out, "folder for the results; grading goes on where it was")
+      ->capture_default_str();
+  app.add_option("--course", options.settings,
+                 "course.json: units, weights, credit, due date, seed");
+  app.add_option("--jobs", options.at_once, "submissions at a time; as many as cores if not given")
+      ->check(CLI::Range(1, 1000));
+  app.add_flag("--strict", options.strict, "refuse to judge if a wall of the sandbox is missing");
+}
+
+void add_report(CLI::App& app, ReportOptions& options) {
+  app.add_option("GRADES", options.grades, "folder that `grade` has made")->capture_default_str();
+  app.add_option("--out", options.out, "the page")->capture_default_str();
+  app.add_option("--course", options.settings, "course.json: units, weights, credit");
+  app.add_flag("--names", options.names, "the students' names, too");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -43,6 +70,10 @@ int main(int argc, char** argv) {
   add_check(*command("check", "judge what you have written",
                      [&](const Course& course) { return check(course, options); }),
             options);
+  MineOptions mine_options;
+  add_mine(*command("mine", "an engine of your own functions, beside the library",
+                    [&](const Course& course) { return mine_command(course, mine_options); }),
+           mine_options);
   command("watch", "judge each file when it is saved", watch);
   command("list", "all units, and how far you are", list);
 
@@ -62,6 +93,16 @@ int main(int argc, char** argv) {
                              [&](const Course& course) { return solution(course, unit, anyway); });
   answer->add_option("unit", unit)->required();
   answer->add_flag("--anyway", anyway, "although it does not pass");
+
+  GradeOptions grading;
+  add_grade(*command("grade", "grade a class",
+                     [&](const Course& course) { return grade(course, grading); }),
+            grading);
+
+  ReportOptions reporting;
+  add_report(*command("report", "one page about a class: what to explain again",
+                      [&](const Course& course) { return report(course, reporting); }),
+             reporting);
 
   CLI::App* kills = command("matrix", "every spec against every misconception",
                             [&](const Course& course) { return matrix(course, what, seed); });

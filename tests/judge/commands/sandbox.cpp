@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "judge/build/worker_build.hpp"
+#include "judge/build/confined_compiler.hpp"
 #include "judge/commands/commands.hpp"
 
 namespace tumble::judge {
@@ -17,6 +17,16 @@ std::vector<MissingLayer> missing_walls(const Course& course) {
     missing.push_back({Layer::other_user, "other users may not enter " + course.root.string() +
                                               ", so the compiler runs as root"});
   return missing;
+}
+
+bool may_judge(const Course& course, Strangers strangers) {
+  const std::vector<MissingLayer> missing = missing_walls(course);
+  for (const MissingLayer& each : missing)
+    if (strangers != Strangers::no || each.layer != Layer::other_user)
+      std::cerr << "tumble: the sandbox lacks " << name_of(each.layer) << ": " << each.why << "\n";
+  if (missing.empty() || strangers != Strangers::strictly) return true;
+  std::cerr << "tumble: --strict: nothing is judged\n";
+  return false;
 }
 
 int sandbox(const Course& course) {

@@ -13,4 +13,15 @@ namespace tumble::judge {
 /// root has started is another user only if other users may enter the course's folders.
 std::vector<MissingLayer> missing_walls(const Course& course);
 
+/// Whose code is judged.
+enum class Strangers {
+  no,        ///< students judge their own: another user for it would be too much
+  yes,       ///< every missing wall is said
+  strictly,  ///< nothing is judged if one is missing
+};
+
+/// Says on stderr which walls are missing.
+/// @return whether judging may go on
+bool may_judge(const Course& course, Strangers strangers);
+
 }  // namespace tumble::judge

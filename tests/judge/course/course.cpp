@@ -15,7 +15,12 @@ namespace {
 using nlohmann::json;
 
 Unit read_unit(const json& j) {
-  Unit unit{j.at("number"), j.at("chapter"), j.at("name"), j.at("worker").get<std::string>(), {}};
+  Unit unit{j.at("number"),
+            j.at("chapter"),
+            j.at("name"),
+            j.at("worker").get<std::string>(),
+            {},
+            j.at("solution").get<std::string>()};
   for (const json& object : j.at("earlier")) unit.earlier.emplace_back(object.get<std::string>());
   return unit;
 }
@@ -50,8 +55,11 @@ Course read_course(const fs::path& file) {
   if (!in) throw std::runtime_error("the course is not built: cannot read " + file.string());
   try {
     const json j = json::parse(in);
-    Course course{
-        j.at("root").get<std::string>(), j.at("state").get<std::string>(), read_toolchain(j), {}};
+    Course course{j.at("root").get<std::string>(),
+                  j.at("state").get<std::string>(),
+                  read_toolchain(j),
+                  j.at("engine").get<std::string>(),
+                  {}};
     for (const json& unit : j.at("units")) course.units.push_back(read_unit(unit));
     return course;
   } catch (const json::exception& e) {

@@ -17,9 +17,12 @@ struct Unit {
   std::string name;               ///< "product": the function, and the files' name
   fs::path worker;                ///< object file that asks the student's function
   std::vector<fs::path> earlier;  ///< object files: the solutions of all units before this one
+  fs::path solution;              ///< object file: its own solution
 
   /// "04_quaternions/product"
   std::string id() const { return chapter + "/" + name; }
+  /// "quaternions::product"
+  std::string function() const { return chapter.substr(chapter.find('_') + 1) + "::" + name; }
   /// "4"
   std::string chapter_number() const { return number.substr(0, number.find('.')); }
 };
@@ -38,6 +41,7 @@ struct Course {
   fs::path root;   ///< holds exercises/, solutions/, tests/, chapters/
   fs::path state;  ///< folder where progress and saved attempts are kept
   Toolchain toolchain;
+  fs::path engine;  ///< object file that makes an engine of the student's functions; or empty
   std::vector<Unit> units;
 
   fs::path contract(const Unit& unit) const {

@@ -216,10 +216,10 @@ std::optional<Ending> ConfinedProcess::wait(double seconds) {
 
 Finished run_confined(const std::vector<std::string>& command,
                       const std::vector<std::string>& environment, const Confinement& confinement,
-                      std::size_t most_output) {
+                      std::size_t most_output, int input) {
   Pipe text = make_pipe();
   const int out = text.write.number();
-  ConfinedProcess process(command, environment, confinement, {-1, out, out});
+  ConfinedProcess process(command, environment, confinement, {input, out, out});
   text.write.reset();
   const Clock::time_point deadline = after(confinement.limits.wall_seconds);
   Finished finished;

@@ -49,8 +49,9 @@ struct Finished {
 };
 
 /// Runs a program to its end, or to the limit of time.
+/// @param input file descriptor of its standard input, −1 for /dev/null
 Finished run_confined(const std::vector<std::string>& command,
                       const std::vector<std::string>& environment, const Confinement& confinement,
-                      std::size_t most_output = 1 << 16);
+                      std::size_t most_output = 1 << 16, int input = -1);
 
 }  // namespace tumble::judge

@@ -24,6 +24,13 @@ std::string name_of(Layer layer) {
   return "unknown layer";
 }
 
+bool others_may_enter(const fs::path& path) {
+  for (fs::path folder = path; folder != folder.root_path(); folder = folder.parent_path())
+    if ((fs::status(folder).permissions() & fs::perms::others_exec) == fs::perms::none)
+      return false;
+  return true;
+}
+
 namespace {
 
 /// Does a process start behind the walls of `confinement`? Behind a call filter a program that is

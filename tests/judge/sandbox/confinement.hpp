@@ -60,6 +60,9 @@ struct MissingLayer {
 
 std::string name_of(Layer layer);
 
+/// May every user pass through all folders of this path?
+bool others_may_enter(const fs::path& path);
+
 /// Tries every layer in a child of its own.
 std::vector<MissingLayer> missing_layers();
 

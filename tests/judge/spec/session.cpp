@@ -8,17 +8,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "judge/course/stable_hash.hpp"
+
 namespace tumble::judge {
 
 namespace {
 
 Session* current_session = nullptr;
-
-/// FNV-1a: the same on every platform, unlike std::hash.
-std::uint64_t hash(const std::string& text, std::uint64_t h) {
-  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return h;
-}
 
 double largest_magnitude(const Value& value) {
   if (const double* x = value.as<double>()) return std::isfinite(*x) ? std::abs(*x) : 0;
@@ -50,7 +46,7 @@ Session& Session::current() {
 
 void Session::start_case(std::size_t number) {
   finding_.reset();
-  random_.emplace(hash(unit_, seed_ * 0x9e3779b97f4a7c15 + number));
+  random_.emplace(stable_hash(unit_, seed_ * 0x9e3779b97f4a7c15 + number));
   answerer_.start_case();
 }
 

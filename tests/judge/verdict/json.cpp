@@ -6,44 +6,76 @@
 
 namespace tumble::judge {
 
-namespace {
-
 using nlohmann::ordered_json;
 
-ordered_json json_of(const CaseResult& result) {
-  ordered_json j{{"number", result.number}, {"law", result.law}, {"passed", result.passed()}};
-  if (result.passed()) return j;
-  j["outcome"] = name_of(result.finding->outcome);
-  j["detail"] = result.finding->detail;
-  if (!result.finding->place.empty()) j["place"] = result.finding->place;
-  j["misconceptions"] = ordered_json::array();
-  for (const NamedMistake& mistake : result.finding->mistakes)
-    j["misconceptions"].push_back(mistake.name);
+namespace {
+
+ordered_json json_of(const CaseRecord& record) {
+  ordered_json j{{"number", record.number}, {"law", record.law}, {"passed", record.passed()}};
+  if (record.passed()) return j;
+  j["outcome"] = record.outcome;
+  j["detail"] = record.detail;
+  if (!record.place.empty()) j["place"] = record.place;
+  j["misconceptions"] = record.misconceptions;
   return j;
 }
 
-ordered_json json_of(const UnitResult& result) {
-  ordered_json j{{"unit", result.unit.id()},
-                 {"number", result.unit.number},
-                 {"passed", result.passed()},
-                 {"summary", result.summary()},
-                 {"seed", result.seed},
-                 {"laws", result.cases.size()},
-                 {"laws_that_hold", result.passed_cases()},
-                 {"seconds", result.seconds},
-                 {"cases", ordered_json::array()}};
-  if (!result.build_detail.empty()) j["detail"] = result.build_detail;
-  for (const CaseResult& each : result.cases) j["cases"].push_back(json_of(each));
-  return j;
+CaseRecord case_record_of(const ordered_json& j) {
+  CaseRecord record{j.at("number"), j.at("law"), name_of(Outcome::passed), "", "", {}};
+  if (j.at("passed").get<bool>()) return record;
+  record.outcome = j.at("outcome");
+  record.detail = j.at("detail");
+  record.place = j.value("place", "");
+  record.misconceptions = j.at("misconceptions").get<std::vector<std::string>>();
+  return record;
 }
 
 }  // namespace
 
-void write_json(const std::filesystem::path& file, const std::vector<UnitResult>& results) {
+ordered_json json_of(const UnitRecord& record) {
+  ordered_json j{{"unit", record.unit},
+                 {"number", record.number},
+                 {"passed", record.passed},
+                 {"summary", record.summary},
+                 {"seed", record.seed},
+                 {"laws", record.laws},
+                 {"laws_that_hold", record.laws_that_hold},
+                 {"tries", record.tries},
+                 {"seconds", record.seconds},
+                 {"source", record.source},
+                 {"cases", ordered_json::array()}};
+  if (!record.detail.empty()) j["detail"] = record.detail;
+  j["explanation"] = record.explanation;
+  for (const CaseRecord& each : record.cases) j["cases"].push_back(json_of(each));
+  return j;
+}
+
+UnitRecord unit_record_of(const ordered_json& j) {
+  UnitRecord record;
+  record.unit = j.at("unit");
+  record.number = j.at("number");
+  record.passed = j.at("passed");
+  record.summary = j.at("summary");
+  record.seed = j.at("seed");
+  record.laws = j.at("laws");
+  record.laws_that_hold = j.at("laws_that_hold");
+  record.tries = j.at("tries");
+  record.seconds = j.at("seconds");
+  record.source = j.at("source");
+  record.detail = j.value("detail", "");
+  record.explanation = j.at("explanation");
+  for (const ordered_json& each : j.at("cases")) record.cases.push_back(case_record_of(each));
+  return record;
+}
+
+std::string text_of(const ordered_json& json) {
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+void write_json(const std::filesystem::path& file, const std::vector<UnitRecord>& records) {
   ordered_json j{{"schema", "tumble/results/1"}, {"units", ordered_json::array()}};
-  for (const UnitResult& result : results) j["units"].push_back(json_of(result));
-  // What a student's code prints need not be UTF-8.
-  write_text(file, j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  for (const UnitRecord& record : records) j["units"].push_back(json_of(record));
+  write_text(file, text_of(j));
 }
 
 }  // namespace tumble::judge

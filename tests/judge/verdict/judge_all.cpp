@@ -36,7 +36,8 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
     return std::async(std::launch::async, [&, file = source(unit)] {
       const auto start = Clock::now();
       TimedBuild timed;
-      timed.build = build_worker(course, unit, file, folder_of(unit), instrumentation);
+      timed.build =
+          build_worker(course, unit, file, folder_of(unit), instrumentation, judgement.compiled);
       timed.seconds = seconds_since(start);
       return timed;
     });

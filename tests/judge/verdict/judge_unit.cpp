@@ -14,6 +14,7 @@ UnitResult judge_build(const Course& course, const Unit& unit, const std::filesy
   UnitResult result;
   result.unit = unit;
   result.source = source;
+  result.seed = judgement.seed;
   result.build = build.outcome;
   result.build_detail = build.detail;
   result.warnings = build.warnings;

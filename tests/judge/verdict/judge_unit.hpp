@@ -17,6 +17,7 @@ struct Judgement {
   std::size_t only_case = 0;    ///< 0: all of them
   bool locate_crashes = true;   ///< build a crashed unit again with sanitizers, to name the line
   bool only_sanitized = false;  ///< everything with sanitizers from the start
+  const ObjectCache* compiled = nullptr;  ///< what was compiled before; not with sanitizers
 };
 
 /// Holds a worker, built from `source`, against the spec of its unit. What more has to be built,

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <numbers>
+
 #include "lib/mass/meshes.hpp"
 #include "reference/meshes.hpp"
 #include "support/refusal.hpp"
@@ -155,6 +157,17 @@ TEST_CASE("columns: real meshes to 2·10⁻⁴ with 10⁵ of them") {
       CHECK(inertia_error(body.inertia, truth.inertia) <= 2e-4);
     }
   }
+}
+
+TEST_CASE("columns: a body too thin for them is refused, not guessed") {
+  // along a diagonal of the grid all columns in a row meet it, or none: 10⁵ times its mass, or none
+  const PolygonMesh needle = test::box_mesh(Vec3(1, 1e-8, 1e-8));
+  for (const double turn : {std::numbers::pi / 4, 0.3}) {
+    const Mat3 R = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
+    CHECK_REFUSED(column_mass_properties(test::mapped(needle, R), 1, 100'000), "columns");
+  }
+  const Mat3 R = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitZ()).toRotationMatrix();
+  CHECK_REFUSED(column_mass_properties(test::mapped(needle, R), 1, 99 * 99), "so thin a body");
 }
 
 TEST_CASE("columns: refuse what has no answer") {

@@ -44,3 +44,15 @@ TEST_CASE("the functions that a linker misses, whichever linker it is") {
             "product.cpp:4: undefined reference to `quaternions::inverse(int)'\n") ==
         std::vector<std::string>{"quaternions::inverse"});
 }
+
+TEST_CASE("the functions that a linker finds twice, whichever linker it is") {
+  const std::vector<std::string> cross{"momentum::cross"};
+  using tumble::judge::duplicate_functions;
+  CHECK(duplicate_functions("ld.lld: error: duplicate symbol: momentum::cross(int)\n"
+                            ">>> defined at torque.cpp:3\n") == cross);
+  CHECK(duplicate_functions("/usr/bin/ld: b.o: in function `momentum::cross(int)':\n"
+                            "torque.cpp:3: multiple definition of `momentum::cross(int)'; "
+                            "a.o:a.cpp:3: first defined here\n") == cross);
+  CHECK(duplicate_functions("mold: error: duplicate symbol: a.o: b.o: momentum::cross(int)\n") ==
+        cross);
+}

@@ -18,6 +18,7 @@
 #include "tumble/mass/moments.hpp"
 #include "tumble/mass/require_density.hpp"
 #include "tumble/mesh/closed_surface.hpp"
+#include "tumble/mesh/enclosed_volume.hpp"
 #include "tumble/mesh/jittered_lines.hpp"
 #include "tumble/mesh/line_height.hpp"
 #include "tumble/mesh/line_lattice.hpp"
@@ -75,10 +76,16 @@ inline void require_columns(const PolygonMesh& mesh, double density, int columns
   require_closed(mesh);
 }
 
-/// Passes on what can be a body.
-inline ColumnMassProperties require_body_met(const ColumnMassProperties& body) {
+/// Passes on what the surface confirms: columns miss a thin body, or meet all of it at once, and
+/// nothing in their own numbers tells.
+inline ColumnMassProperties require_resolved(const PolygonMesh& mesh, double density,
+                                             const ColumnMassProperties& body) {
   require(body.crossings > 0, "none of ", body.columns, " columns met the mesh: take more");
-  require(body.mass > 0, "the mesh is inside out, or encloses no volume: mass ", body.mass, " kg");
+  const double mass = density * enclosed_volume(mesh);
+  require(mass > 0, "the mesh is inside out, or encloses no volume: mass ", mass, " kg");
+  require(std::abs(body.mass - mass) <= mass / 2, body.columns,
+          " columns are too few for so thin a body: they make ", body.mass,
+          " kg of it, its surface encloses ", mass, " kg");
   return body;
 }
 
@@ -88,12 +95,13 @@ inline ColumnMassProperties require_body_met(const ColumnMassProperties& body) {
 /// @param density [kg/m³]
 /// @param columns about how many, never more; 10⁵ give errors of about 10⁻⁵
 /// @throws std::invalid_argument if the density is not positive and finite, columns ≤ 0 or beyond
-///         10⁸, the mesh is as require_closed() refuses, is inside out, or no column meets it
+///         10⁸, the mesh is as require_closed() refuses, is inside out, or so thin that the columns
+///         are wrong by half its mass or more
 inline ColumnMassProperties column_mass_properties(const PolygonMesh& mesh, double density,
                                                    int columns) {
   require_columns(mesh, density, columns);
   const LineLattice lines = LineLattice::regular(centred(bounds(mesh)), columns);
-  return require_body_met(sum_of_columns(mesh, density, lines));
+  return require_resolved(mesh, density, sum_of_columns(mesh, density, lines));
 }
 
 /// The same by columns at random, one in each cell: right on average, and as sets of points are
@@ -103,7 +111,7 @@ inline ColumnMassProperties jittered_column_mass_properties(const PolygonMesh& m
                                                             int columns, std::uint64_t seed = 1) {
   require_columns(mesh, density, columns);
   const JitteredLines lines(centred(bounds(mesh)), columns, seed);
-  return require_body_met(sum_of_columns(mesh, density, lines));
+  return require_resolved(mesh, density, sum_of_columns(mesh, density, lines));
 }
 
 }  // namespace tumble

@@ -63,6 +63,16 @@ struct BlockVolume {
   }
 };
 
+/// The volume that a surface encloses, negative when its faces look inwards [m³].
+/// @param mesh closed, indices in range, positions finite, at least one face
+inline double enclosed_volume(const PolygonMesh& mesh, const LoopOptions& options = {}) {
+  const Vec3 origin = mesh.vertex(mesh.corners[0]);
+  const auto add = [&](const TriangleBlock& block, EnclosedVolume& sum) {
+    dispatch(options.instructions, BlockVolume{block, origin, sum});
+  };
+  return sum_over_blocks<EnclosedVolume>(mesh, options, add).six_volume / 6;
+}
+
 /// 6V of the tetrahedron on the triangle a, b, c with apex o, to about 2⁻¹⁰⁴ |b − a|₁ |c − a|₁
 /// |a − o|₁ [m³]: so thin a one that doubles cancel has a volume too.
 inline DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& o) {

@@ -9,7 +9,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/core/types.hpp"
 
-namespace tumble::scenes {
+namespace tumble::support {
 
 /// A value of a JSON document that knows where it stands.
 class Place {
@@ -34,6 +34,15 @@ class Place {
     std::vector<Place> places;
     for (std::size_t i = 0; i < value_.size(); ++i)
       places.emplace_back(value_[i], name_ + "[" + std::to_string(i) + "]");
+    return places;
+  }
+
+  /// The names and values of { … }.
+  std::vector<std::pair<std::string, Place>> members() const {
+    require(value_.is_object(), name_, " is not { … }, but ", value_.dump());
+    std::vector<std::pair<std::string, Place>> places;
+    for (const auto& [key, value] : value_.items())
+      places.emplace_back(key, Place(value, name_ + "." + key));
     return places;
   }
 
@@ -90,4 +99,4 @@ class Place {
   std::string name_;
 };
 
-}  // namespace tumble::scenes
+}  // namespace tumble::support

@@ -1,0 +1,92 @@
+#include "judge/build/confined_compiler.hpp"
+
+#include <unistd.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace tumble::judge {
+
+namespace {
+
+/// What every step reads: the system, the compiler and an Eigen that may live elsewhere.
+std::vector<fs::path> system_files(const Toolchain& tools) {
+  std::vector<fs::path> read = {"/usr",
+                                "/lib",
+                                "/lib32",
+                                "/lib64",
+                                "/bin",
+                                "/etc/alternatives",
+                                "/etc/ld.so.cache",
+                                "/proc/cpuinfo",
+                                "/proc/meminfo"};
+  read.push_back(fs::canonical(tools.compiler).parent_path().parent_path());
+  for (std::size_t i = 0; i + 1 < tools.flags.size(); ++i)
+    if (tools.flags[i] == "-isystem") read.emplace_back(tools.flags[i + 1]);
+  return read;
+}
+
+}  // namespace
+
+bool others_may_compile(const Course& course) {
+  return others_may_enter(course.toolchain.precompiled.parent_path()) &&
+         others_may_enter(course.root / "exercises");
+}
+
+ConfinedCompiler::ConfinedCompiler(const Course& course, fs::path folder,
+                                   const std::vector<fs::path>& reads)
+    : tools_(course.toolchain), folder_(std::move(folder)) {
+  fs::create_directories(folder_);
+  confinement_.folder = folder_;
+  confinement_.limits = {.cpu_seconds = 10,
+                         .wall_seconds = 40,
+                         .memory_bytes = 4ull << 30,
+                         .file_bytes = 256ull << 20,
+                         .processes = 64};
+  confinement_.other_user = others_may_compile(course);
+  confinement_.files.write = {folder_, "/dev/null"};
+  confinement_.files.read = system_files(tools_);
+  confinement_.files.read.insert(confinement_.files.read.end(), reads.begin(), reads.end());
+}
+
+void ConfinedCompiler::hand_over(const std::vector<fs::path>& files) const {
+  if (geteuid() != 0 || !confinement_.other_user) return;
+  const auto give = [](const fs::path& path) {
+    if (chown(path.c_str(), unprivileged_id, unprivileged_id) != 0)
+      throw std::runtime_error("cannot hand " + path.string() + " to the compiler's user");
+  };
+  give(folder_);
+  for (const fs::path& file : files) give(file);
+}
+
+Finished ConfinedCompiler::run(const Arguments& arguments) const {
+  Arguments command{tools_.compiler};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return run_confined(
+      command, {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + folder_.string()},
+      confinement_);
+}
+
+bool ran_into_limits(const Finished& step) {
+  if (step.timed_out || step.ending.by_signal) return true;
+  for (const char* complaint : {"out of memory", "cannot allocate", "memory exhausted", "Killed",
+                                "CPU time limit", "File size limit"})
+    if (step.output.find(complaint) != std::string::npos) return true;
+  return false;
+}
+
+WorkerProgram confined_worker(const fs::path& folder, const fs::path& worker) {
+  const fs::perms pass = fs::perms::owner_all | fs::perms::others_exec | fs::perms::group_exec;
+  fs::permissions(folder, pass);
+  fs::permissions(worker, pass | fs::perms::others_read);
+  const fs::path empty = folder / "empty";
+  fs::create_directory(empty);
+  fs::permissions(empty, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
+  Confinement confinement;
+  confinement.folder = empty;
+  confinement.files.read = {worker};
+  confinement.system_calls = CallRules::worker;
+  return {worker, confinement, {}};
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,32 @@
+#pragma once
+/// @file
+/// Grades one submission, unit after unit; after each of them the student's record is on disk.
+
+#include <filesystem>
+#include <functional>
+
+#include "judge/build/object_cache.hpp"
+#include "judge/class/student_record.hpp"
+#include "judge/class/submissions.hpp"
+
+namespace tumble::judge {
+
+/// What grading one submission needs besides it.
+struct Grading {
+  const Course& course;
+  const CourseSettings& settings;
+  std::uint64_t seed;           ///< of the course's inputs; each student's follows from it
+  std::uint64_t judge;          ///< fingerprint of this judge
+  const ObjectCache& compiled;  ///< by all students
+};
+
+/// Grades a submission and keeps its record in `file`. What the file holds already, about the same
+/// sources, inputs and judge, is not judged again.
+/// @param done is called after each unit
+void grade_student(const Grading& grading, const Submission& submission,
+                   const std::filesystem::path& file, const std::function<void()>& done);
+
+/// The number that changes with the judge.
+std::uint64_t judge_fingerprint();
+
+}  // namespace tumble::judge

@@ -1,0 +1,92 @@
+#include "judge/class/grades.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "judge/verdict/markup.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// With at most two digits behind the point, and none that is not needed.
+std::string points_text(double points) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", points);
+  std::string result = text;
+  while (result.back() == '0') result.pop_back();
+  if (result.back() == '.') result.pop_back();
+  return result;
+}
+
+std::string csv_field(std::string text) {
+  if (!text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos)
+    text = "'" + text;
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::size_t count_passed(const StudentRecord& record) {
+  return static_cast<std::size_t>(std::count_if(record.units.begin(), record.units.end(),
+                                                [](const UnitRecord& u) { return u.passed; }));
+}
+
+void write_case(std::ostream& out, const StudentRecord& student, const UnitRecord& unit) {
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.3f", unit.seconds);
+  out << "    <testcase classname=\"" << markup(student.student) << "\" name=\"" << unit.number
+      << " " << markup(unit.unit) << "\" time=\"" << seconds << "\"";
+  if (unit.passed)
+    out << "/>\n";
+  else
+    out << ">\n      <failure message=\"" << markup(unit.summary) << "\">"
+        << markup(unit.explanation) << "</failure>\n    </testcase>\n";
+}
+
+}  // namespace
+
+std::string grades_csv(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
+  std::ostringstream out;
+  out << "student,points,of,percent,passed,note";
+  for (const Unit& unit : settings.units) out << "," << unit.number << " " << unit.name;
+  out << "\n";
+  const double most = settings.most();
+  for (const StudentRecord& record : records) {
+    const double points = earned(settings, record);
+    out << csv_field(record.student) << "," << points_text(points) << "," << points_text(most)
+        << "," << points_text(100 * points / most) << "," << count_passed(record) << ","
+        << csv_field(record.refused);
+    for (const Unit& unit : settings.units) {
+      const UnitRecord* known = record.find(unit);
+      out << "," << (known ? points_text(settings.earned(*known)) : "");
+    }
+    out << "\n";
+  }
+  return out.str();
+}
+
+std::string grades_junit(const CourseSettings& settings,
+                         const std::vector<StudentRecord>& records) {
+  std::ostringstream out;
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" << markup(settings.title)
+      << "\">\n";
+  for (const StudentRecord& record : records) {
+    const std::size_t errors = record.refused.empty() ? 0 : 1;
+    out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
+        << record.units.size() + errors << "\" failures=\""
+        << record.units.size() - count_passed(record) << "\" errors=\"" << errors << "\">\n";
+    if (errors > 0)
+      out << "    <testcase classname=\"" << markup(record.student)
+          << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
+          << "\"/>\n    </testcase>\n";
+    for (const UnitRecord& unit : record.units) write_case(out, record, unit);
+    out << "  </testsuite>\n";
+  }
+  out << "</testsuites>\n";
+  return out.str();
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,38 @@
+#pragma once
+/// @file
+/// What is known about one student's work: a JSON file that is complete and valid at any time, and
+/// from which everything else is made (grades, reports, what platforms want).
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "judge/class/settings.hpp"
+#include "judge/verdict/unit_record.hpp"
+
+namespace tumble::judge {
+
+struct StudentRecord {
+  std::string student;
+  std::uint64_t seed = 1;         ///< of the inputs
+  std::uint64_t judge = 0;        ///< fingerprint of the judge: another one may judge otherwise
+  std::string refused;            ///< why the submission was not looked at; empty if it was
+  std::vector<UnitRecord> units;  ///< those judged so far, in the course's order
+
+  const UnitRecord* find(const Unit& unit) const;
+};
+
+/// Of all points.
+double earned(const CourseSettings& settings, const StudentRecord& record);
+
+/// Writes {"schema": "tumble/student/1", "student": …, "points": …, "of": …, "units": […]}.
+void write_record(const std::filesystem::path& file, const StudentRecord& record,
+                  const CourseSettings& settings);
+
+/// Reads what write_record() has written; nothing if there is no file.
+/// @throws std::runtime_error naming the file if it cannot be understood
+std::optional<StudentRecord> read_record(const std::filesystem::path& file);
+
+}  // namespace tumble::judge

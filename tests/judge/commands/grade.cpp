@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include "judge/build/work_folder.hpp"
+#include "judge/class/grade_class.hpp"
+#include "judge/class/grades.hpp"
+#include "judge/class/progress_line.hpp"
+#include "judge/commands/commands.hpp"
+#include "judge/commands/sandbox.hpp"
+#include "judge/course/text_file.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// One line a student, and what was refused.
+void print_grades(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
+  std::size_t width = 7;
+  for (const StudentRecord& record : records) width = std::max(width, record.student.size());
+  for (const StudentRecord& record : records) {
+    char points[64];
+    std::snprintf(points, sizeof points, "%8.2f of %.2f", earned(settings, record),
+                  settings.most());
+    std::cout << record.student << std::string(width - record.student.size(), ' ') << points;
+    if (!record.refused.empty()) std::cout << "  the submission " << record.refused;
+    std::cout << "\n";
+  }
+}
+
+}  // namespace
+
+int grade(const Course& course, const GradeOptions& options) {
+  const CourseSettings settings = settings_or_default(course, options.settings);
+  const std::vector<Submission> submissions = submissions_in(options.folders);
+  if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::yes)) return 2;
+  const GradesFolder folder{options.out};
+  fs::create_directories(folder.path / "students");
+  const WorkFolder compiled;
+  fs::permissions(compiled.path(), fs::perms::owner_all);  // nobody else's, not even to look in
+  const ObjectCache cache(compiled.path());
+  const Grading grading{course, settings, class_seed(settings, folder), judge_fingerprint(), cache};
+  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+  std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
+            << " exercises each\n";
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<std::string> failed =
+      grade_class(grading, submissions, folder, options.at_once.value_or(cores));
+  const std::vector<StudentRecord> records = records_of(folder, submissions);
+  write_text(folder.csv(), grades_csv(settings, records));
+  write_text(folder.junit(), grades_junit(settings, records));
+  print_grades(settings, records);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  std::cerr << "tumble: " << duration_text(taken.count()) << "; grades: " << folder.csv().string()
+            << ", " << folder.junit().string() << ", one file a student in "
+            << (folder.path / "students").string() << "\n";
+  for (const std::string& student : failed)
+    std::cerr << "tumble: the judge has failed at " << student
+              << ", see above; the same command again goes on there\n";
+  return failed.empty() ? 0 : 2;
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,121 @@
+#include "judge/mine/measure.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+
+#include "judge/build/work_folder.hpp"
+#include "judge/commands/commands.hpp"
+#include "judge/commands/given_files.hpp"
+#include "judge/commands/sandbox.hpp"
+#include "judge/course/text_file.hpp"
+#include "judge/mine/diagnosis.hpp"
+#include "judge/mine/engine_build.hpp"
+#include "judge/mine/report.hpp"
+#include "judge/verdict/console.hpp"
+#include "judge/verdict/judge_all.hpp"
+#include "judge/verdict/number_text.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+void progress(const std::string& what) { std::cerr << "tumble: " << what << "\n"; }
+
+/// Those of the student's functions that do not pass their own specs.
+std::vector<UnitResult> failing_units(const Course& course, const mine::EngineBuild& build) {
+  std::vector<Unit> units;
+  std::vector<fs::path> sources;
+  for (const mine::Part& part : build.parts)
+    if (part.own()) units.push_back(part.unit), sources.push_back(part.source);
+  const auto source_of = [&](const Unit& unit) {
+    const auto same = [&](const Unit& each) { return each.id() == unit.id(); };
+    return sources[static_cast<std::size_t>(std::find_if(units.begin(), units.end(), same) -
+                                            units.begin())];
+  };
+  Judgement judgement;
+  judgement.locate_crashes = false;  // `check` does, when it is asked for one of them
+  std::vector<UnitResult> failing;
+  judge_all(course, units, source_of, judgement, [&](const UnitResult& result) {
+    if (!result.passed()) failing.push_back(result);
+  });
+  return failing;
+}
+
+void explain(const Course& course, const mine::EngineBuild& build,
+             const std::vector<std::string>& findings) {
+  std::cout << "\nNot as it should be:\n";
+  for (const std::string& finding : findings)
+    std::cout << "  ✗ " << one_line(finding, 2000) << "\n";
+  progress("which of your functions is it? Each one is judged");
+  const std::vector<UnitResult> failing = failing_units(course, build);
+  if (failing.empty())
+    std::cout << "\n  Each of your functions passes its own laws. Try others:  ./tumble check all "
+                 "--seeds 20\n";
+  else
+    std::cout << "\n  Of your functions, these do not pass:\n";
+  for (const UnitResult& result : failing) {
+    std::cout << "  ";
+    print_line(std::cout, result, style_of_terminal());
+  }
+  if (!failing.empty())
+    std::cout << "  Next:  ./tumble check " << failing.front().unit.number << "\n";
+}
+
+/// Where the figure goes, if nobody says.
+fs::path figure_file(const Course& course, const MineOptions& options) {
+  if (options.svg) return *options.svg;
+  fs::create_directories(course.root / "build");
+  return course.root / "build" / "mine.svg";
+}
+
+int measured(const Course& course, const MineOptions& options, const mine::EngineBuild& build) {
+  mine::print_parts(std::cout, build);
+  const mine::Measurement measurement = mine::measure(mine::OwnEngine(build.worker), progress);
+  const std::vector<std::string> findings = mine::diagnose(measurement);
+  const fs::path svg = figure_file(course, options);
+  write_text(svg, mine::figure_of(build, measurement));
+  if (options.json) write_text(*options.json, mine::json_of(build, &measurement, findings));
+  mine::print_measurement(std::cout, build, measurement);
+  if (!findings.empty()) explain(course, build, findings);
+  std::cout << "\n"
+            << (findings.empty() ? "Every curve falls as its method promises. " : "")
+            << "The figure: " << svg.string() << "\n";
+  return findings.empty() ? 0 : 1;
+}
+
+int not_built(const MineOptions& options, const mine::EngineBuild& build,
+              const std::string& finding) {
+  if (options.json) write_text(*options.json, mine::json_of(build, nullptr, {finding}));
+  return 1;
+}
+
+}  // namespace
+
+int mine_command(const Course& course, const MineOptions& options) {
+  if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
+  const WorkFolder work;
+  progress("compiling the functions that an engine needs");
+  const mine::EngineBuild build = mine::build_engine(
+      course,
+      [&](const Unit& unit) {
+        return options.from ? file_in(fs::weakly_canonical(*options.from), unit)
+                            : course.exercise(unit);
+      },
+      work.path());
+  if (const std::vector<mine::Part> missing = build.missing(); !missing.empty() && !options.fill) {
+    mine::print_missing(std::cout, course, build);
+    return not_built(options, build, "missing: " + mine::names_of(missing));
+  }
+  if (!build.does_not_link.empty()) {
+    std::cout
+        << "These are used by your functions, and are not there:\n\n"
+        << printable(build.does_not_link)
+        << "\nHelpers that are declared, but not defined? In which file, says  ./tumble check "
+           "all\n";
+    return not_built(options, build, "does not link: " + build.does_not_link);
+  }
+  return measured(course, options, build);
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <sstream>
+
+#include "judge/mine/report.hpp"
+#include "judge/verdict/number_text.hpp"
+#include "support/table.hpp"
+
+namespace tumble::judge::mine {
+
+namespace {
+
+using support::duration;
+using support::error_number;
+using support::number;
+using support::Table;
+
+std::string shown(const Course& course, const fs::path& file) {
+  const std::string inside = fs::relative(file, course.root).string();
+  return inside.starts_with("..") ? file.string() : inside;
+}
+
+/// The first lines, indented.
+std::string indented(const std::string& text, std::size_t most_lines) {
+  std::istringstream in(printable(text));
+  std::string result;
+  std::size_t lines = 0;
+  for (std::string line; std::getline(in, line) && lines < most_lines; ++lines)
+    result += "          " + line + "\n";
+  return result;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, text.size()), ' ');
+}
+
+std::string order_text(double order) { return std::isfinite(order) ? number(order, 2) : "–"; }
+
+void add_row(Table& table, const std::string& name, const Point& point, const std::string& order) {
+  const bool steps = point.steps > 0;
+  table.add({name, steps ? std::to_string(point.steps) : "none",
+             steps ? std::to_string(point.evaluations) : "none", error_number(point.error), order,
+             steps ? number(1e6 * point.seconds / point.steps) : "–", duration(point.seconds)});
+}
+
+/// The first, the middle and the last point of a curve.
+void add_curve(Table& table, const EngineBuild& build, const OwnCurve& own) {
+  const std::vector<Point>& points = own.curve.points;
+  const std::string name = owner_of(build, number_of(own.method)) + " " + own.curve.name;
+  if (points.empty()) table.add({name, "–", "–", "no answer", "–", "–", "–"});
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (i == 0 || i == points.size() / 2 || i + 1 == points.size())
+      add_row(table, name, points[i], i + 1 == points.size() ? order_text(own.order) : "");
+}
+
+std::string table_of(const EngineBuild& build, const ProblemResult& result) {
+  Table table({"method", "steps", "evaluations", "error at the end [rad]", "order", "µs a step",
+               "time of all"});
+  for (const OwnCurve& own : result.own) add_curve(table, build, own);
+  if (result.closed_form)
+    add_row(table, owner_of(build, closed_form_unit) + " " + result.closed_form->name,
+            result.closed_form->points.front(), "");
+  for (const Curve& curve : result.library)
+    add_row(table, "library's " + curve.name, curve.points.back(), "");
+  return table.text();
+}
+
+}  // namespace
+
+std::string names_of(const std::vector<Part>& parts) {
+  std::string names;
+  for (const Part& part : parts)
+    names += (names.empty() ? "" : ", ") + part.unit.number + " " + part.unit.name;
+  return names;
+}
+
+std::string owner_of(const EngineBuild& build, const std::string& number) {
+  for (const Part& part : build.parts)
+    if (part.unit.number == number && !part.own()) return "solution's";
+  return "your";
+}
+
+void print_missing(std::ostream& out, const Course& course, const EngineBuild& build) {
+  const std::vector<Part> missing = build.missing();
+  out << "An engine is made of " << build.parts.size() << " of the course's functions, and "
+      << missing.size() << " of yours " << (missing.size() == 1 ? "is" : "are")
+      << " not there yet:\n\n";
+  std::size_t name = 0, what = 0;
+  for (const Part& part : missing) {
+    name = std::max(name, part.unit.name.size());
+    what = std::max(what, part.missing.size());
+  }
+  for (const Part& part : missing)
+    out << "  " << padded(part.unit.number, 6) << padded(part.unit.name, name + 3)
+        << padded(part.missing, what + 3) << shown(course, part.source) << "\n";
+  out << "\n";
+  for (const Part& part : missing)
+    if (!part.detail.empty())
+      out << "      " << part.unit.number << " " << part.unit.name << ", " << part.missing << ":\n"
+          << indented(part.detail, 4);
+  out << "  Next:  ./tumble check " << missing.front().unit.number
+      << "        With ours in their place:  ./tumble mine --fill\n";
+}
+
+void print_parts(std::ostream& out, const EngineBuild& build) {
+  const std::vector<Part> missing = build.missing();
+  out << "An engine of " << build.parts.size() << " functions, ";
+  if (missing.empty())
+    out << "all of them yours.\n";
+  else
+    out << build.parts.size() - missing.size()
+        << " of them yours. From the solutions: " << names_of(missing) << ".\n";
+  for (const std::string& name : build.defined_twice)
+    out << "Defined in more than one of your files: " << one_line(name)
+        << ". Here the first one counts for all; helpers belong into an unnamed namespace.\n";
+}
+
+void print_measurement(std::ostream& out, const EngineBuild& build,
+                       const Measurement& measurement) {
+  for (const ProblemResult& result : measurement.problems) {
+    out << "\nIn " << number(result.problem.duration) << " s: " << result.problem.sentence << ".\n";
+    if (result.mass.own)
+      out << "Mass, centre and inertia from its " << result.problem.mesh.face_count()
+          << " faces: off by " << error_number(result.mass.error) << " of their size, in "
+          << duration(result.mass.own->seconds) << ".\n";
+    out << "\n" << table_of(build, result);
+  }
+  if (measurement.drift.own)
+    out << "\nIts energy in 128 midpoint steps strays by " +
+               error_number(measurement.drift.own->largest) + " at most, and by " +
+               error_number(measurement.drift.own->trend) + " a second (10.3 energy_drift).\n";
+}
+
+}  // namespace tumble::judge::mine

@@ -1,0 +1,42 @@
+#pragma once
+/// @file
+/// One worker of all functions of a student that an engine needs: the only place where nothing is
+/// ours but what asks.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "judge/conversation/student_worker.hpp"
+#include "judge/course/course.hpp"
+
+namespace tumble::judge::mine {
+
+/// A function of the engine.
+struct Part {
+  Unit unit;
+  fs::path source;      ///< the student's file
+  std::string missing;  ///< why the solution stands here instead, in a few words; or empty
+  std::string detail;   ///< what the compiler says about it
+
+  bool own() const { return missing.empty(); }
+};
+
+struct EngineBuild {
+  std::vector<Part> parts;                 ///< all that are needed, in the course's order
+  std::string does_not_link;               ///< what the linker misses, if it does
+  std::vector<std::string> defined_twice;  ///< helpers of which the first one counts for all files
+  WorkerProgram worker;                    ///< unless it does not link
+
+  std::vector<Part> missing() const;
+};
+
+/// Compiles what the engine calls, what that calls, and so on, each behind the judge's walls. What
+/// is missing is taken from the solutions, so that all that is missing is found at once.
+/// @param source gives the student's file of a unit
+/// @param folder for what is built; made here
+/// @throws std::runtime_error if the judge itself is broken, or the course has no engine
+EngineBuild build_engine(const Course& course, const std::function<fs::path(const Unit&)>& source,
+                         const fs::path& folder);
+
+}  // namespace tumble::judge::mine

@@ -1,0 +1,64 @@
+#include "judge/mine/report.hpp"
+#include "support/plot.hpp"
+
+namespace tumble::judge::mine {
+
+namespace {
+
+using support::Look;
+using support::Scale;
+
+support::Series series_of(const Curve& curve, const std::string& owner) {
+  support::Series series{owner + " " + curve.name, {}, {}};
+  series.look = curve.own ? Look::line : Look::dashed;
+  for (const Point& point : curve.points) {
+    series.x.push_back(point.seconds);
+    series.y.push_back(point.error);
+  }
+  return series;
+}
+
+support::Plot plot_of(const EngineBuild& build, const ProblemResult& result) {
+  support::Plot plot{result.problem.title,
+                     {"time [s]", Scale::log},
+                     {"error of the orientation at the end [rad]", Scale::log},
+                     {}};
+  for (const OwnCurve& own : result.own)
+    plot.series.push_back(series_of(own.curve, owner_of(build, number_of(own.method))));
+  for (const Curve& curve : result.library) plot.series.push_back(series_of(curve, "library"));
+  if (result.closed_form)
+    plot.series.push_back(series_of(*result.closed_form, owner_of(build, closed_form_unit)));
+  return plot;
+}
+
+/// "4.1 product, 4.8 …" in lines that fit below the plots.
+std::vector<std::string> lines_of(const std::string& start, const std::string& names) {
+  constexpr std::size_t widest = 105;
+  std::vector<std::string> lines{start};
+  for (std::size_t from = 0; from < names.size();) {
+    const std::size_t comma = names.find(", ", from);
+    const std::size_t next = comma == std::string::npos ? names.size() : comma + 2;
+    const std::string name = names.substr(from, next - from);
+    if (lines.back().size() + name.size() > widest) lines.emplace_back();
+    lines.back() += name;
+    from = next;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string figure_of(const EngineBuild& build, const Measurement& measurement) {
+  std::vector<support::Plot> plots;
+  for (const ProblemResult& result : measurement.problems) plots.push_back(plot_of(build, result));
+  const std::vector<Part> missing = build.missing();
+  std::vector<std::string> notes =
+      missing.empty() ? std::vector<std::string>{"All functions of this engine are yours."}
+                      : lines_of("Not yours, but from the solutions: ", names_of(missing));
+  notes.emplace_back(
+      "Times are the judge's. Your code is compiled as the judge does it, for a quick "
+      "answer; the library for speed.");
+  return support::to_svg("your own engine beside the library", plots, notes);
+}
+
+}  // namespace tumble::judge::mine

@@ -1,0 +1,46 @@
+#pragma once
+/// @file
+/// What the judge asks the engine that is made of a student's functions. Both sides know these
+/// types; the contracts' own cross the pipe beside them.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace tumble::judge::mine {
+
+/// The first number of every question.
+enum class Topic { mass, run, top, choose, drift };
+
+/// What takes the steps: 1.3, 1.4 or 1.5 on 9.4, or the whole of 9.5.
+enum class Method { euler, midpoint, rk4, simulate };
+
+/// A body and what pushes it: its weight, and a spring without a length of its own between a point
+/// of the body and one of the world.
+struct Setting {
+  double mass = 1;                                        ///< [kg]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< body coordinates [kg m²]
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();      ///< [m/s²]
+  double stiffness = 0;                                   ///< [N/m]; 0: there is no spring
+  Eigen::Vector3d p_body = Eigen::Vector3d::Zero();       ///< where it is fastened [m]
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();       ///< and where its other end is [m]
+};
+
+/// x, q as (w, x, y, z), P, L.
+using Numbers = Eigen::Matrix<double, 13, 1>;
+
+struct RunQuestion {
+  Setting setting;
+  Numbers start;
+  double duration = 0;  ///< [s]
+  Method method = Method::rk4;
+  int steps = 1;    ///< a multiple of `samples`
+  int repeats = 1;  ///< how often all of it is done, for the clock
+  int samples = 1;  ///< how many states are wanted beside the start
+};
+
+struct RunAnswer {
+  int evaluations = 0;          ///< of the wrench, in one run
+  std::vector<Numbers> states;  ///< the start and the samples, the last one at the end
+};
+
+}  // namespace tumble::judge::mine

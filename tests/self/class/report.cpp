@@ -1,0 +1,77 @@
+/// @file
+/// What an instructor reads about a class.
+#include "judge/class/report.hpp"
+
+#include <doctest/doctest.h>
+
+#include "judge/spec/misconception.hpp"
+
+using namespace tumble::judge;
+
+namespace {
+
+const Unit unit{"4.1", "04_quaternions", "product", "", {}, {}};
+
+CourseSettings settings() {
+  Course course;
+  course.units = {unit};
+  return default_settings(course);
+}
+
+/// A student's verdict; `mistake` is that of every law that does not hold.
+StudentRecord student(const std::string& name, const std::string& summary, int tries,
+                      const std::string& mistake = "") {
+  UnitRecord record;
+  record.unit = unit.id(), record.number = unit.number, record.summary = summary;
+  record.passed = summary == "passed", record.tries = tries, record.source = 17;
+  for (const std::size_t i : {1u, 2u}) {
+    CaseRecord each{i, "law " + std::to_string(i), summary, "", "", {}, {}};
+    if (!mistake.empty()) each.misconceptions = {mistake};
+    record.cases.push_back(each);
+  }
+  return {name, 1, 0, "", {record}};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("statistics: who passed, who did not, who has not begun") {
+  StudentRecord absent{"eve", 1, 0, "is encrypted", {}};
+  const std::vector<UnitStatistics> all = statistics_of(
+      settings(), {student("a", "passed", 1), student("b", "passed", 4),
+                   student("c", "wrong", 2, "swapped"), student("d", "wrong", 1, "swapped"),
+                   student("e", "crashed", 1), student("f", "not implemented", 0), absent});
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].passed == 2);
+  CHECK(all[0].failed == 3);
+  CHECK(all[0].not_started == 2);
+  CHECK(all[0].mean_tries == 2.5);
+  CHECK(all[0].misconceptions == Counts{{"swapped", 2}});  // once a student, not once a law
+  CHECK(all[0].outcomes == Counts{{"wrong", 2}, {"crashed", 1}});
+  CHECK(all[0].laws == Counts{{"law 1", 3}, {"law 2", 3}});
+}
+
+TEST_CASE("report: what to explain again, and no names unless asked") {
+  mistakes_of(unit.id()) = {{"swapped", "q p is not p q.", "The product"}};
+  CourseSettings course = settings();
+  course.title = "A & B <script>";
+  const std::vector<StudentRecord> records = {student("Meyer<", "passed", 1),
+                                              student("Smith", "wrong", 1, "swapped")};
+  const std::string page = report_html(course, records, Names::hidden);
+  for (const char* part :
+       {"<h1>A &amp; B &lt;script&gt;</h1>", "<p>2 submissions, 1 exercises, 1 points.</p>",
+        "<b>swapped</b>, in 4.1 product: 1 of 2 (50 %)<br>q p is not p q.",
+        "Chapter 4, “The product”", "1 of 2<td class=\"number\">1<td>"})
+    CHECK_MESSAGE(contains(page, part), page);
+  CHECK_FALSE(contains(page, "Meyer"));
+  CHECK_FALSE(contains(page, "Smith"));
+  CHECK_FALSE(contains(page, "<script"));
+  CHECK_FALSE(contains(page, "http"));  // it needs nobody
+  const std::string with_names = report_html(course, records, Names::shown);
+  CHECK(contains(with_names, "Meyer&lt;"));
+  CHECK(contains(with_names, "4.1 wrong"));
+  mistakes_of(unit.id()).clear();
+}
