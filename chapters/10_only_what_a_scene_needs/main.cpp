@@ -6,6 +6,7 @@
 #include "elliptic.hpp"
 #include "energy.hpp"
 #include "free_top.hpp"
+#include "hard_cases.hpp"
 #include "heavy_top.hpp"
 #include "ladder.hpp"
 #include "stated.hpp"
@@ -37,6 +38,12 @@ int main(int argc, char** argv) {
   chapter.table("work", "Evaluations that an error needs", work_table);
   chapter.table("spoiled", "A force that looks at the spin", spoiled_table);
   chapter.table("changing", "Steps that change", changing_table);
+  chapter.table("hard_cases", "Hard cases, one by one", hard::hard_cases_table);
+  chapter.table("hard_refused", "What no body has", hard::hard_refused_table);
+  chapter.table("hard_flips", "A thousand seconds next to the separatrix", hard::hard_flips_table);
+  chapter.table("hard_tops", "Tops that sleep, and tops that fall", hard::hard_tops_table);
+  chapter.table("hard_million", "A million steps", hard::hard_million_table);
+  chapter.table("hard_float", "Half the digits", hard::hard_float_table);
   chapter.figure("tip", tip_figure);
   chapter.figure("future", future_figure);
   chapter.figure("cones", cones_figure);
