@@ -222,7 +222,7 @@ Method free_evaluation() {
     return [motion = FreeMotion(rigid_body(problem.body()), start_of(problem.body())),
             t = problem.duration] { return motion.at(t).q; };
   };
-  return {"tumble", "closed form, once more", Knob::tolerance, prepare, 1e3};
+  return {"tumble", "one more", Knob::tolerance, prepare, 1e3};
 }
 
 /// The heavy symmetric top, set up and asked once.
@@ -291,10 +291,10 @@ Contestants own_methods() {
            geometric_steps<Splitting6>("splitting of order 6", 1e5),
            geometric_steps<TurnSteps>("Lie-group RK4", 1e5),
            ensemble_steps<tumble::Rk4>("ensemble, RK4"),
-           ensemble_steps<TaylorMagnus<4>>("ensemble, Magnus 4"),
-           ensemble_steps<TaylorMagnus<6>>("ensemble, Magnus 6"),
-           ensemble_steps<TaylorMagnus<8>>("ensemble, Magnus 8"),
-           ensemble_steps<TaylorMagnus<4>>("ensemble, Magnus 4, 2 threads", 2)}};
+           ensemble_steps<TaylorMagnus<4>>("Magnus 4"),
+           ensemble_steps<TaylorMagnus<6>>("Magnus 6"),
+           ensemble_steps<TaylorMagnus<8>>("Magnus 8"),
+           ensemble_steps<TaylorMagnus<4>>("Magnus 4, 2 threads", 2)}};
 }
 
 }  // namespace tumble::bench
