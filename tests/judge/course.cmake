@@ -106,6 +106,9 @@ function(tumble_add_judge target root)
     cmake_path(GET contract PARENT_PATH exercises)
     cmake_path(GET exercises FILENAME chapter)
     string(REGEX REPLACE "^[0-9]+_" "" namespace ${chapter})
+    if(NOT EXISTS ${root}/tests/${chapter})
+      continue() # a hand-out has this contract only because others speak of its types
+    endif()
     tumble_units_of(${contract} units)
     foreach(unit IN LISTS units)
       string(REGEX REPLACE " .*" "" number "${unit}")
@@ -113,7 +116,9 @@ function(tumble_add_judge target root)
       set(spec ${root}/tests/${chapter}/${name}.cpp)
       set(solution ${root}/solutions/${chapter}/${name}.cpp)
       tumble_require_file(${exercises}/${name}.cpp "the stub of ${unit}")
-      tumble_require_file(${solution} "the solution of ${unit}")
+      if(EXISTS ${root}/solutions)
+        tumble_require_file(${solution} "the solution of ${unit}")
+      endif()
       tumble_require_file(${spec} "the spec of ${unit}")
 
       target_sources(${target} PRIVATE ${spec})
@@ -130,19 +135,25 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
 ]] @ONLY)
       tumble_student_object(${id}_worker ${worker}
         ${PROJECT_SOURCE_DIR}/tests ${exercises} ${root}/exercises)
-      tumble_student_object(${id}_solution ${solution} ${exercises} ${root}/exercises)
-      add_dependencies(${target} ${id}_worker ${id}_solution)
+      add_dependencies(${target} ${id}_worker)
+      set(solution_object "\"\"") # of a hand-out
+      if(EXISTS ${solution})
+        tumble_student_object(${id}_solution ${solution} ${exercises} ${root}/exercises)
+        add_dependencies(${target} ${id}_solution)
+        set(solution_object "\"$<FILTER:$<TARGET_OBJECTS:${id}_solution>,INCLUDE,/solutions/>\"")
+      endif()
 
       tumble_add_check(${target} ${chapter} ${name} ${number})
 
-      set(solution_object "\"$<FILTER:$<TARGET_OBJECTS:${id}_solution>,INCLUDE,/solutions/>\"")
       list(JOIN earlier "," earlier_json)
       string(APPEND json "${separator}
     {\"number\": \"${number}\", \"chapter\": \"${chapter}\", \"name\": \"${name}\",
      \"worker\": \"$<FILTER:$<TARGET_OBJECTS:${id}_worker>,INCLUDE,/workers/>\",
      \"solution\": ${solution_object}, \"earlier\": [${earlier_json}]}")
       set(separator ",")
-      list(APPEND earlier ${solution_object})
+      if(EXISTS ${solution})
+        list(APPEND earlier ${solution_object})
+      endif()
     endforeach()
   endforeach()
 

@@ -11,6 +11,7 @@
 #include "judge/build/object_cache.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/course/contract.hpp"
+#include "judge/course/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -145,16 +146,53 @@ class Builder {
     return succeeded(run({"-c", assembly().string(), "-o", object().string()}), result, true);
   }
 
-  bool link(WorkerBuild& result) const {
+  Finished run_linker() const {
     // A student may define what the course provides too; the first definition counts, and main is
     // ours.
     Arguments arguments{unit_.worker.string(), object().string()};
-    for (const fs::path& earlier : unit_.earlier) arguments.push_back(earlier.string());
+    for (const auto* objects : {&unit_.earlier, &own_earlier_})
+      for (const fs::path& earlier : *objects) arguments.push_back(earlier.string());
     arguments.insert(arguments.end(), {tools_.runtime.string(), "-Wl,-z,muldefs", "-no-pie", "-o",
                                        worker().string()});
     if (!tools_.linker.empty()) arguments.push_back("-fuse-ld=" + tools_.linker);
     arguments.emplace_back(sanitized_ ? "-fsanitize=address,undefined" : "-static");
-    const Finished step = run(arguments);
+    return run(arguments);
+  }
+
+  /// Where there are no solutions, the student's own functions of earlier units stand in for them.
+  /// @return whether that may help
+  bool add_own_earlier(const std::vector<std::string>& functions, WorkerBuild& result) {
+    bool found = false;
+    for (const Unit& earlier : course_.units) {
+      const bool used =
+          std::find(functions.begin(), functions.end(), earlier.function()) != functions.end();
+      if (!used || earlier.id() == unit_.id() || !earlier.solution.empty()) continue;
+      const std::string called = earlier.number + " " + earlier.name + ", which it calls, ";
+      const fs::path source = course_.exercise(earlier);
+      if (!fs::is_regular_file(source) || read_text(source) == stub_of(course_, earlier)) {
+        result.outcome = BuildOutcome::does_not_compile;
+        result.detail = called + "is not written yet:  ./tumble check " + earlier.number + "\n";
+        return false;
+      }
+      const WorkerBuild build = compile_unit(course_, earlier, source, folder() / earlier.name);
+      if (build.outcome != BuildOutcome::built) {
+        result.outcome = BuildOutcome::does_not_compile;
+        result.detail =
+            called + name_of(build.outcome) + ":  ./tumble check " + earlier.number + "\n";
+        return false;
+      }
+      own_earlier_.push_back(build.object);
+      found = true;
+    }
+    return found;
+  }
+
+  bool link(WorkerBuild& result) {
+    Finished step = run_linker();
+    while (step.ending != Ending{false, 0} &&
+           add_own_earlier(undefined_functions(step.output), result))
+      step = run_linker();
+    if (result.outcome != BuildOutcome::built) return false;
     if (succeeded(step, result, true)) return true;
     if (result.outcome != BuildOutcome::does_not_compile) return false;
     const std::vector<std::string> undefined = undefined_functions(step.output);
@@ -201,7 +239,7 @@ class Builder {
   const Unit& unit_;
   const Toolchain& tools_;
   bool sanitized_;
-  std::vector<fs::path> contracts_;
+  std::vector<fs::path> contracts_, own_earlier_;
   ConfinedCompiler compiler_;
 };
 

@@ -65,6 +65,8 @@ int solution(const Course& course, const std::string& unit, bool anyway);
 int sandbox(const Course& course);
 /// Grades a class.
 int grade(const Course& course, const GradeOptions& options);
+/// Makes a repository for students of the chapters that "1-4" means.
+int handout_command(const Course& course, const std::string& chapters, const fs::path& to);
 /// Writes one page about a class.
 int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.

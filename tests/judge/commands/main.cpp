@@ -104,6 +104,14 @@ int main(int argc, char** argv) {
                       [&](const Course& course) { return report(course, reporting); }),
              reporting);
 
+  std::string chapters;
+  std::filesystem::path to;
+  CLI::App* handing_out =
+      command("handout", "a repository for students, without the solutions",
+              [&](const Course& course) { return handout_command(course, chapters, to); });
+  handing_out->add_option("--chapters", chapters, "1-4, or 1-4,6")->required();
+  handing_out->add_option("DIR", to, "a new folder")->required();
+
   CLI::App* kills = command("matrix", "every spec against every misconception",
                             [&](const Course& course) { return matrix(course, what, seed); });
   kills->add_option("what", what);

@@ -1,0 +1,161 @@
+#include "judge/handout/handout.hpp"
+
+#include <algorithm>
+#include <regex>
+
+#include "judge/course/contract.hpp"
+#include "judge/course/text_file.hpp"
+#include "tumble/core/require.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+using Paths = std::set<fs::path>;
+
+/// The folder of a path's tree ("chapters") and the one below it ("support"); empty if it is less
+/// deep.
+std::pair<std::string, std::string> upper_folders(const fs::path& path) {
+  auto part = path.begin();
+  const std::string tree = part->string();
+  return {tree, ++part == path.end() ? "" : part->string()};
+}
+
+bool is_chapter(const std::string& folder) {
+  return folder.size() > 3 && std::isdigit(static_cast<unsigned char>(folder[0])) &&
+         folder[2] == '_';
+}
+
+/// Whether a file, from the root, belongs into the hand-out. (Exercises are written anew.)
+bool is_for_students(const fs::path& path, const std::set<std::string>& chapters) {
+  static const std::set<std::string> at_the_top = {
+      "CMakeLists.txt", "CMakePresets.json", "LICENSE",   "tumble",
+      ".clang-format",  ".clang-tidy",       ".gitignore"};
+  const auto [tree, folder] = upper_folders(path);
+  if (folder.empty()) return at_the_top.count(tree) > 0;
+  if (tree == "lib") return true;
+  if (tree == "exercises")
+    return path.filename() == "contract.hpp" || path.filename() == "not_implemented.hpp" ||
+           chapters.count(folder) > 0;
+  if (tree != "chapters" && tree != "tests") return false;
+  if (is_chapter(folder)) return chapters.count(folder) > 0;
+  static const std::set<std::string> shared = {"book",  "support",   "tour",           "scenes",
+                                               "judge", "reference", "CMakeLists.txt", "README.md"};
+  return shared.count(folder) > 0;
+}
+
+/// All files of the tree that students get, from the root.
+Paths files_for_students(const fs::path& root, const std::set<std::string>& chapters) {
+  Paths paths;
+  for (auto it = fs::recursive_directory_iterator(root); it != fs::recursive_directory_iterator();
+       ++it) {
+    const fs::path path = it->path().lexically_relative(root);
+    const std::string name = path.filename().string();
+    if (it->is_directory() && (name == "build" || name == ".git")) it.disable_recursion_pending();
+    if (it->is_regular_file() && is_for_students(path, chapters)) paths.insert(path);
+  }
+  return paths;
+}
+
+/// Headers of other chapters' programs that these files include, and what those include.
+Paths included_headers(const fs::path& root, const Paths& paths) {
+  static const std::regex include(R"(#include "(\d\d_[a-z_]+/[a-z_]+\.hpp)\")");
+  Paths found, open = paths;
+  while (!open.empty()) {
+    const fs::path path = *open.begin();
+    open.erase(open.begin());
+    if (upper_folders(path).first != "chapters") continue;
+    const std::string text = read_text(root / path);
+    for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
+      const fs::path header = fs::path("chapters") / (*it)[1].str();
+      if (paths.count(header) == 0 && fs::exists(root / header) && found.insert(header).second)
+        open.insert(header);
+    }
+  }
+  return found;
+}
+
+/// The page that greets students, with the chapters that they have.
+std::string readme(const Course& course, const std::set<std::string>& chapters) {
+  std::string list;
+  for (const std::string& chapter : chapters) {
+    const std::string page = read_text(course.root / "chapters" / chapter / "README.md");
+    const std::string title = page.substr(2, page.find('\n') - 2);  // "# 4 Quaternions"
+    list += "- [" + title + "](chapters/" + chapter + "/README.md): exercises/" + chapter + "\n";
+  }
+  std::string text = read_text(course.root / "tests" / "judge" / "handout" / "students.md");
+  const std::string place = "<!-- chapters -->\n";
+  return text.replace(text.find(place), place.size(), list);
+}
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  write_text(file, text);
+}
+
+}  // namespace
+
+std::set<std::string> chapters_meant(const Course& course, const std::string& text) {
+  static const std::regex range(R"((\d+)(?:-(\d+))?)");
+  std::set<std::string> chapters;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    std::smatch match;
+    require(std::regex_match(part, match, range) && part.size() < 8, "'", part,
+            "' is no chapter and no range of chapters, such as 1-4 or 1-4,6");
+    const int first = std::stoi(match[1]), last = match[2].matched ? std::stoi(match[2]) : first;
+    require(first <= last, "'", part, "' is a range that ends before it begins");
+    for (int number = first; number <= last; ++number)
+      chapters.insert(course.select(std::to_string(number)).front().chapter);
+    begin = end + 1;
+  }
+  return chapters;
+}
+
+std::string without_dead_links(const std::string& text, const fs::path& page,
+                               const std::set<fs::path>& paths) {
+  static const std::regex link(R"((!?)\[((?:[^\[\]]|`[^`]*`)*)\]\(([^()\s]+)\))");
+  const auto is_there = [&](std::string target) {
+    target = target.substr(0, target.find('#'));
+    if (target.empty() || target.find("://") != std::string::npos) return true;
+    fs::path path = (page.parent_path() / target).lexically_normal();
+    if (!path.has_filename()) path = path.parent_path();
+    return std::any_of(paths.begin(), paths.end(), [&](const fs::path& each) {
+      return each == path || each.string().starts_with(path.string() + "/");
+    });
+  };
+  std::string result;
+  auto rest = text.begin();
+  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+    result.append(rest, text.begin() + it->position());
+    rest = text.begin() + it->position() + it->length();
+    result += is_there((*it)[3]) ? it->str() : (*it)[2].str();
+  }
+  return result.append(rest, text.end());
+}
+
+std::size_t make_handout(const Course& course, const std::set<std::string>& chapters,
+                         const fs::path& to) {
+  require(!fs::exists(to) || (fs::is_directory(to) && fs::is_empty(to)), to.string(),
+          " exists already: nothing is overwritten");
+  require(!course.units.front().solution.empty(), "this tree is a hand-out itself");
+  Paths paths = files_for_students(course.root, chapters);
+  const Paths headers = included_headers(course.root, paths);
+  paths.insert(headers.begin(), headers.end());
+  paths.insert("README.md");
+  for (const fs::path& path : paths) {
+    if (path == "README.md") continue;
+    const std::string text = read_text(course.root / path);
+    write(to / path, path.extension() == ".md" ? without_dead_links(text, path, paths) : text);
+    fs::permissions(to / path, fs::status(course.root / path).permissions());
+  }
+  write(to / "README.md", readme(course, chapters));
+  for (const Unit& unit : course.units)
+    if (chapters.count(unit.chapter) > 0)
+      write(to / "exercises" / unit.chapter / (unit.name + ".cpp"), stub_of(course, unit));
+  return paths.size();
+}
+
+}  // namespace tumble::judge

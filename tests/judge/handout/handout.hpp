@@ -1,0 +1,32 @@
+#pragma once
+/// @file
+/// A repository for students: the chapters that are asked for with their pages, stubs and specs,
+/// the library and the judge, and no solutions.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "judge/course/course.hpp"
+
+namespace tumble::judge {
+
+/// The folders of the chapters that "1-4,6" means: "01_particles", …
+/// @throws std::invalid_argument if it means none, or there is none of that number
+std::set<std::string> chapters_meant(const Course& course, const std::string& text);
+
+/// Makes the hand-out.
+/// @param to does not exist yet, or is empty
+/// @return how many files it has
+/// @throws std::invalid_argument if there is something in the folder already, or the course has no
+///         solutions and so is a hand-out itself
+std::size_t make_handout(const Course& course, const std::set<std::string>& chapters,
+                         const fs::path& to);
+
+/// A page without its links to what is not handed out: their words stay.
+/// @param page  where it is, from the root
+/// @param paths all files that are handed out, from the root
+std::string without_dead_links(const std::string& text, const fs::path& page,
+                               const std::set<fs::path>& paths);
+
+}  // namespace tumble::judge
