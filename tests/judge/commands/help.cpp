@@ -76,6 +76,10 @@ int solution(const Course& course, const std::string& what, bool anyway) {
               << "   The solution all the same: ./tumble solution " << unit.number << " --anyway\n";
     return 1;
   }
+  if (!fs::exists(course.solution(unit))) {
+    std::cout << "This tree has no solutions: it was handed out without them.\n";
+    return 1;
+  }
   std::cout << read_text(course.solution(unit));
   return 0;
 }

@@ -94,6 +94,10 @@ int not_built(const MineOptions& options, const mine::EngineBuild& build,
 
 int mine_command(const Course& course, const MineOptions& options) {
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
+  if (options.fill && course.units.front().solution.empty()) {
+    std::cerr << "tumble: --fill: this tree has no solutions, it was handed out without them\n";
+    return 2;
+  }
   const WorkFolder work;
   progress("compiling the functions that an engine needs");
   const mine::EngineBuild build = mine::build_engine(
