@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <sstream>
 
 #include "judge/course/contract.hpp"
 #include "judge/course/text_file.hpp"
@@ -88,6 +89,30 @@ std::string readme(const Course& course, const std::set<std::string>& chapters) 
   return text.replace(text.find(place), place.size(), list);
 }
 
+/// Whether a link on a page leads to a file or folder that is handed out, or out of the tree.
+bool leads_somewhere(const std::string& link, const fs::path& page, const Paths& paths) {
+  const std::string target = link.substr(0, link.find('#'));
+  if (target.empty() || target.find("://") != std::string::npos) return true;
+  fs::path path = (page.parent_path() / target).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return std::any_of(paths.begin(), paths.end(), [&](const fs::path& each) {
+    return each == path || each.string().starts_with(path.string() + "/");
+  });
+}
+
+std::string line_without_dead_links(const std::string& line, const fs::path& page,
+                                    const Paths& paths) {
+  static const std::regex link(R"(!?\[([^\[\]]*)\]\(([^()\s]+)\))");
+  std::string result;
+  auto rest = line.begin();
+  for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it) {
+    result.append(rest, line.begin() + it->position());
+    rest = line.begin() + it->position() + it->length();
+    result += leads_somewhere((*it)[2], page, paths) ? it->str() : (*it)[1].str();
+  }
+  return result.append(rest, line.end());
+}
+
 void write(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
   write_text(file, text);
@@ -116,24 +141,14 @@ std::set<std::string> chapters_meant(const Course& course, const std::string& te
 
 std::string without_dead_links(const std::string& text, const fs::path& page,
                                const std::set<fs::path>& paths) {
-  static const std::regex link(R"((!?)\[((?:[^\[\]]|`[^`]*`)*)\]\(([^()\s]+)\))");
-  const auto is_there = [&](std::string target) {
-    target = target.substr(0, target.find('#'));
-    if (target.empty() || target.find("://") != std::string::npos) return true;
-    fs::path path = (page.parent_path() / target).lexically_normal();
-    if (!path.has_filename()) path = path.parent_path();
-    return std::any_of(paths.begin(), paths.end(), [&](const fs::path& each) {
-      return each == path || each.string().starts_with(path.string() + "/");
-    });
-  };
+  std::istringstream in(text);
   std::string result;
-  auto rest = text.begin();
-  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
-    result.append(rest, text.begin() + it->position());
-    rest = text.begin() + it->position() + it->length();
-    result += is_there((*it)[3]) ? it->str() : (*it)[2].str();
+  bool code = false;
+  for (std::string line; std::getline(in, line); result += '\n') {
+    if (line.starts_with("```")) code = !code;
+    result += code ? line : line_without_dead_links(line, page, paths);
   }
-  return result.append(rest, text.end());
+  return result;
 }
 
 std::size_t make_handout(const Course& course, const std::set<std::string>& chapters,
