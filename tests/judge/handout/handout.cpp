@@ -100,17 +100,16 @@ bool leads_somewhere(const std::string& link, const fs::path& page, const Paths&
   });
 }
 
-std::string line_without_dead_links(const std::string& line, const fs::path& page,
-                                    const Paths& paths) {
+std::string linked_prose(const std::string& text, const fs::path& page, const Paths& paths) {
   static const std::regex link(R"(!?\[([^\[\]]*)\]\(([^()\s]+)\))");
   std::string result;
-  auto rest = line.begin();
-  for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it) {
-    result.append(rest, line.begin() + it->position());
-    rest = line.begin() + it->position() + it->length();
+  auto rest = text.begin();
+  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+    result.append(rest, text.begin() + it->position());
+    rest = text.begin() + it->position() + it->length();
     result += leads_somewhere((*it)[2], page, paths) ? it->str() : (*it)[1].str();
   }
-  return result.append(rest, line.end());
+  return result.append(rest, text.end());
 }
 
 void write(const fs::path& file, const std::string& text) {
@@ -142,13 +141,17 @@ std::set<std::string> chapters_meant(const Course& course, const std::string& te
 std::string without_dead_links(const std::string& text, const fs::path& page,
                                const std::set<fs::path>& paths) {
   std::istringstream in(text);
-  std::string result;
+  std::string result, prose;
   bool code = false;
-  for (std::string line; std::getline(in, line); result += '\n') {
+  for (std::string line; std::getline(in, line);) {
     if (line.starts_with("```")) code = !code;
-    result += code ? line : line_without_dead_links(line, page, paths);
+    prose += line + "\n";
+    if (line.starts_with("```")) {  // a link may go over two lines, but not into a fence
+      result += code ? linked_prose(prose, page, paths) : prose;
+      prose.clear();
+    }
   }
-  return result;
+  return result + linked_prose(prose, page, paths);
 }
 
 std::size_t make_handout(const Course& course, const std::set<std::string>& chapters,
