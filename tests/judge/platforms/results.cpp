@@ -1,0 +1,156 @@
+#include "judge/platforms/results.hpp"
+
+#include <cmath>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "judge/verdict/json.hpp"
+#include "tumble/core/require.hpp"
+
+namespace tumble::judge {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string title(const Unit& unit) { return unit.number + " " + unit.name; }
+
+/// What a student reads about a unit, judged or not.
+std::string words_about(const StudentRecord& record, const Unit& unit) {
+  if (!record.refused.empty()) return "The submission " + record.refused + ".";
+  const UnitRecord* verdict = record.find(unit);
+  return verdict ? verdict->explanation : "Not judged yet.";
+}
+
+double points_of(const CourseSettings& settings, const StudentRecord& record, const Unit& unit) {
+  const UnitRecord* verdict = record.find(unit);
+  return verdict ? settings.earned(*verdict) : 0;
+}
+
+bool passed(const StudentRecord& record, const Unit& unit) {
+  const UnitRecord* verdict = record.find(unit);
+  return verdict && verdict->passed;
+}
+
+ordered_json names_of_misconceptions(const StudentRecord& record, const Unit& unit) {
+  ordered_json names = ordered_json::array();
+  if (const UnitRecord* verdict = record.find(unit))
+    for (const CaseRecord& each : verdict->cases)
+      for (const std::string& name : each.misconceptions) names.push_back(name);
+  return names;
+}
+
+double seconds_of(const StudentRecord& record) {
+  double sum = 0;
+  for (const UnitRecord& unit : record.units) sum += unit.seconds;
+  return sum;
+}
+
+/// An SVG as an address that a page can show.
+std::string data_url(const std::string& svg) {
+  static constexpr char digits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string url = "data:image/svg+xml;base64,";
+  for (std::size_t i = 0; i < svg.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < svg.size() ? static_cast<unsigned char>(svg[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      url += i + k <= svg.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return url;
+}
+
+std::string now_in_utc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+/// Hundredths of a point.
+long hundredths(double points) { return std::lround(100 * points); }
+
+}  // namespace
+
+std::string gradescope_results(const CourseSettings& settings, const StudentRecord& record) {
+  ordered_json j{{"execution_time", seconds_of(record)},
+                 {"visibility", "visible"},
+                 {"stdout_visibility", "hidden"},
+                 {"tests", ordered_json::array()}};
+  if (!record.refused.empty()) j["output"] = "The submission " + record.refused + ".";
+  for (const Unit& unit : settings.units)
+    j["tests"].push_back(
+        {{"name", title(unit)},
+         {"number", unit.number},
+         {"score", points_of(settings, record, unit)},
+         {"max_score", settings.points(unit)},
+         {"status", passed(record, unit) ? "passed" : "failed"},
+         {"output", words_about(record, unit)},
+         {"output_format", "text"},
+         {"visibility", settings.hidden.count(unit.id()) ? "after_due_date" : "visible"},
+         {"extra_data", {{"misconceptions", names_of_misconceptions(record, unit)}}}});
+  return text_of(j);
+}
+
+std::string prairielearn_results(const CourseSettings& settings, const StudentRecord& record,
+                                 const std::string& figure) {
+  const bool gradable = record.refused.empty();
+  ordered_json j{{"gradable", gradable}};
+  if (!gradable) {
+    j["format_errors"] = {"The submission " + record.refused + "."};
+    return text_of(j);
+  }
+  j["score"] = earned(settings, record) / settings.most();
+  j["tests"] = ordered_json::array();
+  for (const Unit& unit : settings.units) {
+    const bool hidden = settings.hidden.count(unit.id()) > 0;
+    j["tests"].push_back({{"name", title(unit)},
+                          {"points", points_of(settings, record, unit)},
+                          {"max_points", settings.points(unit)},
+                          {"output", hidden ? "" : words_about(record, unit)}});
+  }
+  if (!figure.empty()) j["images"] = {{{"label", "Your own engine"}, {"url", data_url(figure)}}};
+  return text_of(j);
+}
+
+std::string classroom50_result(const CourseSettings& settings, const StudentRecord& record,
+                               const std::map<std::string, std::string>& environment) {
+  const auto variable = [&](const std::string& name) {
+    const auto found = environment.find(name);
+    require(found != environment.end(), "the environment lacks ", name, ": Classroom 50 sets it");
+    return found->second;
+  };
+  ordered_json j{{"schema", "classroom50/result/v1"},
+                 {"classroom", variable("CLASSROOM")},
+                 {"assignment", variable("ASSIGNMENT")},
+                 {"assignment_type", variable("ASSIGNMENT_TYPE")},
+                 {"owner", variable("OWNER")},
+                 {"submission", variable("SUBMISSION_TAG")},
+                 {"commit", variable("COMMIT_URL")},
+                 {"release", variable("RELEASE_URL")},
+                 {"review", variable("REVIEW_URL")},
+                 {"datetime", now_in_utc()},
+                 {"score", 0},
+                 {"max-score", 0},
+                 {"tests", ordered_json::array()}};
+  long score = 0, most = 0;
+  for (const Unit& unit : settings.units) {
+    const long points = hundredths(points_of(settings, record, unit)),
+               all = hundredths(settings.points(unit));
+    score += points, most += all;
+    const bool hidden = settings.hidden.count(unit.id()) > 0;
+    j["tests"].push_back({{"test-name", title(unit)},
+                          {"passed", passed(record, unit)},
+                          {"score", points},
+                          {"max-score", all},
+                          {"output", hidden ? "" : words_about(record, unit)}});
+  }
+  j["score"] = score;
+  j["max-score"] = most;
+  return text_of(j);
+}
+
+}  // namespace tumble::judge
