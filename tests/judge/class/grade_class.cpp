@@ -29,7 +29,8 @@ std::vector<std::string> grade_class(const Grading& grading,
   run_in_processes(
       submissions.size(), at_once,
       [&](std::size_t i, const std::function<void()>& tick) {
-        grade_student(grading, submissions[i], folder.record_of(submissions[i].student), tick);
+        grade_student(grading, submissions[i], folder.record_of(submissions[i].student),
+                      [&tick](const StudentRecord&) { tick(); });
       },
       [&] { line.tick(); },
       [&](FinishedJob job) {

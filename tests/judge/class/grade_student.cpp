@@ -91,7 +91,8 @@ void add_in_order(StudentRecord& record, UnitRecord unit, const CourseSettings& 
 }  // namespace
 
 void grade_student(const Grading& grading, const Submission& submission,
-                   const std::filesystem::path& file, const std::function<void()>& done) {
+                   const std::filesystem::path& file,
+                   const std::function<void(const StudentRecord&)>& done) {
   const Sources sources(grading.course, submission);
   StudentRecord record{submission.student,
                        seed_of(grading.seed, submission.student),
@@ -105,7 +106,7 @@ void grade_student(const Grading& grading, const Submission& submission,
   for (const Unit& unit : grading.settings.units) {
     const bool known = record.find(unit) != nullptr || !record.refused.empty();
     if (known)
-      done();
+      done(record);
     else
       open.push_back(unit);
   }
@@ -122,7 +123,7 @@ void grade_student(const Grading& grading, const Submission& submission,
           *text = sources.as_handed_in(*text);
         add_in_order(record, std::move(unit), grading.settings);
         write_record(file, record, grading.settings);
-        done();
+        done(record);
       });
 }
 

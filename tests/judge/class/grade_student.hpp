@@ -22,9 +22,10 @@ struct Grading {
 
 /// Grades a submission and keeps its record in `file`. What the file holds already, about the same
 /// sources, inputs and judge, is not judged again.
-/// @param done is called after each unit
+/// @param done is called for each unit, with what is known then
 void grade_student(const Grading& grading, const Submission& submission,
-                   const std::filesystem::path& file, const std::function<void()>& done);
+                   const std::filesystem::path& file,
+                   const std::function<void(const StudentRecord&)>& done);
 
 /// The number that changes with the judge.
 std::uint64_t judge_fingerprint();

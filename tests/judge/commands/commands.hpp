@@ -47,6 +47,12 @@ struct ReportOptions {
   bool names = false;                ///< the students' too
 };
 
+struct PlatformOptions {
+  std::string platform;              ///< "gradescope", …
+  fs::path root;                     ///< of its folders
+  std::optional<fs::path> settings;  ///< course.json
+};
+
 /// Judges what was asked for, explains, and remembers.
 int check(const Course& course, const CheckOptions& options);
 /// Builds an engine of the student's own functions, and shows its errors beside the library's.
@@ -67,6 +73,9 @@ int sandbox(const Course& course);
 int grade(const Course& course, const GradeOptions& options);
 /// Makes a repository for students of the chapters that "1-4" means.
 int handout_command(const Course& course, const std::string& chapters, const fs::path& to);
+/// Grades one submission where a platform has put it, and writes the results where it looks for
+/// them.
+int platform_command(const Course& course, const PlatformOptions& options);
 /// Writes one page about a class.
 int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.

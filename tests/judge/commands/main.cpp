@@ -112,6 +112,15 @@ int main(int argc, char** argv) {
   handing_out->add_option("--chapters", chapters, "1-4, or 1-4,6")->required();
   handing_out->add_option("DIR", to, "a new folder")->required();
 
+  PlatformOptions place;
+  CLI::App* on_platform =
+      command("platform", "grade one submission where a platform has put it",
+              [&](const Course& course) { return platform_command(course, place); });
+  on_platform->add_option("NAME", place.platform, "gradescope, prairielearn, classroom50")
+      ->required();
+  on_platform->add_option("ROOT", place.root, "/autograder, /grade, the checkout")->required();
+  on_platform->add_option("--course", place.settings, "course.json");
+
   CLI::App* kills = command("matrix", "every spec against every misconception",
                             [&](const Course& course) { return matrix(course, what, seed); });
   kills->add_option("what", what);
