@@ -55,11 +55,6 @@ PlatformRun on_classroom50(const fs::path& root, const CourseSettings& settings)
 
 }  // namespace
 
-const std::vector<std::string>& platform_names() {
-  static const std::vector<std::string> names = {"gradescope", "prairielearn", "classroom50"};
-  return names;
-}
-
 PlatformRun platform_run(const std::string& platform, const fs::path& root,
                          const CourseSettings& settings) {
   using Reader = PlatformRun (*)(const fs::path&, const CourseSettings&);

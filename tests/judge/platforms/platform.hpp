@@ -22,9 +22,6 @@ struct PlatformRun {
   fs::path figure = {};  ///< a file for the figure, too; or empty
 };
 
-/// The platforms that run() knows.
-const std::vector<std::string>& platform_names();
-
 /// A submission as it lies on the platform.
 /// @param root of the platform's folders: "/autograder", "/grade", the student's checkout
 /// @throws std::invalid_argument if there is no such platform, or what it promises is not there
