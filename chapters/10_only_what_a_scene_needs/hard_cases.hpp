@@ -193,6 +193,7 @@ inline Table hard_refused_table() {
       RigidBody<>(1, Mat3(moments.asDiagonal()));
     } catch (const std::invalid_argument& refusal) {
       said = refusal.what();
+      said = said.substr(0, said.find(':'));  // behind it come the moments
     }
     table.add({name, said});
   };

@@ -45,7 +45,7 @@ Answer plain_loop(const PolygonMesh& mesh, const Vec3& p) {
 }
 
 template <class F>
-Method on_mesh(const std::string& name, const F& compute) {
+Method on_mesh(const std::string& name, F compute) {
   return {name, [compute](const Body& body) -> Run {
             return [compute, &mesh = body.mesh] { return Answer(compute(mesh)); };
           }};

@@ -54,10 +54,10 @@ TEST_CASE("archives: paths, links and devices that lead out of them") {
       {{"product.cpp", "", AE_IFREG, "/etc/shadow"}, "has a link in it: product.cpp"},
       {{"product.cpp", "", AE_IFIFO}, "neither a file nor a folder: product.cpp"},
       {{"product.cpp", "", AE_IFCHR}, "neither a file nor a folder: product.cpp"}};
-  for (const auto& [entry, why] : harmful) {
-    const Unpacked result = unpacked("a.tar.gz", {{"harmless.cpp", "int x;"}, entry});
-    CAPTURE(entry.path);
-    CHECK_MESSAGE(result.refused.find(why) != std::string::npos, result.refused);
+  for (const auto& each : harmful) {
+    const Unpacked result = unpacked("a.tar.gz", {{"harmless.cpp", "int x;"}, each.first});
+    CAPTURE(each.first.path);
+    CHECK_MESSAGE(result.refused.find(each.second) != std::string::npos, result.refused);
     CHECK(result.files.empty());
   }
   CHECK(unpacked("a.zip", {{"../b.cpp", "x"}}).refused ==

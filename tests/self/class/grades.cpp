@@ -45,7 +45,7 @@ TEST_CASE("grades.csv: points, and what a spreadsheet must not run") {
 TEST_CASE("junit.xml: escaped, and nothing that XML cannot say") {
   const std::string junit =
       grades_junit(default_settings(small_course()),
-                   {{"a&b", 1, 0, "", {product, inverse}}, {"eve", 1, 0, "is \"bad\"", {}, {}}});
+                   {{"a&b", 1, 0, "", {product, inverse}}, {"eve", 1, 0, "is \"bad\"", {}}});
   for (const char* part :
        {"<testsuite name=\"a&amp;b\" tests=\"2\" failures=\"1\" errors=\"0\">",
         "name=\"4.1 04_quaternions/product\" time=\"0.000\"/>",

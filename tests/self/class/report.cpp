@@ -25,7 +25,7 @@ StudentRecord student(const std::string& name, const std::string& summary, int t
   record.unit = unit.id(), record.number = unit.number, record.summary = summary;
   record.passed = summary == "passed", record.tries = tries, record.source = 17;
   for (const std::size_t i : {1u, 2u}) {
-    CaseRecord each{i, "law " + std::to_string(i), summary, "", "", {}, {}};
+    CaseRecord each{i, "law " + std::to_string(i), summary, "", "", {}};
     if (!mistake.empty()) each.misconceptions = {mistake};
     record.cases.push_back(each);
   }

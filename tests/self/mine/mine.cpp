@@ -93,9 +93,10 @@ TEST_CASE("the solutions make an engine whose errors fall as their methods promi
   for (std::size_t problem = 0; problem < 3; ++problem) {
     // A thousand faces and more, each of their sums rounded: √1776 · 2⁻⁵³, with room.
     CHECK(numbers.at("problems")[problem].at("mass").at("error") < 1e-13);
-    for (const auto& [name, order] : orders) {
-      const double observed = curve_of(numbers, problem, name).at("order");
-      CHECK_MESSAGE(std::abs(observed - order) < 0.5, name, " has the order ", observed);
+    for (const auto& each : orders) {
+      const double observed = curve_of(numbers, problem, each.first).at("order");
+      CHECK_MESSAGE(std::abs(observed - each.second) < 0.5, each.first, " has the order ",
+                    observed);
     }
   }
   const nlohmann::json closed_form = curve_of(numbers, 2, "closed form");
