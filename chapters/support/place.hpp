@@ -54,6 +54,11 @@ class Place {
     return has(key) ? (*this)[key].number() : otherwise;
   }
 
+  bool yes() const {
+    require(value_.is_boolean(), name_, " is not true or false, but ", value_.dump());
+    return value_.get<bool>();
+  }
+
   std::string text() const {
     require(value_.is_string(), name_, " is not a text, but ", value_.dump());
     return value_.get<std::string>();

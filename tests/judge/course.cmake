@@ -99,6 +99,7 @@ function(tumble_add_judge target root)
 
   set(json)
   set(earlier)
+  set(whole TRUE)
   file(GLOB contracts ${root}/exercises/[0-9]*/contract.hpp)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/exercises)
   list(SORT contracts)
@@ -107,6 +108,7 @@ function(tumble_add_judge target root)
     cmake_path(GET exercises FILENAME chapter)
     string(REGEX REPLACE "^[0-9]+_" "" namespace ${chapter})
     if(NOT EXISTS ${root}/tests/${chapter})
+      set(whole FALSE)
       continue() # a hand-out has this contract only because others speak of its types
     endif()
     tumble_units_of(${contract} units)
@@ -159,7 +161,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
 
   # What makes one engine of all of a student's functions: ./tumble mine.
   set(engine)
-  if(EXISTS ${root}/tests/judge/mine/engine.cpp)
+  if(EXISTS ${root}/tests/judge/mine/engine.cpp AND whole)
     tumble_student_object(${target}_engine ${root}/tests/judge/mine/engine.cpp
       ${PROJECT_SOURCE_DIR}/tests ${root}/exercises)
     add_dependencies(${target} ${target}_engine)

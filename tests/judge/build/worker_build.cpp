@@ -168,7 +168,7 @@ class Builder {
           std::find(functions.begin(), functions.end(), earlier.function()) != functions.end();
       if (!used || earlier.id() == unit_.id() || !earlier.solution.empty()) continue;
       const std::string called = earlier.number + " " + earlier.name + ", which it calls, ";
-      const fs::path source = course_.exercise(earlier);
+      const fs::path source = course_.instead_of_solution(earlier);
       if (!fs::is_regular_file(source) || read_text(source) == stub_of(course_, earlier)) {
         result.outcome = BuildOutcome::does_not_compile;
         result.detail = called + "is not written yet:  ./tumble check " + earlier.number + "\n";

@@ -14,12 +14,13 @@ namespace {
 /// The files of a submission, where the judge can read them.
 class Sources {
  public:
-  Sources(const Course& course, const Submission& submission) : folder_(submission.path) {
+  Sources(const Course& course, const std::vector<Unit>& counted, const Submission& submission)
+      : folder_(submission.path) {
     if (submission.is_archive) {
       take(unpack(submission.path));
       folder_ = own_.path();
     }
-    if (refused_.empty()) files_ = files_of_units(course, files_below(folder_));
+    if (refused_.empty()) files_ = files_of_units(course, counted, files_below(folder_));
   }
 
   const std::string& refused() const { return refused_; }
@@ -42,10 +43,8 @@ class Sources {
  private:
   void take(const Unpacked& unpacked) {
     refused_ = unpacked.refused;
-    for (const auto& [path, text] : unpacked.files) {
-      fs::create_directories((own_.path() / path).parent_path());
-      write_text(own_.path() / path, text);
-    }
+    for (const auto& [path, text] : unpacked.files)
+      write_text_and_folders(own_.path() / path, text);
   }
 
   WorkFolder own_;
@@ -93,7 +92,7 @@ void add_in_order(StudentRecord& record, UnitRecord unit, const CourseSettings& 
 void grade_student(const Grading& grading, const Submission& submission,
                    const std::filesystem::path& file,
                    const std::function<void(const StudentRecord&)>& done) {
-  const Sources sources(grading.course, submission);
+  const Sources sources(grading.course, grading.settings.units, submission);
   StudentRecord record{submission.student,
                        seed_of(grading.seed, submission.student),
                        grading.judge,
@@ -110,12 +109,17 @@ void grade_student(const Grading& grading, const Submission& submission,
     else
       open.push_back(unit);
   }
+  Course course = grading.course;
+  course.stand_in = [&](const Unit& unit) {
+    return grading.solutions.empty() ? sources.of(unit)
+                                     : grading.solutions / unit.chapter / (unit.name + ".cpp");
+  };
   Judgement judgement;
   judgement.seed = record.seed;
   judgement.compiled = &grading.compiled;
   judgement.locate_crashes = false;  // with sanitizers the walls are lower
   judge_all(
-      grading.course, open, [&](const Unit& unit) { return sources.of(unit); }, judgement,
+      course, open, [&](const Unit& unit) { return sources.of(unit); }, judgement,
       [&](const UnitResult& result) {
         UnitRecord unit = record_of(grading.course, result);
         unit.tries = tries_with(result, before);

@@ -18,6 +18,9 @@ struct Grading {
   std::uint64_t seed;           ///< of the course's inputs; each student's follows from it
   std::uint64_t judge;          ///< fingerprint of this judge
   const ObjectCache& compiled;  ///< by all students
+  /// Sources of the solutions, where the course was built without: functions that a student's file
+  /// calls come from there. Empty: they are the student's own.
+  std::filesystem::path solutions = {};
 };
 
 /// Grades a submission and keeps its record in `file`. What the file holds already, about the same

@@ -1,5 +1,6 @@
 #include "judge/class/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -70,7 +71,8 @@ std::uint64_t read_seed(const Place& place) {
 }
 
 CourseSettings settings_of(const Course& course, const Place& place) {
-  place.require_only({"$schema", "title", "units", "weights", "credit", "hidden", "due", "seed"});
+  place.require_only(
+      {"$schema", "title", "units", "weights", "credit", "hidden", "due", "seed", "curve"});
   CourseSettings settings = default_settings(course);
   if (place.has("title")) settings.title = place["title"].text();
   if (place.has("units")) {
@@ -84,6 +86,7 @@ CourseSettings settings_of(const Course& course, const Place& place) {
     for (const Unit& unit : units_in(course, place["hidden"])) settings.hidden.insert(unit.id());
   if (place.has("due")) settings.due = read_time(place["due"]);
   if (place.has("seed")) settings.seed = read_seed(place["seed"]);
+  if (place.has("curve")) settings.curve = place["curve"].yes();
   require(settings.most() > 0, place.name(), ": no unit is worth any points");
   return settings;
 }
@@ -94,6 +97,14 @@ double CourseSettings::most() const {
   double sum = 0;
   for (const Unit& unit : units) sum += points(unit);
   return sum;
+}
+
+bool CourseSettings::wants_curve(const Course& course) const {
+  const auto counts = [&](const Unit& unit) {
+    return std::any_of(units.begin(), units.end(),
+                       [&](const Unit& each) { return each.chapter == unit.chapter; });
+  };
+  return curve.value_or(std::all_of(course.units.begin(), course.units.end(), counts));
 }
 
 double CourseSettings::earned(const UnitRecord& record) const {

@@ -4,7 +4,8 @@
 ///
 ///     {"title": "Dynamics, winter 2026", "units": ["1", "2", "4.1"], "weights": {"4": 2, "4.7":
 ///     5},
-///      "credit": "laws", "hidden": ["4.7"], "due": "2026-12-01T23:59:00Z", "seed": 8231}
+///      "credit": "laws", "hidden": ["4.7"], "due": "2026-12-01T23:59:00Z", "seed": 8231,
+///      "curve": true}
 ///
 /// Everything may be left out.
 
@@ -36,10 +37,14 @@ struct CourseSettings {
   std::optional<std::string> due;  ///< ISO 8601, with a time zone
   std::optional<std::uint64_t>
       seed;  ///< of all inputs; each student's follows from it and the name
+  /// Whether the curves of a student's own engine come with the grade; if not said, where all
+  /// chapters count.
+  std::optional<bool> curve;
 
   double points(const Unit& unit) const { return weights.at(unit.id()); }
   /// Of all units.
   double most() const;
+  bool wants_curve(const Course& course) const;
   bool is_hidden(const UnitRecord& record) const { return hidden.count(record.unit) > 0; }
   /// What a verdict earns, of points(unit).
   double earned(const UnitRecord& record) const;

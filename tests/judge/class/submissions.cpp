@@ -81,15 +81,23 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 }
 
 std::map<std::string, fs::path> files_of_units(const Course& course,
+                                               const std::vector<Unit>& counted,
                                                const std::vector<fs::path>& paths) {
-  std::map<std::string, int> names;
+  std::map<std::string, int> names, names_counted;
   for (const Unit& unit : course.units) ++names[unit.name];
+  for (const Unit& unit : counted) ++names_counted[unit.name];
+  const auto has_name_alone = [&](const Unit& unit) {
+    if (names_counted[unit.name] == 0) return names[unit.name] == 1;
+    return names_counted[unit.name] == 1 &&
+           std::any_of(counted.begin(), counted.end(),
+                       [&](const Unit& each) { return each.id() == unit.id(); });
+  };
   std::map<std::string, fs::path> found;
   for (const Unit& unit : course.units) {
     int best = 0;
     std::ptrdiff_t depth = 0;
     for (const fs::path& path : paths) {
-      const int how = fit(path, unit, names[unit.name] == 1);
+      const int how = fit(path, unit, has_name_alone(unit));
       const std::ptrdiff_t deep = std::distance(path.begin(), path.end());
       if (how == 0 || how < best || (how == best && deep >= depth)) continue;
       best = how, depth = deep;

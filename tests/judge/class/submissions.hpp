@@ -29,7 +29,9 @@ std::vector<fs::path> files_below(const fs::path& folder);
 /// …/04_quaternions/product.cpp, else product.cpp where one unit only has that name; the one least
 /// deep. What lies under solutions/, tests/ or build/ is no student's. Units without a file are
 /// left out.
+/// @param counted the units that are graded: a name alone means one of them first
 std::map<std::string, fs::path> files_of_units(const Course& course,
+                                               const std::vector<Unit>& counted,
                                                const std::vector<fs::path>& paths);
 
 }  // namespace tumble::judge

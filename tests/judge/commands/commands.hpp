@@ -47,6 +47,13 @@ struct ReportOptions {
   bool names = false;                ///< the students' too
 };
 
+struct ExportOptions {
+  std::string platform;                      ///< "gradescope", …
+  fs::path to;                               ///< a new folder
+  std::optional<fs::path> settings;          ///< course.json
+  std::string image = "OWNER/tumble-judge";  ///< of PrairieLearn's grader
+};
+
 struct PlatformOptions {
   std::string platform;              ///< "gradescope", …
   fs::path root;                     ///< of its folders
@@ -76,6 +83,8 @@ int handout_command(const Course& course, const std::string& chapters, const fs:
 /// Grades one submission where a platform has put it, and writes the results where it looks for
 /// them.
 int platform_command(const Course& course, const PlatformOptions& options);
+/// Makes what a platform takes.
+int export_command(const Course& course, const ExportOptions& options);
 /// Writes one page about a class.
 int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "judge/commands/commands.hpp"
+#include "judge/platforms/platform.hpp"
 
 using namespace tumble::judge;
 
@@ -112,12 +113,22 @@ int main(int argc, char** argv) {
   handing_out->add_option("--chapters", chapters, "1-4, or 1-4,6")->required();
   handing_out->add_option("DIR", to, "a new folder")->required();
 
+  ExportOptions package;
+  CLI::App* exporting = command("export", "a package for a platform", [&](const Course& course) {
+    return export_command(course, package);
+  });
+  exporting->add_option("PLATFORM", package.platform, platforms)->required();
+  exporting->add_option("DIR", package.to, "a new folder")->required();
+  exporting->add_option("--course", package.settings,
+                        "course.json: units, weights, credit, hidden, due date, seed");
+  exporting->add_option("--image", package.image, "name of PrairieLearn's grader image")
+      ->capture_default_str();
+
   PlatformOptions place;
   CLI::App* on_platform =
       command("platform", "grade one submission where a platform has put it",
               [&](const Course& course) { return platform_command(course, place); });
-  on_platform->add_option("NAME", place.platform, "gradescope, prairielearn, classroom50")
-      ->required();
+  on_platform->add_option("PLATFORM", place.platform, platforms)->required();
   on_platform->add_option("ROOT", place.root, "/autograder, /grade, the checkout")->required();
   on_platform->add_option("--course", place.settings, "course.json");
 

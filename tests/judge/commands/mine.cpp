@@ -94,7 +94,7 @@ int not_built(const MineOptions& options, const mine::EngineBuild& build,
 
 int mine_command(const Course& course, const MineOptions& options) {
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
-  if (options.fill && course.units.front().solution.empty()) {
+  if (options.fill && !course.has_solutions()) {
     std::cerr << "tumble: --fill: this tree has no solutions, it was handed out without them\n";
     return 2;
   }

@@ -3,6 +3,7 @@
 /// What there is to be judged: the units of the course, as the build has written them down.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,16 @@ struct Course {
   Toolchain toolchain;
   fs::path engine;  ///< object file that makes an engine of the student's functions; or empty
   std::vector<Unit> units;
+  /// Where a course without solutions finds a function that another one calls; in exercises/ if not
+  /// said.
+  std::function<fs::path(const Unit&)> stand_in = {};
+
+  /// A hand-out has none.
+  bool has_solutions() const { return !units.empty() && !units.front().solution.empty(); }
+  /// The file that stands in for the solution of a unit.
+  fs::path instead_of_solution(const Unit& unit) const {
+    return stand_in ? stand_in(unit) : exercise(unit);
+  }
 
   fs::path contract(const Unit& unit) const {
     return root / "exercises" / unit.chapter / "contract.hpp";

@@ -23,4 +23,9 @@ void write_text(const fs::path& file, const std::string& text) {
   fs::rename(beside, file);
 }
 
+void write_text_and_folders(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  write_text(file, text);
+}
+
 }  // namespace tumble::judge

@@ -15,4 +15,7 @@ std::string read_text(const std::filesystem::path& file);
 /// @throws std::runtime_error naming the file if it cannot be written
 void write_text(const std::filesystem::path& file, const std::string& text);
 
+/// The same, in folders that need not be there.
+void write_text_and_folders(const std::filesystem::path& file, const std::string& text);
+
 }  // namespace tumble::judge

@@ -27,33 +27,35 @@ bool is_chapter(const std::string& folder) {
          folder[2] == '_';
 }
 
-/// Whether a file, from the root, belongs into the hand-out. (Exercises are written anew.)
-bool is_for_students(const fs::path& path, const std::set<std::string>& chapters) {
+/// Whether a file, from the root, belongs into the tree.
+bool belongs(const fs::path& path, const TreeParts& parts) {
   static const std::set<std::string> at_the_top = {
       "CMakeLists.txt", "CMakePresets.json", "LICENSE",   "tumble",
       ".clang-format",  ".clang-tidy",       ".gitignore"};
   const auto [tree, folder] = upper_folders(path);
   if (folder.empty()) return at_the_top.count(tree) > 0;
   if (tree == "lib") return true;
-  if (tree == "exercises")
-    return path.filename() == "contract.hpp" || path.filename() == "not_implemented.hpp" ||
-           chapters.count(folder) > 0;
+  const bool is_in = parts.chapters.count(folder) > 0;
+  if (tree == "exercises") {
+    const std::string name = path.filename().string();
+    return name == "contract.hpp" || name == "not_implemented.hpp" || (name == "hints.md" && is_in);
+  }
+  if (tree == "solutions") return parts.solutions && is_in;
   if (tree != "chapters" && tree != "tests") return false;
-  if (is_chapter(folder)) return chapters.count(folder) > 0;
+  if (is_chapter(folder)) return is_in;
   static const std::set<std::string> shared = {"book",  "support",   "tour",           "scenes",
                                                "judge", "reference", "CMakeLists.txt", "README.md"};
   return shared.count(folder) > 0;
 }
 
-/// All files of the tree that students get, from the root.
-Paths files_for_students(const fs::path& root, const std::set<std::string>& chapters) {
+/// All files of the tree to be made, from the root.
+Paths files_of(const fs::path& root, const TreeParts& parts) {
   Paths paths;
   for (auto it = fs::recursive_directory_iterator(root); it != fs::recursive_directory_iterator();
        ++it) {
     const fs::path path = it->path().lexically_relative(root);
-    const std::string name = path.filename().string();
-    if (it->is_directory() && (name == "build" || name == ".git")) it.disable_recursion_pending();
-    if (it->is_regular_file() && is_for_students(path, chapters)) paths.insert(path);
+    if (path == "build" || path == ".git") it.disable_recursion_pending();
+    if (it->is_regular_file() && belongs(path, parts)) paths.insert(path);
   }
   return paths;
 }
@@ -112,11 +114,6 @@ std::string linked_prose(const std::string& text, const fs::path& page, const Pa
   return result.append(rest, text.end());
 }
 
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  write_text(file, text);
-}
-
 }  // namespace
 
 std::set<std::string> chapters_meant(const Course& course, const std::string& text) {
@@ -154,25 +151,26 @@ std::string without_dead_links(const std::string& text, const fs::path& page,
   return result + linked_prose(prose, page, paths);
 }
 
-std::size_t make_handout(const Course& course, const std::set<std::string>& chapters,
-                         const fs::path& to) {
+std::size_t make_tree(const Course& course, const TreeParts& parts, const fs::path& to) {
   require(!fs::exists(to) || (fs::is_directory(to) && fs::is_empty(to)), to.string(),
           " exists already: nothing is overwritten");
-  require(!course.units.front().solution.empty(), "this tree is a hand-out itself");
-  Paths paths = files_for_students(course.root, chapters);
+  require(course.has_solutions(), "this tree is a hand-out itself");
+  Paths paths = files_of(course.root, parts);
   const Paths headers = included_headers(course.root, paths);
   paths.insert(headers.begin(), headers.end());
   paths.insert("README.md");
   for (const fs::path& path : paths) {
     if (path == "README.md") continue;
     const std::string text = read_text(course.root / path);
-    write(to / path, path.extension() == ".md" ? without_dead_links(text, path, paths) : text);
+    write_text_and_folders(
+        to / path, path.extension() == ".md" ? without_dead_links(text, path, paths) : text);
     fs::permissions(to / path, fs::status(course.root / path).permissions());
   }
-  write(to / "README.md", readme(course, chapters));
-  for (const Unit& unit : course.units)
-    if (chapters.count(unit.chapter) > 0)
-      write(to / "exercises" / unit.chapter / (unit.name + ".cpp"), stub_of(course, unit));
+  write_text_and_folders(to / "README.md", readme(course, parts.chapters));
+  for (const Unit& unit : course.units)  // whatever has been tried in this tree
+    if (parts.chapters.count(unit.chapter) > 0)
+      write_text_and_folders(to / "exercises" / unit.chapter / (unit.name + ".cpp"),
+                             stub_of(course, unit));
   return paths.size();
 }
 

@@ -15,13 +15,18 @@ namespace tumble::judge {
 /// @throws std::invalid_argument if it means none, or there is none of that number
 std::set<std::string> chapters_meant(const Course& course, const std::string& text);
 
-/// Makes the hand-out.
+/// What is in a tree beside the library and the judge.
+struct TreeParts {
+  std::set<std::string> chapters;  ///< "01_particles", …
+  bool solutions = false;          ///< no hand-out then, but a tree that judges
+};
+
+/// Makes a tree of these chapters, its exercises untouched.
 /// @param to does not exist yet, or is empty
 /// @return how many files it has
 /// @throws std::invalid_argument if there is something in the folder already, or the course has no
 ///         solutions and so is a hand-out itself
-std::size_t make_handout(const Course& course, const std::set<std::string>& chapters,
-                         const fs::path& to);
+std::size_t make_tree(const Course& course, const TreeParts& parts, const fs::path& to);
 
 /// A page without its links to what is not handed out: their words stay.
 /// @param page  where it is, from the root

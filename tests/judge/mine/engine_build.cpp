@@ -20,12 +20,7 @@ namespace {
 /// A part and its object.
 struct Compiled {
   Part part;
-  fs::path object;
-
-  void take_solution(const std::string& why) {
-    part.missing = why;
-    object = part.unit.solution;
-  }
+  fs::path object;  ///< empty if there is none, not even the solution's
 };
 
 /// Whether a line of the file that is no comment throws what a stub throws.
@@ -48,17 +43,28 @@ std::string not_written(const Course& course, const Part& part) {
   return throws_not_implemented(text) ? "still throws NotImplemented" : "";
 }
 
+/// Puts the solution in a part's place.
+/// @param folder for what is built, where the course has solutions as sources only
+void take_solution(const Course& course, Compiled& part, const std::string& why,
+                   const fs::path& folder) {
+  part.part.missing = why;
+  part.object = part.part.unit.solution;
+  const fs::path source = course.instead_of_solution(part.part.unit);
+  if (part.object.empty() && source != part.part.source && fs::exists(source))
+    part.object = compile_unit(course, part.part.unit, source, folder / "solution").object;
+}
+
 Compiled compile(const Course& course, Part part, const fs::path& folder) {
   Compiled result{std::move(part), {}};
   if (const std::string why = not_written(course, result.part); !why.empty()) {
-    result.take_solution(why);
+    take_solution(course, result, why, folder);
     return result;
   }
   const WorkerBuild build = compile_unit(course, result.part.unit, result.part.source, folder);
   result.object = build.object;
   if (build.outcome == BuildOutcome::built) return result;
   result.part.detail = build.detail;
-  result.take_solution(name_of(build.outcome));
+  take_solution(course, result, name_of(build.outcome), folder);
   return result;
 }
 
@@ -86,6 +92,7 @@ class Linker {
  private:
   fs::path linked_in() const { return folder_ / "engine"; }
   fs::path worker() const { return linked_in() / "worker"; }
+  fs::path folder_of(const Unit& unit) const { return folder_ / (unit.chapter + "-" + unit.name); }
 
   static bool failed(const Finished& step) { return step.ending != Ending{false, 0}; }
 
@@ -95,7 +102,8 @@ class Linker {
   Finished link(Twice twice) const {
     const Toolchain& tools = course_.toolchain;
     std::vector<fs::path> objects{course_.engine};
-    for (const auto& [place, compiled] : compiled_) objects.push_back(compiled.object);
+    for (const auto& [place, compiled] : compiled_)
+      if (!compiled.object.empty()) objects.push_back(compiled.object);
     objects.push_back(tools.runtime);
     Arguments arguments(objects.begin(), objects.end());
     arguments.insert(arguments.end(), {"-no-pie", "-static", "-o", worker().string()});
@@ -120,7 +128,8 @@ class Linker {
           places.push_back(i);
         } else if (known->second.part.own()) {  // its file defines something else
           known->second.part.detail = read_declaration(course_, course_.units[i]).signature;
-          known->second.take_solution(name_of(BuildOutcome::wrong_signature));
+          take_solution(course_, known->second, name_of(BuildOutcome::wrong_signature),
+                        folder_of(course_.units[i]));
           helps = true;
         }
       }
@@ -133,11 +142,11 @@ class Linker {
     for (std::size_t done = 0; done < places.size(); done += at_once) {
       std::vector<std::pair<std::size_t, std::future<Compiled>>> running;
       for (std::size_t k = done; k < std::min(done + at_once, places.size()); ++k)
-        running.emplace_back(places[k], std::async(std::launch::async, [&, i = places[k]] {
-                               const Unit& unit = course_.units[i];
-                               return compile(course_, {unit, source_(unit), {}, {}},
-                                              folder_ / (unit.chapter + "-" + unit.name));
-                             }));
+        running.emplace_back(
+            places[k], std::async(std::launch::async, [&, i = places[k]] {
+              const Unit& unit = course_.units[i];
+              return compile(course_, {unit, source_(unit), {}, {}}, folder_of(unit));
+            }));
       for (auto& [place, future] : running) compiled_.emplace(place, future.get());
     }
   }
@@ -166,7 +175,9 @@ std::vector<Part> EngineBuild::missing() const {
 
 EngineBuild build_engine(const Course& course, const std::function<fs::path(const Unit&)>& source,
                          const fs::path& folder) {
-  if (course.engine.empty()) throw std::runtime_error("this course has no engine to be built");
+  if (course.engine.empty())
+    throw std::runtime_error(
+        "an engine takes functions of all chapters, and this tree has not all");
   return Linker(course, source, folder).build();
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "judge/class/grades.hpp"
 #include "judge/course/text_file.hpp"
 #include "judge/platforms/results.hpp"
 #include "tumble/core/require.hpp"
@@ -12,26 +13,7 @@ namespace tumble::judge {
 
 namespace {
 
-/// What a platform says about a submission, as it stands: enough to tell submissions apart.
-std::string said_about_it(const fs::path& file) {
-  return fs::is_regular_file(file) ? read_text(file) : "";
-}
-
-PlatformRun on_gradescope(const fs::path& root, const CourseSettings& settings) {
-  return {root / "submission", root / "results" / "results.json",
-          said_about_it(root / "submission_metadata.json"),
-          [settings](const StudentRecord& record, const std::string&) {
-            return gradescope_results(settings, record);
-          }};
-}
-
-PlatformRun on_prairielearn(const fs::path& root, const CourseSettings& settings) {
-  return {root / "student", root / "results" / "results.json",
-          said_about_it(root / "data" / "data.json"),
-          [settings](const StudentRecord& record, const std::string& figure) {
-            return prairielearn_results(settings, record, figure);
-          }};
-}
+using Files = std::map<fs::path, std::string>;
 
 std::map<std::string, std::string> environment() {
   std::map<std::string, std::string> all;
@@ -43,14 +25,64 @@ std::map<std::string, std::string> environment() {
   return all;
 }
 
+std::string value_or_empty(const std::map<std::string, std::string>& map, const char* key) {
+  const auto found = map.find(key);
+  return found == map.end() ? "" : found->second;
+}
+
+/// The number of the submission and who made it: the same when it is graded again.
+std::string gradescope_identity(const fs::path& metadata) {
+  require(fs::is_regular_file(metadata), metadata.string(), " is not there: Gradescope writes it");
+  const auto j = nlohmann::json::parse(read_text(metadata));
+  return j.value("id", nlohmann::json()).dump() + j.value("users", nlohmann::json()).dump();
+}
+
+PlatformRun on_gradescope(const fs::path& root, const CourseSettings& settings) {
+  return {root / "submission", gradescope_identity(root / "submission_metadata.json"),
+          [=](const StudentRecord& record, const std::string& figure) {
+            return Files{
+                {root / "results" / "results.json", gradescope_results(settings, record, figure)}};
+          }};
+}
+
+/// The question's folder tests/ holds the solutions: images are public.
+PlatformRun on_prairielearn(const fs::path& root, const CourseSettings& settings) {
+  const fs::path secret = root / "tests", data = root / "data" / "data.json";
+  require(fs::is_regular_file(data), data.string(), " is not there: PrairieLearn writes it");
+  if (fs::exists(secret)) fs::permissions(secret, fs::perms::owner_all);
+  return {root / "student", read_text(data),
+          [=](const StudentRecord& record, const std::string& figure) {
+            return Files{{root / "results" / "results.json",
+                          prairielearn_results(settings, record, figure)}};
+          },
+          secret / "solutions"};
+}
+
 PlatformRun on_classroom50(const fs::path& root, const CourseSettings& settings) {
   const auto variables = environment();
-  const auto commit = variables.find("COMMIT_URL");
-  return {root, root / "result.json", commit == variables.end() ? "" : commit->second,
-          [settings, variables](const StudentRecord& record, const std::string&) {
-            return classroom50_result(settings, record, variables);
-          },
-          root / "engine.svg"};
+  return {root, value_or_empty(variables, "COMMIT_URL"),
+          [=](const StudentRecord& record, const std::string& figure) {
+            Files files{{root / "result.json", classroom50_result(settings, record, variables)},
+                        {root / "release-body.md", markdown_results(settings, record)}};
+            if (!figure.empty()) files[root / "engine.svg"] = figure;
+            return files;
+          }};
+}
+
+PlatformRun on_github_actions(const fs::path& root, const CourseSettings& settings) {
+  const auto variables = environment();
+  const fs::path summary = value_or_empty(variables, "GITHUB_STEP_SUMMARY");
+  PlatformRun run{
+      root,
+      value_or_empty(variables, "GITHUB_REPOSITORY") + value_or_empty(variables, "GITHUB_SHA"),
+      [=](const StudentRecord& record, const std::string& figure) {
+        Files files{{root / "results" / "junit.xml", grades_junit(settings, {record})}};
+        if (!summary.empty()) files[summary] = markdown_results(settings, record);
+        if (!figure.empty()) files[root / "results" / "engine.svg"] = figure;
+        return files;
+      }};
+  run.status_tells = true;
+  return run;
 }
 
 }  // namespace
@@ -58,13 +90,13 @@ PlatformRun on_classroom50(const fs::path& root, const CourseSettings& settings)
 PlatformRun platform_run(const std::string& platform, const fs::path& root,
                          const CourseSettings& settings) {
   using Reader = PlatformRun (*)(const fs::path&, const CourseSettings&);
-  const std::map<std::string, Reader> readers = {{"gradescope", on_gradescope},
-                                                 {"prairielearn", on_prairielearn},
-                                                 {"classroom50", on_classroom50}};
+  static const std::map<std::string, Reader> readers = {{"gradescope", on_gradescope},
+                                                        {"prairielearn", on_prairielearn},
+                                                        {"classroom50", on_classroom50},
+                                                        {"github-actions", on_github_actions}};
   const auto reader = readers.find(platform);
-  require(reader != readers.end(), "there is no platform '", platform,
-          "'; there are: gradescope, prairielearn, classroom50");
-  PlatformRun run = reader->second(root, settings);
+  require(reader != readers.end(), "there is no platform '", platform, "'; there are: ", platforms);
+  PlatformRun run = reader->second(fs::absolute(root).lexically_normal(), settings);
   require(fs::is_directory(run.submission), "there is no submission in ", run.submission.string());
   return run;
 }

@@ -15,6 +15,10 @@ namespace {
 
 std::string title(const Unit& unit) { return unit.number + " " + unit.name; }
 
+bool is_hidden(const CourseSettings& settings, const Unit& unit) {
+  return settings.hidden.count(unit.id()) > 0;
+}
+
 /// What a student reads about a unit, judged or not.
 std::string words_about(const StudentRecord& record, const Unit& unit) {
   if (!record.refused.empty()) return "The submission " + record.refused + ".";
@@ -70,17 +74,30 @@ std::string now_in_utc() {
   return text;
 }
 
+/// As Markdown's block of code: whatever is in it, it stays text.
+std::string indented(const std::string& text) {
+  std::string lines = "    ";
+  for (const char c : text) lines += c == '\n' ? std::string("\n    ") : std::string(1, c);
+  return lines + "\n";
+}
+
 /// Hundredths of a point.
 long hundredths(double points) { return std::lround(100 * points); }
 
 }  // namespace
 
-std::string gradescope_results(const CourseSettings& settings, const StudentRecord& record) {
+std::string gradescope_results(const CourseSettings& settings, const StudentRecord& record,
+                               const std::string& figure) {
   ordered_json j{{"execution_time", seconds_of(record)},
                  {"visibility", "visible"},
                  {"stdout_visibility", "hidden"},
                  {"tests", ordered_json::array()}};
   if (!record.refused.empty()) j["output"] = "The submission " + record.refused + ".";
+  if (!figure.empty()) {
+    j["output"] = "<p>An engine of your own functions: error against time.</p><img src=\"" +
+                  data_url(figure) + "\" alt=\"Your engine's errors beside the library's\">";
+    j["output_format"] = "html";
+  }
   for (const Unit& unit : settings.units)
     j["tests"].push_back(
         {{"name", title(unit)},
@@ -90,7 +107,7 @@ std::string gradescope_results(const CourseSettings& settings, const StudentReco
          {"status", passed(record, unit) ? "passed" : "failed"},
          {"output", words_about(record, unit)},
          {"output_format", "text"},
-         {"visibility", settings.hidden.count(unit.id()) ? "after_due_date" : "visible"},
+         {"visibility", is_hidden(settings, unit) ? "after_due_date" : "visible"},
          {"extra_data", {{"misconceptions", names_of_misconceptions(record, unit)}}}});
   return text_of(j);
 }
@@ -106,7 +123,7 @@ std::string prairielearn_results(const CourseSettings& settings, const StudentRe
   j["score"] = earned(settings, record) / settings.most();
   j["tests"] = ordered_json::array();
   for (const Unit& unit : settings.units) {
-    const bool hidden = settings.hidden.count(unit.id()) > 0;
+    const bool hidden = is_hidden(settings, unit);
     j["tests"].push_back({{"name", title(unit)},
                           {"points", points_of(settings, record, unit)},
                           {"max_points", settings.points(unit)},
@@ -132,7 +149,7 @@ std::string classroom50_result(const CourseSettings& settings, const StudentReco
                  {"commit", variable("COMMIT_URL")},
                  {"release", variable("RELEASE_URL")},
                  {"review", variable("REVIEW_URL")},
-                 {"datetime", now_in_utc()},
+                 {"datetime", now_in_utc()},  // the runner puts the commit's in its place
                  {"score", 0},
                  {"max-score", 0},
                  {"tests", ordered_json::array()}};
@@ -141,7 +158,7 @@ std::string classroom50_result(const CourseSettings& settings, const StudentReco
     const long points = hundredths(points_of(settings, record, unit)),
                all = hundredths(settings.points(unit));
     score += points, most += all;
-    const bool hidden = settings.hidden.count(unit.id()) > 0;
+    const bool hidden = is_hidden(settings, unit);
     j["tests"].push_back({{"test-name", title(unit)},
                           {"passed", passed(record, unit)},
                           {"score", points},
@@ -151,6 +168,27 @@ std::string classroom50_result(const CourseSettings& settings, const StudentReco
   j["score"] = score;
   j["max-score"] = most;
   return text_of(j);
+}
+
+std::string markdown_results(const CourseSettings& settings, const StudentRecord& record) {
+  char total[64];
+  std::snprintf(total, sizeof total, "%.2f of %.2f points", earned(settings, record),
+                settings.most());
+  std::string text = "### " + settings.title + ": " + total + "\n\n";
+  if (!record.refused.empty()) return text + words_about(record, settings.units.front()) + "\n";
+  text += "| exercise | verdict | points |\n|---|---|---|\n";
+  std::string explanations;
+  for (const Unit& unit : settings.units) {
+    const UnitRecord* verdict = record.find(unit);
+    char points[64];
+    std::snprintf(points, sizeof points, "%.2f of %.2f", points_of(settings, record, unit),
+                  settings.points(unit));
+    text += "| " + title(unit) + " | " + (verdict ? verdict->summary : "not judged yet") + " | " +
+            points + " |\n";
+    if (verdict && !verdict->passed && !is_hidden(settings, unit))
+      explanations += "\n" + indented(verdict->explanation);
+  }
+  return text + explanations;
 }
 
 }  // namespace tumble::judge

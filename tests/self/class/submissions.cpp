@@ -22,8 +22,9 @@ Course small_course() {
   return course;
 }
 
-std::string file_of(const std::string& unit, const std::vector<fs::path>& paths) {
-  const auto files = files_of_units(small_course(), paths);
+std::string file_of(const std::string& unit, const std::vector<fs::path>& paths,
+                    const std::vector<Unit>& counted = small_course().units) {
+  const auto files = files_of_units(small_course(), counted, paths);
   const auto found = files.find(unit);
   return found == files.end() ? "" : found->second.string();
 }
@@ -50,6 +51,9 @@ TEST_CASE("a unit's file: in exercises/, in its chapter's folder, or by a name t
   CHECK(file_of("01_particles/dydt", {"dydt.cpp"}) == "");  // which of the two?
   CHECK(file_of("01_particles/dydt", {"01_particles/dydt.cpp", "09_rigid_body/dydt.cpp"}) ==
         "01_particles/dydt.cpp");
+  const std::vector<Unit> only_the_last = small_course().select("9");
+  CHECK(file_of("09_rigid_body/dydt", {"dydt.cpp"}, only_the_last) == "dydt.cpp");
+  CHECK(file_of("01_particles/dydt", {"dydt.cpp"}, only_the_last) == "");
 }
 
 TEST_CASE("submissions: folders and archives by their names, and nothing else") {

@@ -51,5 +51,5 @@ TEST_CASE("hand-out: links to what is not there leave their words behind") {
 }
 
 TEST_CASE("hand-out: nothing is overwritten") {
-  CHECK_REFUSED(make_handout(small_course(), {"01_particles"}, "/usr"), "/usr exists already");
+  CHECK_REFUSED(make_tree(small_course(), {{"01_particles"}}, "/usr"), "/usr exists already");
 }

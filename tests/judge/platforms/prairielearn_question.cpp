@@ -1,0 +1,89 @@
+#include "judge/platforms/prairielearn_question.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "judge/course/contract.hpp"
+#include "judge/course/stable_hash.hpp"
+#include "judge/course/text_file.hpp"
+#include "judge/verdict/json.hpp"
+#include "judge/verdict/markup.hpp"
+#include "tumble/core/require.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The same for the same title, so that a question that is exported again stays the same question.
+std::string uuid_of(const std::string& title) {
+  const std::uint64_t high = stable_hash(title), low = stable_hash(title, high);
+  char text[40];
+  std::snprintf(text, sizeof text, "%08x-%04x-4%03x-8%03x-%012llx",
+                static_cast<unsigned>(high >> 32), static_cast<unsigned>(high >> 16 & 0xffff),
+                static_cast<unsigned>(high & 0xfff), static_cast<unsigned>(low >> 48 & 0xfff),
+                static_cast<unsigned long long>(low & 0xffff'ffff'ffffu));
+  return text;
+}
+
+/// "product.cpp,inverse.cpp"
+std::string names_of_files(const CourseSettings& settings) {
+  std::map<std::string, std::string> numbers;
+  std::string names;
+  for (const Unit& unit : settings.units) {
+    const auto [same, is_new] = numbers.emplace(unit.name, unit.number);
+    require(is_new, "PrairieLearn has no folders: ", same->second, " and ", unit.number, " ",
+            unit.name, " cannot be in one question; give each question a course.json of its own");
+    names += (names.empty() ? "" : ",") + unit.name + ".cpp";
+  }
+  return names;
+}
+
+/// Its heading, its declaration, and links to its stub and its contract.
+std::string about(const Course& course, const Unit& unit) {
+  const Declaration declaration = read_declaration(course, unit);
+  return "  <p><strong>" + unit.number + " " + markup(declaration.title) +
+         "</strong>: <pl-file-download file-name=\"" + unit.name +
+         ".cpp\"></pl-file-download>, <pl-file-download file-name=\"" + unit.chapter +
+         "/contract.hpp\"></pl-file-download></p>\n  <pl-code language=\"cpp\">" +
+         markup(declaration.signature) + ";</pl-code>\n";
+}
+
+/// Half a minute for the start, five seconds a unit (a function that never ends takes the most),
+/// two minutes for the curves; ten are all that there are.
+int seconds_for(const Course& course, const CourseSettings& settings) {
+  const int units = static_cast<int>(settings.units.size());
+  return std::min(600, 30 + 5 * units + (settings.wants_curve(course) ? 120 : 0));
+}
+
+}  // namespace
+
+Words write_question(const Course& course, const CourseSettings& settings, const std::string& image,
+                     const fs::path& question) {
+  Words words{{"FILES", names_of_files(settings)}, {"UNITS", ""}};
+  for (const Unit& unit : settings.units) {
+    const fs::path files = question / "clientFilesQuestion";
+    write_text_and_folders(files / (unit.name + ".cpp"), stub_of(course, unit));
+    write_text_and_folders(files / unit.chapter / "contract.hpp", read_text(course.contract(unit)));
+    words["UNITS"] += about(course, unit);
+  }
+  write_text_and_folders(question / "info.json",
+                         text_of({{"uuid", uuid_of(settings.title)},
+                                  {"title", settings.title},
+                                  {"topic", "Rigid-body dynamics"},
+                                  {"type", "v3"},
+                                  {"singleVariant", true},
+                                  {"partialCredit", true},
+                                  {"gradingMethod", "External"},
+                                  {"externalGradingOptions",
+                                   {{"image", image},
+                                    {"entrypoint",
+                                     {"/tumble/tumble", "--no-install", "platform", "prairielearn",
+                                      "/grade", "--course", "/grade/tests/course.json"}},
+                                    {"timeout", seconds_for(course, settings)},
+                                    {"enableNetworking", false}}}}));
+  return words;
+}
+
+}  // namespace tumble::judge
