@@ -151,7 +151,7 @@ std::string without_dead_links(const std::string& text, const fs::path& page,
   return result + linked_prose(prose, page, paths);
 }
 
-std::size_t make_tree(const Course& course, const TreeParts& parts, const fs::path& to) {
+void make_tree(const Course& course, const TreeParts& parts, const fs::path& to) {
   require(!fs::exists(to) || (fs::is_directory(to) && fs::is_empty(to)), to.string(),
           " exists already: nothing is overwritten");
   require(course.has_solutions(), "this tree is a hand-out itself");
@@ -171,7 +171,6 @@ std::size_t make_tree(const Course& course, const TreeParts& parts, const fs::pa
     if (parts.chapters.count(unit.chapter) > 0)
       write_text_and_folders(to / "exercises" / unit.chapter / (unit.name + ".cpp"),
                              stub_of(course, unit));
-  return paths.size();
 }
 
 }  // namespace tumble::judge

@@ -23,10 +23,9 @@ struct TreeParts {
 
 /// Makes a tree of these chapters, its exercises untouched.
 /// @param to does not exist yet, or is empty
-/// @return how many files it has
 /// @throws std::invalid_argument if there is something in the folder already, or the course has no
 ///         solutions and so is a hand-out itself
-std::size_t make_tree(const Course& course, const TreeParts& parts, const fs::path& to);
+void make_tree(const Course& course, const TreeParts& parts, const fs::path& to);
 
 /// A page without its links to what is not handed out: their words stay.
 /// @param page  where it is, from the root

@@ -36,11 +36,11 @@ bool passed(const StudentRecord& record, const Unit& unit) {
   return verdict && verdict->passed;
 }
 
-ordered_json names_of_misconceptions(const StudentRecord& record, const Unit& unit) {
-  ordered_json names = ordered_json::array();
+std::set<std::string> names_of_misconceptions(const StudentRecord& record, const Unit& unit) {
+  std::set<std::string> names;
   if (const UnitRecord* verdict = record.find(unit))
     for (const CaseRecord& each : verdict->cases)
-      for (const std::string& name : each.misconceptions) names.push_back(name);
+      names.insert(each.misconceptions.begin(), each.misconceptions.end());
   return names;
 }
 

@@ -5,7 +5,7 @@ set -euo pipefail
 tumble=$(cd "$(dirname "$0")" && pwd)/tumble
 export DEBIAN_FRONTEND=noninteractive
 apt-get -q update
-apt-get -q install -y --no-install-recommends ca-certificates g++ cmake ninja-build python3-pip
+apt-get -q install -y --no-install-recommends ca-certificates g++ cmake ninja-build
 
 # Ubuntu 22.04 has an older compiler and an older CMake than the judge needs.
 if apt-cache show g++-12 >/dev/null 2>&1 && [ "$(g++ -dumpversion | cut -d. -f1)" -lt 12 ]; then
@@ -15,6 +15,7 @@ if apt-cache show g++-12 >/dev/null 2>&1 && [ "$(g++ -dumpversion | cut -d. -f1)
 fi
 version=$(cmake --version | sed -n '1s/[^0-9]*//p')
 if [ "$(printf '3.25\n%s\n' "$version" | sort -V | head -n 1)" != 3.25 ]; then
+  apt-get -q install -y --no-install-recommends python3-pip
   pip3 install 'cmake>=3.25,<4'
 fi
 
