@@ -58,9 +58,13 @@ class Package {
     require(!fs::exists(to_) || (fs::is_directory(to_) && fs::is_empty(to_)), to_.string(),
             " exists already: nothing is overwritten");
     if (!json_.contains("seed")) json_["seed"] = std::random_device{}();
-    // An engine takes functions of all chapters, also where they do not count.
+    // A function may call those of earlier chapters, and an engine takes functions of all.
     const bool curve = settings_.wants_curve(course);
-    for (const Unit& unit : curve ? course.units : settings_.units) chapters_.insert(unit.chapter);
+    const std::string last = (curve ? course.units : settings_.units).back().chapter;
+    for (const Unit& unit : course.units) {
+      all_chapters_.insert(unit.chapter);
+      if (unit.chapter <= last) chapters_.insert(unit.chapter);
+    }
     char points[32];
     std::snprintf(points, sizeof points, "%g", settings_.most());
     words_ = {
@@ -72,14 +76,16 @@ class Package {
   }
 
   void gradescope() {
-    const fs::path zip = to_ / "zip";
+    const fs::path zip = to_ / "zip", here = fs::current_path();
     make_tree(course_, {chapters_, true}, zip / "tumble");
     write_settings(zip / "tumble");
     for (const char* script : {"setup.sh", "run_autograder"}) copy(script, zip);
-    const fs::path whole = fs::absolute(to_ / "autograder.zip");
-    const std::string command = "cd '" + zip.string() + "' && '" TUMBLE_CMAKE "' -E tar cf '" +
-                                whole.string() + "' --format=zip setup.sh run_autograder tumble";
-    require(std::system(command.c_str()) == 0, "making ", whole.string(), " has failed, see above");
+    fs::current_path(zip);  // then no path has to be told to a shell
+    const int status = std::system("'" TUMBLE_CMAKE
+                                   "' -E tar cf ../autograder.zip --format=zip "
+                                   "setup.sh run_autograder tumble");
+    fs::current_path(here);
+    require(status == 0, "making autograder.zip has failed, see above");
     fs::remove_all(zip);
     copy("README.md", to_);
   }
@@ -89,12 +95,10 @@ class Package {
     words_.merge(write_question(course_, settings_, words_.at("IMAGE"), question));
     copy("question.html", question);
     for (const Unit& unit : course_.units)
-      if (chapters_.count(unit.chapter) > 0)
-        write_text_and_folders(
-            question / "tests" / "solutions" / unit.chapter / (unit.name + ".cpp"),
-            read_text(course_.solution(unit)));
+      write_text_and_folders(question / "tests" / "solutions" / unit.chapter / (unit.name + ".cpp"),
+                             read_text(course_.solution(unit)));
     write_settings(question / "tests");
-    make_tree(course_, {chapters_, false}, to_ / "image" / "tumble");
+    make_tree(course_, {all_chapters_, false}, to_ / "image" / "tumble");  // for every question
     copy("Dockerfile", to_ / "image");
     copy("README.md", to_);
   }
@@ -163,7 +167,7 @@ class Package {
   ordered_json json_;  ///< course.json as it was, with a seed
   fs::path to_;
   std::string platform_;
-  std::set<std::string> chapters_;
+  std::set<std::string> chapters_, all_chapters_;  ///< those up to the last that counts, and all
   Words words_;
 };
 
