@@ -11,7 +11,7 @@ cd "$work"
 # What depends on the machine is left out: walls that it lacks, times, how far a slow one is after
 # ten seconds. The page's column is narrow.
 tumble() {
-  "$judge" "$@" 2>&1 | grep -v -e 'the sandbox lacks' -e ' left$' | sed 's/  ([0-9.]* s)$//' |
+  "$judge" "$@" 2>&1 | grep -v -e 'the sandbox lacks' -e ' left$' | sed 's/  ([0-9.]* s)$//; s/^tumble: [0-9]* s; /tumble: /' |
     fold -s -w 96
 }
 
