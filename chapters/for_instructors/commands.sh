@@ -58,7 +58,9 @@ case $2 in
     cat course.json ;;
   reads)
     class
-    tumble check 1.3.1 --from submissions/ben/exercises --seed 8231 || true ;;
+    tumble grade submissions --course course.json >/dev/null
+    seed=$(sed -n '0,/"seed"/s/.*"seed": \([0-9]*\).*/\1/p' grades/students/ben.json)
+    tumble check 1.3.1 --from submissions/ben/exercises --seed "$seed" ;;
   report)
     class
     tumble grade submissions --course course.json >/dev/null
