@@ -81,6 +81,9 @@ std::string indented(const std::string& text) {
   return lines + "\n";
 }
 
+constexpr const char* about_the_figure =
+    "An engine with your functions: its error against its time, beside the library's.";
+
 /// Hundredths of a point.
 long hundredths(double points) { return std::lround(100 * points); }
 
@@ -94,8 +97,8 @@ std::string gradescope_results(const CourseSettings& settings, const StudentReco
                  {"tests", ordered_json::array()}};
   if (!record.refused.empty()) j["output"] = "The submission " + record.refused + ".";
   if (!figure.empty()) {
-    j["output"] = "<p>An engine of your own functions: error against time.</p><img src=\"" +
-                  data_url(figure) + "\" alt=\"Your engine's errors beside the library's\">";
+    j["output"] = std::string("<p>") + about_the_figure + "</p><img src=\"" + data_url(figure) +
+                  "\" alt=\"" + about_the_figure + "\">";
     j["output_format"] = "html";
   }
   for (const Unit& unit : settings.units)
@@ -129,7 +132,7 @@ std::string prairielearn_results(const CourseSettings& settings, const StudentRe
                           {"max_points", settings.points(unit)},
                           {"output", hidden ? "" : words_about(record, unit)}});
   }
-  if (!figure.empty()) j["images"] = {{{"label", "Your own engine"}, {"url", data_url(figure)}}};
+  if (!figure.empty()) j["images"] = {{{"label", about_the_figure}, {"url", data_url(figure)}}};
   return text_of(j);
 }
 
