@@ -16,6 +16,7 @@ std::string read_text(const fs::path& file) {
 
 void write_text(const fs::path& file, const std::string& text) {
   const fs::path beside = file.string() + ".new";
+  fs::remove(beside);  // a link there would lead elsewhere
   std::ofstream out(beside, std::ios::binary);
   out << text;
   out.close();

@@ -72,15 +72,15 @@ PlatformRun on_classroom50(const fs::path& root, const CourseSettings& settings)
 PlatformRun on_github_actions(const fs::path& root, const CourseSettings& settings) {
   const auto variables = environment();
   const fs::path summary = value_or_empty(variables, "GITHUB_STEP_SUMMARY");
-  PlatformRun run{
-      root,
-      value_or_empty(variables, "GITHUB_REPOSITORY") + value_or_empty(variables, "GITHUB_SHA"),
-      [=](const StudentRecord& record, const std::string& figure) {
-        Files files{{root / "results" / "junit.xml", grades_junit(settings, {record})}};
-        if (!summary.empty()) files[summary] = markdown_results(settings, record);
-        if (!figure.empty()) files[root / "results" / "engine.svg"] = figure;
-        return files;
-      }};
+  PlatformRun run{root,
+                  value_or_empty(variables, "GITHUB_REPOSITORY") + "@" +
+                      value_or_empty(variables, "GITHUB_SHA"),
+                  [=](const StudentRecord& record, const std::string& figure) {
+                    Files files{{root / "results" / "junit.xml", grades_junit(settings, {record})}};
+                    if (!summary.empty()) files[summary] = markdown_results(settings, record);
+                    if (!figure.empty()) files[root / "results" / "engine.svg"] = figure;
+                    return files;
+                  }};
   run.status_tells = true;
   return run;
 }
