@@ -14,7 +14,7 @@ using namespace tumble::judge;
 
 namespace {
 
-Course small_course() {
+Course course_with_two_dydt() {
   Course course;
   course.units = {{"1.2", "01_particles", "dydt", "", {}, {}},
                   {"4.1", "04_quaternions", "product", "", {}, {}},
@@ -23,7 +23,7 @@ Course small_course() {
 }
 
 std::string file_of(const std::string& unit, const std::vector<fs::path>& paths) {
-  const auto files = files_of_units(small_course(), paths);
+  const auto files = files_of_units(course_with_two_dydt(), paths);
   const auto found = files.find(unit);
   return found == files.end() ? "" : found->second.string();
 }
