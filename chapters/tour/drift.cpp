@@ -10,8 +10,8 @@ namespace tumble::tour {
 namespace {
 
 constexpr double h = 1.0 / 60;  // [s]
-constexpr int steps = 60 * 60 * 10;
-constexpr Spin start_spin{3.141592653589793, 0.5};  // half a turn a second, well off the axis
+constexpr int all_steps = 60 * 60 * 10;
+constexpr Spin slow_spin{3.141592653589793, 0.5};  // half a turn a second, well off the axis
 
 /// A run of one representation with one repair.
 struct Run {
@@ -24,8 +24,8 @@ bool is_sampled(int step) {
   // 1, 2, 3, 5, 8, … : evenly spread over a log axis.
   static const std::vector<int> moments = [] {
     std::vector<int> list{1};
-    while (list.back() < steps) list.push_back(std::max(list.back() + 1, list.back() * 8 / 5));
-    list.back() = steps;
+    while (list.back() < all_steps) list.push_back(std::max(list.back() + 1, list.back() * 8 / 5));
+    list.back() = all_steps;
     return list;
   }();
   return std::binary_search(moments.begin(), moments.end(), step);
@@ -35,7 +35,7 @@ bool is_sampled(int step) {
 /// from a rotation.
 template <class Motion, class State, class Repair, class ShapeError>
 State run(const Motion& motion, State y, Repair&& repair, ShapeError&& shape_error, Run& result) {
-  for (int step = 1; step <= steps; ++step) {
+  for (int step = 1; step <= all_steps; ++step) {
     y = repair(rk4_step(motion, h * (step - 1), y, h));
     if (!is_sampled(step)) continue;
     result.time.push_back(h * step);
@@ -100,10 +100,10 @@ Run run_quaternion(const RigidBody<>& body, const RigidBodyState<>& start, Repai
 
 void show_drift(const Subject& subject, Output& output) {
   const RigidBody<> body(subject.exact);
-  const RigidBodyState<> start = spinning(body, start_spin);
-  progress("reference orientation after " + std::to_string(steps) + " steps");
+  const RigidBodyState<> start = spinning(body, slow_spin);
+  progress("reference orientation after " + std::to_string(all_steps) + " steps");
   const Quat exact = unpack<double>(integrate_adaptive<Dop853>(RigidBodyMotion(body), pack(start),
-                                                               0.0, h * steps, {1e-14, 1e-14})
+                                                               0.0, h * all_steps, {1e-14, 1e-14})
                                         .y)
                          .q;
 

@@ -11,9 +11,9 @@
 namespace tumble::tour {
 namespace {
 
-constexpr Spin start_spin{6.283185307179586,
-                          0.01};  // one turn a second, nearly about the middle axis
-constexpr double duration = 12;   // [s]
+constexpr Spin flight_spin{6.283185307179586,
+                           0.01};   // one turn a second, nearly about the middle axis
+constexpr double flight_time = 12;  // [s]
 constexpr int moments = 1200;
 
 struct Moment {
@@ -26,12 +26,13 @@ struct Moment {
 std::vector<Moment> simulate(const RigidBody<>& body) {
   const Mat3 principal = principal_axes(body.I_body()).R;
   const RigidBodyMotion motion(body);
-  PackedState<double> y = pack(spinning(body, start_spin));
+  PackedState<double> y = pack(spinning(body, flight_spin));
   std::vector<Moment> list;
   for (int i = 0; i <= moments; ++i) {
-    const double t = duration * i / moments;
+    const double t = flight_time * i / moments;
     if (i > 0)
-      y = integrate_adaptive<Dop853>(motion, y, duration * (i - 1) / moments, t, {1e-12, 1e-12}).y;
+      y = integrate_adaptive<Dop853>(motion, y, flight_time * (i - 1) / moments, t, {1e-12, 1e-12})
+              .y;
     const RigidBodyState<> state = unpack<double>(y);
     const Vec3 omega_body = to_matrix(state.q).transpose() * derived(body, state).omega;
     list.push_back({t, state, principal.transpose() * omega_body, kinetic_energy(body, state)});
@@ -105,7 +106,8 @@ std::string picture_of(const PolygonMesh& drawn, const Mat3& view, const Moment&
 /// The three numbers of the angular velocity in the body, over the time of the film.
 std::string spin_curves(const Film& film, const std::vector<Moment>& motion) {
   const char* names[] = {"least", "middle", "largest"};
-  const double middle = Film::row + Film::curves / 2, scale = 0.42 * Film::curves / start_spin.rate;
+  const double middle = Film::row + Film::curves / 2,
+               scale = 0.42 * Film::curves / flight_spin.rate;
   std::string svg = "<path d=\"M0 " + support::svg_number(middle) + "H" +
                     support::svg_number(Film::strip) + "\" stroke=\"var(--grid)\"/>\n";
   svg += words(Film::strip + 10, Film::row + 4, "ω about the axis of", "fill=\"var(--ink)\"");
@@ -147,7 +149,7 @@ std::string film_strip(const Subject& subject, const std::vector<Moment>& motion
   std::string svg = support::svg_open(Film::strip + Film::legend, Film::row + Film::curves,
                                       subject.name + " turning over");
   for (int i = 0; i < Film::pictures; ++i) {
-    const auto index = static_cast<std::size_t>(std::lround(film.time(i) / duration * moments));
+    const auto index = static_cast<std::size_t>(std::lround(film.time(i) / flight_time * moments));
     svg += picture_of(drawn, view, motion[index],
                       {film.x(film.time(i)), Film::picture / 2 + 6, 0.5 * Film::picture / radius});
   }

@@ -57,9 +57,10 @@ function(tumble_require_file file what)
 endfunction()
 
 # An object that is linked into workers, compiled as the student's file is. All share the precompiled
-# header of the first.
+# header of the first. The object's path tells what it is: never merged with others.
 function(tumble_student_object target source)
   add_library(${target} OBJECT ${source})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   target_compile_options(${target} PRIVATE ${TUMBLE_STUDENT_FLAGS} ${TUMBLE_UNSANITIZED})
   target_include_directories(${target} PRIVATE ${ARGN})
   get_property(first GLOBAL PROPERTY tumble_first_student_object)
@@ -88,6 +89,7 @@ endfunction()
 # and a target check.04.product. Writes ${target}.json, which tells the judge what there is.
 function(tumble_add_judge target root)
   add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/run.cpp)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # a spec knows its unit by a definition of its own
   set_source_files_properties(${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/run.cpp
     PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   target_include_directories(${target} PRIVATE ${root}/exercises)

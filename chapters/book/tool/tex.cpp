@@ -10,13 +10,13 @@ namespace tumble::book {
 
 namespace {
 
-std::set<std::string> words_of(const std::string& text) {
+std::set<std::string> set_of(const std::string& text) {
   std::istringstream in(text);
   return {std::istream_iterator<std::string>(in), {}};
 }
 
 /// The commands that the book may use: all known to KaTeX 0.16 and to GitHub's MathJax 3.
-const std::set<std::string> known_commands = words_of(R"(
+const std::set<std::string> known_commands = set_of(R"(
 alpha angle approx arccos arcsin arctan ast bar because begin beta big Big Bigg biggl biggr bigl
 Bigl Bigr bigr binom boldsymbol boxed cancel cap cdot cdots chi circ colon color cong cos cup
 dagger ddot ddots Delta delta det dfrac displaystyle dot dots ell end epsilon equiv eta exists
@@ -31,17 +31,17 @@ Theta theta tilde times to top triangleq underbrace underline varepsilon varphi 
 vert widehat xi xrightarrow zeta
 )");
 
-const std::set<std::string> known_environments = words_of(R"(
+const std::set<std::string> known_environments = set_of(R"(
 aligned array bmatrix cases gathered matrix pmatrix smallmatrix split vmatrix
 )");
 
-const std::set<std::string> with_one_argument = words_of(R"(
+const std::set<std::string> with_one_argument = set_of(R"(
 bar boldsymbol boxed cancel ddot dot hat hspace left mathbb mathbf mathcal mathit mathrm mathsf
 operatorname overbrace overline phantom right sqrt substack tag text tilde underbrace underline vec
 widehat xrightarrow
 )");
 
-const std::set<std::string> with_two_arguments = words_of("binom dfrac frac stackrel tfrac");
+const std::set<std::string> with_two_arguments = set_of("binom dfrac frac stackrel tfrac");
 
 class Formula {
  public:

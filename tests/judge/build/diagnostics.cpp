@@ -8,7 +8,7 @@ namespace tumble::judge {
 
 namespace {
 
-constexpr int most_lines = 30;
+constexpr int most_shown = 30;
 
 /// Does a message start here? "path:line:column: error: …"
 bool starts_message(std::string_view line) {
@@ -35,7 +35,7 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
   std::string kept;
   bool keep = false;
   int lines = 0;
-  for (std::string line; std::getline(in, line) && lines < most_lines;) {
+  for (std::string line; std::getline(in, line) && lines < most_shown;) {
     const bool about_source = line.starts_with(folder + own);
     if (starts_message(line))
       keep = about_source;

@@ -11,7 +11,7 @@ namespace tumble::judge {
 
 namespace {
 
-constexpr const char* style = R"(
+constexpr const char* style_sheet = R"(
 :root { color-scheme: light dark; --good: #2a7d4f; --bad: #c4622d; --none: #8886; }
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
 table { border-collapse: collapse; width: 100%; }
@@ -70,7 +70,7 @@ class Page {
   std::string text(Names names) {
     out_ << "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
          << "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
-         << markup(settings_.title) << "</title>\n<style>" << style << "</style>\n<h1>"
+         << markup(settings_.title) << "</title>\n<style>" << style_sheet << "</style>\n<h1>"
          << markup(settings_.title) << "</h1>\n";
     add_summary();
     add_to_explain();

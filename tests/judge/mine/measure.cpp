@@ -14,7 +14,8 @@ namespace tumble::judge::mine {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double long_run = 0.35;  // [s]: four times that comes near what a process is given
+constexpr double long_measurement =
+    0.35;  // [s]: four times that comes near what a process is given
 constexpr double floor_of_rounding = 1e-10;  // [rad], at the end of these motions
 
 struct Ladder {
@@ -83,7 +84,7 @@ OwnCurve curve_of(const OwnEngine& engine, const ProblemResult& result, const La
       if (!std::isfinite(points.back().error))
         throw NoAnswer(Outcome::wrong,
                        "the state after " + std::to_string(steps) + " steps is not a number");
-      if (run.seconds > long_run) break;
+      if (run.seconds > long_measurement) break;
     }
   } catch (const NoAnswer& why) {
     own.failure = text_of(why);

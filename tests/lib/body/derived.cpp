@@ -2,23 +2,13 @@
 
 #include <doctest/doctest.h>
 
-#include "support/inputs.hpp"
+#include "lib/body/random_state.hpp"
 #include "support/relative_error.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/rotation/exp_log.hpp"
 
 using namespace tumble;
-using test::eps;
-
-namespace {
-
-const RigidBody<> body(2, Mat3(Vec3(1, 2, 2.5).asDiagonal()));
-
-RigidBodyState<> random_state(test::Random& rng) {
-  return {rng.vector(), exp_quaternion<double>(3 * rng.vector()), rng.vector(), rng.vector()};
-}
-
-}  // namespace
+using test::body, test::eps, test::random_state;
 
 TEST_CASE("derived: a worked number, a quarter turn swaps the moments that L meets") {
   // Turned by 90° about z the body's y axis (I = 2) lies along −x of the world.

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "lib/body/random_state.hpp"
 #include "reference/rigid_body.hpp"
-#include "support/inputs.hpp"
 #include "support/relative_error.hpp"
 #include "tumble/body/matrix_state.hpp"
 #include "tumble/ode/dop853.hpp"
@@ -14,16 +14,11 @@
 #include "tumble/rotation/orthonormality.hpp"
 
 using namespace tumble;
-using test::eps;
+using test::body, test::eps, test::random_state;
 
 namespace {
 
-const RigidBody<> body(2, Mat3(Vec3(1, 2, 2.5).asDiagonal()));
 const Tolerances tight{1e-13, 1e-13};
-
-RigidBodyState<> random_state(test::Random& rng) {
-  return {rng.vector(), exp_quaternion<double>(3 * rng.vector()), rng.vector(), rng.vector()};
-}
 
 template <class Motion, class State>
 State end_state(const Motion& motion, const State& start, double duration) {

@@ -2,23 +2,18 @@
 
 #include <doctest/doctest.h>
 
-#include "support/inputs.hpp"
+#include "lib/body/random_state.hpp"
 #include "support/refusal.hpp"
 #include "support/relative_error.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 
 using namespace tumble;
-using test::eps;
+using test::body, test::eps;
 
 namespace {
 
-const RigidBody<> body(2, Mat3(Vec3(1, 2, 2.5).asDiagonal()));
-
-Derived<> random_motion(test::Random& rng) {
-  return derived(
-      body, {rng.vector(), exp_quaternion<double>(3 * rng.vector()), rng.vector(), rng.vector()});
-}
+Derived<> random_motion(test::Random& rng) { return derived(body, test::random_state(rng)); }
 
 }  // namespace
 

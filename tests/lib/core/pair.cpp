@@ -10,7 +10,7 @@ using test::Random;
 
 namespace {
 
-constexpr double u2 = test::eps * test::eps;
+constexpr double eps2 = test::eps * test::eps;
 
 /// A pair of random size with both parts filled.
 template <Fma fma>
@@ -33,9 +33,10 @@ void check_arithmetic() {
     CAPTURE(x.hi);
     CAPTURE(y.hi);
     const double size = std::abs(x.hi) + std::abs(y.hi);
-    CHECK(std::abs(double(exact(x + y) - (exact(x) + exact(y)))) <= 8 * u2 * size);
-    CHECK(std::abs(double(exact(x - y) - (exact(x) - exact(y)))) <= 8 * u2 * size);
-    CHECK(std::abs(double(exact(x * y) - exact(x) * exact(y))) <= 16 * u2 * std::abs(x.hi * y.hi));
+    CHECK(std::abs(double(exact(x + y) - (exact(x) + exact(y)))) <= 8 * eps2 * size);
+    CHECK(std::abs(double(exact(x - y) - (exact(x) - exact(y)))) <= 8 * eps2 * size);
+    CHECK(std::abs(double(exact(x * y) - exact(x) * exact(y))) <=
+          16 * eps2 * std::abs(x.hi * y.hi));
   }
 }
 

@@ -2,21 +2,18 @@
 
 #include <doctest/doctest.h>
 
+#include "lib/geometric/pulled.hpp"
 #include "reference/double_double_motion.hpp"
 #include "support/inputs.hpp"
 #include "tumble/free_body/free_motion.hpp"
 
 using namespace tumble;
+using test::pull, test::start;
 
 namespace {
 
-const ForceAtBodyPoint pull{Vec3(0, 0, -5), Vec3(0.3, 0, 1)};
 const RigidBody<> top(1, Mat3(Vec3(1, 1, 0.5).asDiagonal()));
 const RigidBody<> full(1, Mat3(Vec3(1, 1.3, 0.6).asDiagonal()));
-
-RigidBodyState<> start() {
-  return {Vec3(0, 0, 1), Quat(1, 0, 0, 0), Vec3(1, 0, 0), Vec3(1, -2, 5)};
-}
 
 /// Of the turning: what the fall of the centre has no part in.
 double energy(const RigidBody<>& body, const RigidBodyState<>& s) {

@@ -14,7 +14,7 @@ using test::eps;
 namespace {
 
 constexpr int steps = 1'000'000;
-constexpr double h = 1.0 / 60, duration = steps / 60.0;
+constexpr double h = 1.0 / 60, whole_time = steps / 60.0;
 
 /// What is left in the end.
 struct Kept {
@@ -43,12 +43,12 @@ TEST_CASE("game steps: a free body") {
   const Vec3 J(1, 2, 3);
   const RigidBody<> body = test::body_with(J);
   const RigidBodyState<> start = test::turning(J, Vec3(0.5, 1, 0.7));
-  const Quat truth = test::truth_of(J, start).at(duration).q;
+  const Quat truth = test::truth_of(J, start).at(whole_time).q;
 
-  const Kept by_rk4 = kept(
-      body, start,
-      unpack<double>(integrate_fixed<Rk4>(RigidBodyMotion(body), pack(start), 0, duration, steps)),
-      truth);
+  const Kept by_rk4 = kept(body, start,
+                           unpack<double>(integrate_fixed<Rk4>(RigidBodyMotion(body), pack(start),
+                                                               0, whole_time, steps)),
+                           truth);
   CHECK(by_rk4.L == 0);  // a free body's rate of L is 0: nothing is ever added
   CHECK(by_rk4.energy < 1e-6);
   CHECK(by_rk4.length < 1e-6);

@@ -8,11 +8,10 @@
 #include "tumble/mesh/mesh_solid.hpp"
 
 using namespace tumble;
+using std::numbers::pi;
 using test::eps;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// The volume agrees with the true one within 4 standard errors (one in 10⁴ would not).
 template <Solid S>

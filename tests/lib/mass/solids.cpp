@@ -6,12 +6,11 @@
 #include "tumble/mass.hpp"
 
 using namespace tumble;
+using std::numbers::pi;
 using test::eps;
 using test::inertia_error;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// ∫ f(z) dz from a to b, exact for polynomials up to the fifth degree (Gauss, three points).
 template <class F>

@@ -11,7 +11,7 @@ using namespace tumble;
 namespace {
 
 /// The names of the kinds that are found, each once, in the order of the enumeration.
-std::string kinds(const PolygonMesh& mesh) {
+std::string found_in(const PolygonMesh& mesh) {
   std::set<FindingKind> found;
   for (const Finding& finding : diagnose(mesh)) found.insert(finding.kind);
   std::string text;
@@ -33,7 +33,7 @@ PolygonMesh with_flat_face(PolygonMesh mesh) {
 }
 
 /// A cube around the origin, of 12 triangles.
-PolygonMesh small_body() {
+PolygonMesh cube_of_triangles() {
   return test::triangulated(test::box(Vec3::Constant(-0.5), Vec3::Constant(0.5)));
 }
 
@@ -51,16 +51,16 @@ PolygonMesh eight() {
 }  // namespace
 
 TEST_CASE("diagnose: a triangle without area is found exactly") {
-  for (const PolygonMesh& body : {small_body(), test::sphere(1)}) {
+  for (const PolygonMesh& body : {cube_of_triangles(), test::sphere(1)}) {
     // Middles of edges are exact only where the sum of the ends is: keep 20 bits
     // of each coordinate.
     PolygonMesh mesh = body;
     for (Vec3& p : mesh.vertices)
       for (double& x : p) x = std::round(x * 0x1p20) * 0x1p-20;
-    CHECK(kinds(with_flat_face(mesh)) == "degenerate_face");
+    CHECK(found_in(with_flat_face(mesh)) == "degenerate_face");
     PolygonMesh bent = with_flat_face(mesh);
     bent.vertices.back() *= 1 + 0x1p-40;  // a hair of area
-    CHECK(kinds(bent) == "");
+    CHECK(found_in(bent) == "");
   }
 }
 
@@ -73,8 +73,8 @@ TEST_CASE("diagnose: bodies that touch at a vertex, an edge or a face are fine")
       CAPTURE(far);
       const PolygonMesh both = test::together(cube, test::moved(cube, 1, step));
       const PolygonMesh there = test::moved(both, 1, Vec3(far, far, far));
-      CHECK(kinds(there) == "");
-      CHECK(kinds(weld(there)) == "");
+      CHECK(found_in(there) == "");
+      CHECK(found_in(weld(there)) == "");
     }
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("diagnose: a turned body that touches along slanted faces is fine") {
     for (PolygonMesh* mesh : {&a, &b})
       for (Vec3& p : mesh->vertices) p = q * p + Vec3::Constant(far);
     CAPTURE(far);
-    CHECK(kinds(test::together(a, b)) == "");
+    CHECK(found_in(test::together(a, b)) == "");
   }
 }
 
@@ -95,46 +95,46 @@ TEST_CASE("diagnose: flat bodies enclose nothing") {
   sheet.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   sheet.add_face({0, 1, 2});
   sheet.add_face({2, 1, 0});
-  CHECK(kinds(sheet) == "flat");
-  CHECK(kinds(test::moved(sheet, 1e-6, Vec3::Ones())) == "flat");
+  CHECK(found_in(sheet) == "flat");
+  CHECK(found_in(test::moved(sheet, 1e-6, Vec3::Ones())) == "flat");
 }
 
 TEST_CASE("diagnose: a thin plate is a body") {
   for (const double thickness : {1e-3, 1e-8, 1e-12}) {
     CAPTURE(thickness);
-    CHECK(kinds(test::box(Vec3::Zero(), {1, 1, thickness})) == "");
-    CHECK(kinds(test::box(Vec3::Zero(), {thickness, 1, 1})) == "");
-    CHECK(kinds(test::inside_out(test::box(Vec3::Zero(), {thickness, 1, 1}))) == "inverted");
+    CHECK(found_in(test::box(Vec3::Zero(), {1, 1, thickness})) == "");
+    CHECK(found_in(test::box(Vec3::Zero(), {thickness, 1, 1})) == "");
+    CHECK(found_in(test::inside_out(test::box(Vec3::Zero(), {thickness, 1, 1}))) == "inverted");
   }
 }
 
 TEST_CASE("diagnose: an empty mesh, and a broken table of faces") {
-  CHECK(kinds(PolygonMesh{}) == "no_faces");
+  CHECK(found_in(PolygonMesh{}) == "no_faces");
   for (const std::vector<int>& table :
        {std::vector<int>{}, {0, 4}, {0, 30, 24}, {1, 24}, {0, -4, 24}, {0, 99}}) {
     PolygonMesh mesh = test::cube();
     mesh.first_corner = table;
-    CHECK(kinds(mesh) == "index_out_of_range");
+    CHECK(found_in(mesh) == "index_out_of_range");
   }
 }
 
 TEST_CASE("diagnose: a surface that crosses itself, alone or beside something else that is wrong") {
-  CHECK(kinds(eight()) == "self_crossing");
+  CHECK(found_in(eight()) == "self_crossing");
   const PolygonMesh beside = test::moved(test::inside_out(test::cube()), 1, Vec3(0, 0, 3));
-  CHECK(kinds(test::together(eight(), beside)) == "inverted self_crossing");
+  CHECK(found_in(test::together(eight(), beside)) == "inverted self_crossing");
 }
 
 TEST_CASE(
     "diagnose: a part inside out is found where it touches another, and where no line meets it") {
   const PolygonMesh cube = test::cube(),
                     on_top = test::moved(test::inside_out(cube), 1, Vec3(0, 0, 1));
-  CHECK(kinds(test::together(cube, on_top)) == "inverted");
-  CHECK(kinds(test::together(on_top, cube)) == "inverted");
+  CHECK(found_in(test::together(cube, on_top)) == "inverted");
+  CHECK(found_in(test::together(on_top, cube)) == "inverted");
   // A needle along the diagonal, a millionth as wide as long.
   PolygonMesh needle = test::box(Vec3::Zero(), {1, 1e-6, 1e-6});
   for (Vec3& p : needle.vertices) p = Vec3(p.x() - p.y(), p.x() + p.y(), p.z());
-  CHECK(kinds(needle) == "");
-  CHECK(kinds(test::inside_out(needle)) == "inverted");
+  CHECK(found_in(needle) == "");
+  CHECK(found_in(test::inside_out(needle)) == "inverted");
 }
 
 TEST_CASE("diagnose: plates and needles that lie askew are bodies, and inside out they are found") {
@@ -143,7 +143,7 @@ TEST_CASE("diagnose: plates and needles that lie askew are bodies, and inside ou
     CAPTURE(size.transpose());
     PolygonMesh thin = test::box(Vec3::Zero(), size);
     for (Vec3& p : thin.vertices) p = R * p;
-    CHECK(kinds(thin) == "");
-    CHECK(kinds(test::inside_out(thin)) == "inverted");
+    CHECK(found_in(thin) == "");
+    CHECK(found_in(test::inside_out(thin)) == "inverted");
   }
 }

@@ -13,7 +13,7 @@ using namespace tumble::judge;
 
 namespace {
 
-Course small_course() {
+Course course_of_three() {
   Course course;
   course.units = {{"1.1", "01_particles", "flatten", "", {}, {}},
                   {"4.1", "04_quaternions", "product", "", {}, {}},
@@ -24,7 +24,7 @@ Course small_course() {
 CourseSettings settings(const std::string& json) {
   const WorkFolder folder;
   std::ofstream(folder.path() / "course.json") << json;
-  return read_settings(small_course(), folder.path() / "course.json");
+  return read_settings(course_of_three(), folder.path() / "course.json");
 }
 
 UnitRecord verdict(const std::string& unit, std::size_t laws, std::size_t hold) {

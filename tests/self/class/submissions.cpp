@@ -14,7 +14,7 @@ using namespace tumble::judge;
 
 namespace {
 
-Course small_course() {
+Course course_with_two_dydt() {
   Course course;
   course.units = {{"1.2", "01_particles", "dydt", "", {}, {}},
                   {"4.1", "04_quaternions", "product", "", {}, {}},
@@ -23,8 +23,8 @@ Course small_course() {
 }
 
 std::string file_of(const std::string& unit, const std::vector<fs::path>& paths,
-                    const std::vector<Unit>& counted = small_course().units) {
-  const auto files = files_of_units(small_course(), counted, paths);
+                    const std::vector<Unit>& counted = course_with_two_dydt().units) {
+  const auto files = files_of_units(course_with_two_dydt(), counted, paths);
   const auto found = files.find(unit);
   return found == files.end() ? "" : found->second.string();
 }
@@ -51,7 +51,7 @@ TEST_CASE("a unit's file: in exercises/, in its chapter's folder, or by a name t
   CHECK(file_of("01_particles/dydt", {"dydt.cpp"}) == "");  // which of the two?
   CHECK(file_of("01_particles/dydt", {"01_particles/dydt.cpp", "09_rigid_body/dydt.cpp"}) ==
         "01_particles/dydt.cpp");
-  const std::vector<Unit> only_the_last = small_course().select("9");
+  const std::vector<Unit> only_the_last = course_with_two_dydt().select("9");
   CHECK(file_of("09_rigid_body/dydt", {"dydt.cpp"}, only_the_last) == "dydt.cpp");
   CHECK(file_of("01_particles/dydt", {"dydt.cpp"}, only_the_last) == "");
 }

@@ -2,10 +2,8 @@
 /// The curves of a student's engine travel with the grade, if a function of it is the student's.
 #include <doctest/doctest.h>
 
-#include <fstream>
-
 #include "judge/build/work_folder.hpp"
-#include "self/attacks/submission.hpp"
+#include "self/platforms/files.hpp"
 #include "self/platforms/schemas.hpp"
 #include "support/command.hpp"
 
@@ -16,18 +14,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file) << text;
-}
-
 /// What a platform gets for one exercise: 4.8, `text` in its file.
 json results_of(const std::string& platform, const std::string& text, const fs::path& root) {
-  write(root / "course.json", R"({"units": ["4.8"], "curve": true})");
+  test::write_file(root / "course.json", R"({"units": ["4.8"], "curve": true})");
   for (const char* folder : {"student", "submission"})
-    write(root / folder / "quaternion_dot.cpp", text);
-  write(root / "data" / "data.json", "{}");
-  write(root / "submission_metadata.json", R"({"id": 1, "users": []})");
+    test::write_file(root / folder / "quaternion_dot.cpp", text);
+  test::write_file(root / "data" / "data.json", "{}");
+  test::write_file(root / "submission_metadata.json", R"({"id": 1, "users": []})");
   const CommandResult run = test::run_command(
       "'" + test::variable("TUMBLE_JUDGE").string() + "' platform " + platform + " '" +
       root.string() + "' --course '" + (root / "course.json").string() + "'");
@@ -35,25 +28,25 @@ json results_of(const std::string& platform, const std::string& text, const fs::
   return json::parse(test::text_of(root / "results" / "results.json"));
 }
 
-const fs::path solution = test::root() / "solutions/04_quaternions/quaternion_dot.cpp";
-const fs::path stub = test::root() / "exercises/04_quaternions/quaternion_dot.cpp";
+const fs::path dot_solution = test::root() / "solutions/04_quaternions/quaternion_dot.cpp";
+const fs::path dot_stub = test::root() / "exercises/04_quaternions/quaternion_dot.cpp";
 
 }  // namespace
 
 TEST_CASE("the student's curve: an image for PrairieLearn, a page for Gradescope") {
   const judge::WorkFolder work;
-  const json learnt = results_of("prairielearn", test::text_of(solution), work.path());
+  const json learnt = results_of("prairielearn", test::text_of(dot_solution), work.path());
   test::check_prairielearn(learnt.dump());
   CHECK(learnt.at("score") == 1);
   REQUIRE(learnt.contains("images"));
-  const json scoped = results_of("gradescope", test::text_of(solution), work.path());
+  const json scoped = results_of("gradescope", test::text_of(dot_solution), work.path());
   test::check_gradescope(scoped);
   CHECK(scoped.at("output_format") == "html");
 }
 
 TEST_CASE("the student's curve: none where nothing is the student's") {
   const judge::WorkFolder work;
-  const json learnt = results_of("prairielearn", test::text_of(stub), work.path());
+  const json learnt = results_of("prairielearn", test::text_of(dot_stub), work.path());
   CHECK(learnt.at("score") == 0);
   CHECK_FALSE(learnt.contains("images"));
 }

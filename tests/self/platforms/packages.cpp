@@ -6,7 +6,7 @@
 #include <set>
 
 #include "judge/build/work_folder.hpp"
-#include "self/attacks/submission.hpp"
+#include "self/platforms/files.hpp"
 #include "self/platforms/schemas.hpp"
 #include "support/command.hpp"
 
@@ -16,8 +16,6 @@ using test::CommandResult;
 namespace fs = std::filesystem;
 
 namespace {
-
-json json_in(const fs::path& file) { return json::parse(test::text_of(file)); }
 
 struct Packages {
   judge::WorkFolder work;
@@ -67,7 +65,7 @@ TEST_CASE("export: Gradescope's zip has the two scripts at its root, and the sol
   const std::set<std::string> files = files_in(source);
   CHECK(files.count("tumble/solutions/01_particles/dydt.cpp") == 1);
   CHECK(files.count("tumble/solutions/02_solvers/adaptive_step_size.cpp") == 0);
-  CHECK(json_in(source / "tumble" / "course.json").at("seed") == 7);
+  CHECK(test::json_in(source / "tumble" / "course.json").at("seed") == 7);
   CHECK(test::text_of(packages["gradescope"] / "README.md").find("worth 7 points") !=
         std::string::npos);
 }
@@ -77,7 +75,7 @@ TEST_CASE("export: what is public for PrairieLearn has no solutions, what is not
   const CommandResult made = packages.make("prairielearn");
   REQUIRE_MESSAGE(made.status == 0, made.output);
   const fs::path folder = packages["prairielearn"];
-  test::check_prairielearn_question(json_in(folder / "question" / "info.json"));
+  test::check_prairielearn_question(test::json_in(folder / "question" / "info.json"));
   const std::set<std::string> image = files_in(folder / "image");
   for (const std::string& file : image) CHECK(file.find("solutions/") == std::string::npos);
   CHECK(image.count("tumble/exercises/09_rigid_body/dydt.cpp") == 1);  // one image for all
@@ -101,7 +99,7 @@ TEST_CASE("export: Classroom 50's bundle is public and small, its template a han
   const CommandResult made = packages.make("classroom50");
   REQUIRE_MESSAGE(made.status == 0, made.output);
   const fs::path folder = packages["classroom50"];
-  const json assignment = json_in(folder / "assignment.json");
+  const json assignment = test::json_in(folder / "assignment.json");
   test::check_classroom50_assignment(assignment);
   CHECK(assignment.at("due") == "2026-12-01T23:59:00+01:00");
   for (const std::string& file : files_in(folder))
