@@ -37,16 +37,19 @@ inline Eigen::VectorXd solve(Eigen::MatrixXd A, Eigen::VectorXd b) {
     Eigen::Index pivot = k;
     for (Eigen::Index i = k + 1; i < n; ++i)
       if (std::abs(A(i, k)) > std::abs(A(pivot, k))) pivot = i;
-    A.row(k).swap(A.row(pivot));
+    for (Eigen::Index j = 0; j < n; ++j) std::swap(A(k, j), A(pivot, j));
     std::swap(b[k], b[pivot]);
     for (Eigen::Index i = k + 1; i < n; ++i) {
       const double factor = A(i, k) / A(k, k);
-      A.row(i).tail(n - k) -= factor * A.row(k).tail(n - k);
+      for (Eigen::Index j = k; j < n; ++j) A(i, j) -= factor * A(k, j);
       b[i] -= factor * b[k];
     }
   }
-  for (Eigen::Index i = n - 1; i >= 0; --i)
-    b[i] = (b[i] - A.row(i).tail(n - i - 1).dot(b.tail(n - i - 1))) / A(i, i);
+  for (Eigen::Index i = n - 1; i >= 0; --i) {
+    double known = 0;
+    for (Eigen::Index j = i + 1; j < n; ++j) known += A(i, j) * b[j];
+    b[i] = (b[i] - known) / A(i, i);
+  }
   return b;
 }
 

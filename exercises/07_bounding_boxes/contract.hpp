@@ -35,13 +35,15 @@ inline Eigen::Matrix3d principal_axes(Eigen::Matrix3d S) {
     const double cot = (S(j, j) - S(i, i)) / (2 * S(i, j));
     const double tan = std::copysign(1 / (std::abs(cot) + std::hypot(cot, 1)), cot);
     const double cos = 1 / std::hypot(tan, 1), sin = tan * cos;
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    turn(i, i) = turn(j, j) = cos;
-    turn(i, j) = sin;
-    turn(j, i) = -sin;
-    S = turn.transpose() * S * turn;
+    const auto turn = [cos, sin](double& x, double& y) {
+      const double before = x;
+      x = cos * before - sin * y;
+      y = sin * before + cos * y;
+    };
+    for (int k = 0; k < 3; ++k) turn(S(i, k), S(j, k));  // its rows
+    for (int k = 0; k < 3; ++k) turn(S(k, i), S(k, j));  // its columns
     S(i, j) = S(j, i) = 0;
-    R = R * turn;
+    for (int k = 0; k < 3; ++k) turn(R(k, i), R(k, j));
   }
   return R;
 }

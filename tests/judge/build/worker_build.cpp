@@ -155,7 +155,12 @@ class Builder {
     arguments.insert(arguments.end(), {tools_.runtime.string(), "-Wl,-z,muldefs", "-no-pie", "-o",
                                        worker().string()});
     if (!tools_.linker.empty()) arguments.push_back("-fuse-ld=" + tools_.linker);
-    arguments.emplace_back(sanitized_ ? "-fsanitize=address,undefined" : "-static");
+    // lld starts a thread for every core, which costs more than it saves.
+    if (tools_.linker == "lld") arguments.emplace_back("-Wl,--threads=1");
+    if (sanitized_)
+      arguments.emplace_back("-fsanitize=address,undefined");
+    else  // without the names of lines, which nobody reads there
+      arguments.insert(arguments.end(), {"-static", "-Wl,--strip-debug"});
     return run(arguments);
   }
 

@@ -117,6 +117,7 @@ void grade_student(const Grading& grading, const Submission& submission,
   Judgement judgement;
   judgement.seed = record.seed;
   judgement.compiled = &grading.compiled;
+  judgement.builds_at_once = grading.builds_at_once;
   judgement.locate_crashes = false;  // with sanitizers the walls are lower
   judge_all(
       course, open, [&](const Unit& unit) { return sources.of(unit); }, judgement,

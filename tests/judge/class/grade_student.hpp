@@ -15,9 +15,10 @@ namespace tumble::judge {
 struct Grading {
   const Course& course;
   const CourseSettings& settings;
-  std::uint64_t seed;           ///< of the course's inputs; each student's follows from it
-  std::uint64_t judge;          ///< fingerprint of this judge
-  const ObjectCache& compiled;  ///< by all students
+  std::uint64_t seed;              ///< of the course's inputs; each student's follows from it
+  std::uint64_t judge;             ///< fingerprint of this judge
+  const ObjectCache& compiled;     ///< by all students
+  std::size_t builds_at_once = 0;  ///< for one student; 0: as many as there are cores
   /// Sources of the solutions, where the course was built without: functions that a student's file
   /// calls come from there. Empty: they are the student's own.
   std::filesystem::path solutions = {};

@@ -39,13 +39,17 @@ int grade(const Course& course, const GradeOptions& options) {
   const WorkFolder compiled;
   fs::permissions(compiled.path(), fs::perms::owner_all);  // nobody else's, not even to look in
   const ObjectCache cache(compiled.path());
-  const Grading grading{course, settings, class_seed(settings, folder), judge_fingerprint(), cache};
   const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t students_at_once = options.at_once.value_or(cores);
+  // A compiler takes 150 MB: no more of them than cores.
+  const std::size_t builds_at_once = std::max<std::size_t>(1, cores / students_at_once);
+  const Grading grading{course, settings,      class_seed(settings, folder), judge_fingerprint(),
+                        cache,  builds_at_once};
   std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
             << " exercises each\n";
   const auto start = std::chrono::steady_clock::now();
   const std::vector<std::string> failed =
-      grade_class(grading, submissions, folder, options.at_once.value_or(cores));
+      grade_class(grading, submissions, folder, students_at_once);
   const std::vector<StudentRecord> records = records_of(folder, submissions);
   write_text(folder.csv(), grades_csv(settings, records));
   write_text(folder.junit(), grades_junit(settings, records));

@@ -43,14 +43,20 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
     });
   };
 
-  const std::size_t at_once = std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t at_once = judgement.builds_at_once > 0
+                                  ? judgement.builds_at_once
+                                  : std::max(1u, std::thread::hardware_concurrency());
   std::deque<std::future<TimedBuild>> builds;
   std::size_t next = 0;
-  for (const Unit& unit : units) {
+  const auto start_builds = [&] {
     while (next < units.size() && builds.size() < at_once)
       builds.push_back(start_build(units[next++]));
+  };
+  start_builds();
+  for (const Unit& unit : units) {
     const TimedBuild built = builds.front().get();
     builds.pop_front();
+    start_builds();
     const auto start = Clock::now();
     UnitResult result =
         judge_build(course, unit, source(unit), folder_of(unit), judgement, built.build);

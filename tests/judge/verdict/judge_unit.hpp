@@ -13,10 +13,11 @@ namespace tumble::judge {
 /// What is wanted of a judgement.
 struct Judgement {
   std::uint64_t seed = 1;
-  int seeds = 1;                ///< how many, from `seed` on; the first that fails is reported
-  std::size_t only_case = 0;    ///< 0: all of them
-  bool locate_crashes = true;   ///< build a crashed unit again with sanitizers, to name the line
-  bool only_sanitized = false;  ///< everything with sanitizers from the start
+  int seeds = 1;                   ///< how many, from `seed` on; the first that fails is reported
+  std::size_t only_case = 0;       ///< 0: all of them
+  bool locate_crashes = true;      ///< build a crashed unit again with sanitizers, to name the line
+  bool only_sanitized = false;     ///< everything with sanitizers from the start
+  std::size_t builds_at_once = 0;  ///< of judge_all(); 0: as many as there are cores
   const ObjectCache* compiled = nullptr;  ///< what was compiled before; not with sanitizers
 };
 

@@ -10,6 +10,7 @@
 
 using namespace tumble::judge;
 using nlohmann::json;
+using tumble::test::contains;
 
 namespace {
 
@@ -62,12 +63,12 @@ TEST_CASE("Gradescope: points, what is hidden until the due date, and units not 
   CHECK(j.at("tests")[1].at("visibility") == "after_due_date");
   CHECK(j.at("tests")[1].at("extra_data").at("misconceptions") == json{"factors swapped"});
   CHECK(j.at("tests")[2].at("output") == "Not judged yet.");
-  CHECK_FALSE(j.tumble::test::contains("output"));
+  CHECK_FALSE(j.contains("output"));
 
   const json with_figure = json::parse(gradescope_results(settings(), some, figure));
   tumble::test::check_gradescope(with_figure);
   CHECK(with_figure.at("output_format") == "html");
-  CHECK(tumble::test::contains(with_figure.at("output"), "<img src=\"" + figure_url + "\""));
+  CHECK(contains(with_figure.at("output"), "<img src=\"" + figure_url + "\""));
 
   const json none = json::parse(gradescope_results(settings(), refused, ""));
   tumble::test::check_gradescope(none);
@@ -80,7 +81,7 @@ TEST_CASE("PrairieLearn: a share, hidden words, and no attempt lost by what cann
   tumble::test::check_prairielearn(text);
   const json j = json::parse(text);
   CHECK(j.at("score").get<double>() == doctest::Approx((2.5 + 1.0 / 3) / 4.5));
-  CHECK(tumble::test::contains(j.at("tests")[0].at("output"), "why"));
+  CHECK(contains(j.at("tests")[0].at("output"), "why"));
   CHECK(j.at("tests")[1].at("output") == "");
   CHECK(j.at("images")[0].at("url") == figure_url);
 
@@ -107,14 +108,14 @@ TEST_CASE("Classroom 50: whole points, a hundred to one, and who is meant") {
 
 TEST_CASE("Markdown: a table, and words that stay words") {
   const std::string text = markdown_results(settings(), some);
-  CHECK(tumble::test::contains(text, "### tumble: 2.83 of 4.50 points\n"));
-  CHECK(tumble::test::contains(text, "| 4.1 product | passed | 2.50 of 2.50 |\n"));
-  CHECK(tumble::test::contains(text, "| 4.3 rotate | not judged yet | 0.00 of 1.00 |\n"));
-  CHECK_FALSE(tumble::test::contains(text, "<b>4.2"));  // hidden
+  CHECK(contains(text, "### tumble: 2.83 of 4.50 points\n"));
+  CHECK(contains(text, "| 4.1 product | passed | 2.50 of 2.50 |\n"));
+  CHECK(contains(text, "| 4.3 rotate | not judged yet | 0.00 of 1.00 |\n"));
+  CHECK_FALSE(contains(text, "<b>4.2"));  // hidden
   CourseSettings open = settings();
   open.hidden.clear();
-  CHECK(tumble::test::contains(markdown_results(open, some),
+  CHECK(contains(markdown_results(open, some),
                                "\n    why | <b>4.2</b>\n    and how\n"));
-  CHECK(tumble::test::contains(markdown_results(settings(), refused),
+  CHECK(contains(markdown_results(settings(), refused),
                                "The submission has a link in it."));
 }
