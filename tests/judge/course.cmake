@@ -31,13 +31,6 @@ foreach(linker IN ITEMS mold lld)
   endif()
 endforeach()
 
-# Workers are linked statically, which sanitizers cannot be: where the judge is built with them, its
-# workers are not.
-set(TUMBLE_UNSANITIZED)
-if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  set(TUMBLE_UNSANITIZED -fno-sanitize=all)
-endif()
-
 # The units of one contract, as a list of "4.1 product".
 function(tumble_units_of contract out)
   file(STRINGS ${contract} headings REGEX "^// == [0-9]+\\.[0-9]+ [a-z0-9_]+: ")
@@ -56,8 +49,9 @@ function(tumble_require_file file what)
   endif()
 endfunction()
 
-# An object that is linked into workers, compiled as the student's file is. All share the precompiled
-# header of the first. The object's path tells what it is: never merged with others.
+# An object that is linked into workers, compiled as the student's file is. Workers are linked
+# statically, which sanitizers cannot be. All share the precompiled header of the first. An object's path
+# tells what it is: never merged with others.
 function(tumble_student_object target source)
   add_library(${target} OBJECT ${source})
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
