@@ -82,9 +82,9 @@ endfunction()
 # Adds `target`, the judge of the course under `root`: its specs, and for each unit its worker's objects
 # and a target check.04.product. Writes ${target}.json, which tells the judge what there is.
 function(tumble_add_judge target root)
-  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/run.cpp)
+  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # a spec knows its unit by a definition of its own
-  set_source_files_properties(${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/run.cpp
+  set_source_files_properties(${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp
     PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   target_include_directories(${target} PRIVATE ${root}/exercises)
   target_link_libraries(${target} PRIVATE tumble_judge_commands)
