@@ -15,6 +15,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(tumble_program_options INTERFACE -Wno-restrict -Wno-maybe-uninitialized)
 endif()
 
+# For what cannot be linked with sanitizers, or is not worth their time; empty where there are none.
+set(TUMBLE_UNSANITIZED)
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  set(TUMBLE_UNSANITIZED -fno-sanitize=all)
+endif()
+
 # The same numbers to the last digit from every compiler: no fused multiply-add behind our back, no
 # reordering of a sum by vector lanes.
 target_compile_options(tumble_program_options INTERFACE -ffp-contract=off)

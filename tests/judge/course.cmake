@@ -31,13 +31,6 @@ foreach(linker IN ITEMS mold lld)
   endif()
 endforeach()
 
-# Workers are linked statically, which sanitizers cannot be: where the judge is built with them, its
-# workers are not.
-set(TUMBLE_UNSANITIZED)
-if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  set(TUMBLE_UNSANITIZED -fno-sanitize=all)
-endif()
-
 # The units of one contract, as a list of "4.1 product".
 function(tumble_units_of contract out)
   file(STRINGS ${contract} headings REGEX "^// == [0-9]+\\.[0-9]+ [a-z0-9_]+: ")
@@ -56,8 +49,9 @@ function(tumble_require_file file what)
   endif()
 endfunction()
 
-# An object that is linked into workers, compiled as the student's file is. All share the precompiled
-# header of the first. The object's path tells what it is: never merged with others.
+# An object that is linked into workers, compiled as the student's file is. Workers are linked
+# statically, which sanitizers cannot be. All share the precompiled header of the first. An object's path
+# tells what it is: never merged with others.
 function(tumble_student_object target source)
   add_library(${target} OBJECT ${source})
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
@@ -88,9 +82,9 @@ endfunction()
 # Adds `target`, the judge of the course under `root`: its specs, and for each unit its worker's objects
 # and a target check.04.product. Writes ${target}.json, which tells the judge what there is.
 function(tumble_add_judge target root)
-  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/run.cpp)
+  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # a spec knows its unit by a definition of its own
-  set_source_files_properties(${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/run.cpp
+  set_source_files_properties(${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp
     PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   target_include_directories(${target} PRIVATE ${root}/exercises)
   target_link_libraries(${target} PRIVATE tumble_judge_commands)

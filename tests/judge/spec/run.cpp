@@ -1,7 +1,6 @@
 /// @file
 /// The judge's own doctest: the cases run in this process, and what they find is collected here
 /// instead of being printed by doctest.
-#define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
 #include "judge/spec/run.hpp"
