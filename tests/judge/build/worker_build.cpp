@@ -132,7 +132,12 @@ class Builder {
     arguments.insert(arguments.end(), {"-S", "-MD", "-MF", rule.string(), source().string(), "-o",
                                        assembly().string()});
     const Finished step = run(arguments);
-    if (step.ending != Ending{false, 0} && !preprocess(result)) return false;
+    const bool failed = step.ending != Ending{false, 0};
+    if (failed && ran_into_limits(step)) {  // and so would the look at what it includes
+      result.outcome = BuildOutcome::too_expensive;
+      return false;
+    }
+    if (failed && !preprocess(result)) return false;
     if (!succeeded(step, result, true) || !sees_nothing_forbidden(rule, result)) return false;
     result.warnings = messages_about(source(), step.output, false);
     if (line_with_assembler(assembly()) > 0 && !sanitized_) {

@@ -45,9 +45,9 @@ int platform_command(const Course& course, const PlatformOptions& options) {
   const WorkFolder work, compiled;
   fs::permissions(compiled.path(), fs::perms::owner_all);
   const ObjectCache cache(compiled.path());
-  const Grading grading{
-      course, settings,     settings.seed.value_or(std::random_device{}()), judge_fingerprint(),
-      cache,  run.solutions};
+  Grading grading{course, settings, settings.seed.value_or(std::random_device{}()),
+                  judge_fingerprint(), cache};
+  grading.solutions = run.solutions;
   StudentRecord record;
   grade_student(grading, {run.identity, run.submission, false}, compiled.path() / "record.json",
                 [&](const StudentRecord& now) {
