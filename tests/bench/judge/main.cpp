@@ -81,17 +81,19 @@ class ClassBench {
       std::cout << "      " << found[i] << "\n";
   }
 
-  /// Attacks may say another number each time, or be stopped by another wall.
   std::map<std::string, const Student*> by_name() const {
     std::map<std::string, const Student*> names;
     for (const Student& student : class_.students) names[student.name] = &student;
     return names;
   }
 
+  /// Attacks may say another number each time, or be stopped by another wall; a mistake may give
+  /// what happened to be in memory.
   auto likeness(Likeness of_work) const {
     return [of_work, students = by_name()](const std::string& student, const std::string& unit) {
-      const bool attack = students.at(student)->files.at(unit) == Kind::attack;
-      return attack ? Likeness::outcome : of_work;
+      const Kind kind = students.at(student)->files.at(unit);
+      if (kind == Kind::attack) return Likeness::outcome;
+      return kind == Kind::mistake ? Likeness::laws : of_work;
     };
   }
 
