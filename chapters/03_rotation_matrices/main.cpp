@@ -6,7 +6,7 @@
 
 #include "support/chapter.hpp"
 #include "support/gallery.hpp"
-#include "support/objects/objects.hpp"
+#include "objects/objects.hpp"
 #include "support/plot.hpp"
 #include "support/stopwatch.hpp"
 #include "tumble/ode.hpp"

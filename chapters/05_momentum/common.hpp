@@ -3,10 +3,10 @@
 /// What all parts of this chapter's program share.
 
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "support/random.hpp"
 #include "support/sketch.hpp"
 #include "support/table.hpp"
 #include "tumble/body.hpp"
@@ -21,27 +21,11 @@ using support::degrees;
 using support::error_number;
 using support::error_or_rounding;
 using support::number;
+using support::Random;
 using support::Table;
 using support::Vec2;
 
 constexpr double pi = std::numbers::pi, degree = pi / 180;
-
-/// Numbers that are the same in every run and with every compiler.
-class Dice {
- public:
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
-  }
-  /// Its numbers are drawn one after the other, whatever order a compiler gives to arguments.
-  Vec3 vector(double low, double high) {
-    const double x = between(low, high), y = between(low, high);
-    return {x, y, between(low, high)};
-  }
-  Vec3 vector(double size) { return vector(-size, size); }
-
- private:
-  std::mt19937_64 bits_{5};
-};
 
 /// A body at a time.
 struct Moment {

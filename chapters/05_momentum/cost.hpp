@@ -76,9 +76,9 @@ Task<T> ordinary_task() {
 constexpr int samples = 1000;
 
 inline std::vector<PointMass> thousand_points() {
-  Dice dice;
+  Random random(5);
   std::vector<PointMass> points;
-  for (int i = 0; i < samples; ++i) points.push_back({1.0 / samples, dice.vector(1)});
+  for (int i = 0; i < samples; ++i) points.push_back({1.0 / samples, random.vector(1)});
   return points;
 }
 

@@ -8,7 +8,7 @@
 
 #include "common.hpp"
 #include "support/plot.hpp"
-#include "tumble/core/double_double.hpp"
+#include "tumble/simd/double_double.hpp"
 
 namespace momentum_chapter {
 
@@ -40,12 +40,12 @@ struct Lever {
 };
 
 inline std::vector<Lever> levers() {
-  Dice dice;
+  Random random(5);
   std::vector<Lever> list;
   for (int i = 0; i < 60; ++i) {
-    const Vec3 p_body = dice.vector(1), force = dice.vector(10);
-    const Vec3 direction = dice.vector(1).normalized();
-    list.push_back({p_body, force, direction, exp_rotation(dice.vector(3))});
+    const Vec3 p_body = random.vector(1), force = random.vector(10);
+    const Vec3 direction = random.vector(1).normalized();
+    list.push_back({p_body, force, direction, exp_rotation(random.vector(3))});
   }
   return list;
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "common.hpp"
-#include "support/objects/objects.hpp"
+#include "objects/objects.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 
 namespace momentum_chapter {

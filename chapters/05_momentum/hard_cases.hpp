@@ -8,8 +8,8 @@
 #include "cost.hpp"
 #include "push.hpp"
 #include "support/plot.hpp"
-#include "tumble/core/double_double.hpp"
 #include "tumble/mass/transform.hpp"
+#include "tumble/simd/double_double.hpp"
 
 namespace momentum_chapter {
 
@@ -43,12 +43,12 @@ inline Vec3 exact_omega(const Task<double>& task) {
 /// The worst relative error of ω for an L in any direction.
 template <class Way>
 double worst_of_any_L(double condition, const Way& way) {
-  Dice dice;
+  Random random(5);
   double worst = 0;
   for (int i = 0; i < 40; ++i) {
-    const Mat3 R = exp_rotation(dice.vector(3)), S = exp_rotation(dice.vector(3));
+    const Mat3 R = exp_rotation(random.vector(3)), S = exp_rotation(random.vector(3));
     Task<double> task = needle(condition, R);
-    task.L = R * dice.vector(0.5, 1);
+    task.L = R * random.vector(0.5, 1);
     const Vec3 omega = exact_omega(task);
     worst = std::max(worst, (way(task, S) - omega).norm() / omega.norm());
   }
@@ -57,12 +57,12 @@ double worst_of_any_L(double condition, const Way& way) {
 
 /// The same for a needle that only tumbles: its L lies across it, as nearly as doubles can say.
 inline double worst_of_tumbling(double condition) {
-  Dice dice;
+  Random random(5);
   double worst = 0;
   for (int i = 0; i < 40; ++i) {
-    const Mat3 R = exp_rotation(dice.vector(3));
+    const Mat3 R = exp_rotation(random.vector(3));
     Task<double> task = needle(condition, R);
-    const Vec3 omega = R * dice.vector(0.5, 1).cwiseProduct(Vec3(0, 1, 1));
+    const Vec3 omega = R * random.vector(0.5, 1).cwiseProduct(Vec3(0, 1, 1));
     task.L = angular_momentum(task.body, R, omega);
     worst = std::max(worst, (by_three_products(task) - omega).norm() / omega.norm());
   }
@@ -206,14 +206,15 @@ inline Table arm_table() {
 
 /// Forces of up to 1000 N along an axis, each with its opposite somewhere else in the list.
 inline std::vector<double> cancelling(int pairs) {
-  Dice dice;
+  Random random(5);
   std::vector<double> list;
   for (int i = 0; i < pairs; ++i) {
-    const double F = dice.between(-1000, 1000);
+    const double F = random.uniform(-1000, 1000);
     list.insert(list.end(), {F, -F});
   }
   for (std::size_t i = list.size() - 1; i > 0; --i)
-    std::swap(list[i], list[static_cast<std::size_t>(dice.between(0, static_cast<double>(i) + 1))]);
+    std::swap(list[i],
+              list[static_cast<std::size_t>(random.uniform(0, static_cast<double>(i) + 1))]);
   return list;
 }
 

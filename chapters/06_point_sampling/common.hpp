@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "support/objects/objects.hpp"
+#include "objects/objects.hpp"
+#include "support/random.hpp"
 #include "support/sketch.hpp"
 #include "support/table.hpp"
-#include "tumble/core/random_fraction.hpp"
 #include "tumble/mass.hpp"
 #include "tumble/mesh.hpp"
 #include "tumble/rotation.hpp"
@@ -54,18 +54,11 @@ struct Placement {
 };
 
 inline std::vector<Placement> placements(int count) {
-  std::mt19937_64 engine(6);
-  const auto between = [&engine](double low, double high) {
-    return low + (high - low) * random_fraction(engine);
-  };
-  const auto vector = [&between](double size) {
-    const double x = between(-size, size), y = between(-size, size);
-    return Vec3(x, y, between(-size, size));
-  };
+  support::Random random(6);
   std::vector<Placement> list;
   for (int i = 0; i < count; ++i) {
-    const Vec3 turn = vector(pi);
-    list.push_back({exp_rotation(turn), vector(1)});
+    const Vec3 turn = random.vector(pi);
+    list.push_back({exp_rotation(turn), random.vector(1)});
   }
   return list;
 }

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "support/objects/objects.hpp"
+#include "objects/objects.hpp"
+#include "support/random.hpp"
 #include "support/sketch.hpp"
 #include "support/table.hpp"
-#include "tumble/core/random_fraction.hpp"
 #include "tumble/mass.hpp"
 #include "tumble/mesh.hpp"
 #include "tumble/rotation.hpp"
@@ -20,6 +20,7 @@ namespace bounding_boxes_chapter {
 
 using namespace tumble;
 using support::number;
+using support::Random;
 using support::svg_number;
 using support::Table;
 using support::Vec2;
@@ -61,23 +62,11 @@ inline const Thing& mug() { return things()[3]; }
 
 // ── Orientations that have nothing to do with the axes, the same in every run ──
 
-class Dice {
- public:
-  double between(double low, double high) { return low + (high - low) * random_fraction(engine_); }
-  Vec3 vector(double size) {
-    const double x = between(-size, size), y = between(-size, size);
-    return {x, y, between(-size, size)};
-  }
-
- private:
-  std::mt19937_64 engine_{7};
-};
-
 inline const std::vector<Mat3>& turns() {
   static const std::vector<Mat3> list = [] {
-    Dice dice;
+    Random random(7);
     std::vector<Mat3> all;
-    for (int i = 0; i < 16; ++i) all.push_back(exp_rotation(dice.vector(pi)));
+    for (int i = 0; i < 16; ++i) all.push_back(exp_rotation(random.vector(pi)));
     return all;
   }();
   return list;

@@ -35,10 +35,10 @@ inline std::string whole_degrees(double angle) { return svg_number(angle / degre
 template <class Inertia>
 double off_after_a_second(const Thing& body, const Inertia& inertia) {
   constexpr int throws = 16;
-  Dice dice;
+  Random random(7);
   double sum = 0;
   for (std::size_t i = 0; i < throws; ++i) {
-    const Vec3 omega = 10 * dice.vector(1).normalized();
+    const Vec3 omega = 10 * random.vector(1).normalized();
     sum += angle_apart(flown(body.truth.inertia, omega, 1), flown(inertia(i), omega, 1));
   }
   return sum / throws;

@@ -12,26 +12,7 @@ namespace mirtich_chapter {
 
 // ── A cube, spoiled ──
 
-inline PolygonMesh without_face(const PolygonMesh& mesh, int skip) {
-  PolygonMesh result;
-  result.vertices = mesh.vertices;
-  for (int f = 0; f < mesh.face_count(); ++f)
-    if (f != skip) result.add_face(mesh.face(f));
-  return result;
-}
-
-inline PolygonMesh with_face_turned(const PolygonMesh& mesh, int which) {
-  PolygonMesh result;
-  result.vertices = mesh.vertices;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    std::vector<int> face(mesh.face(f).begin(), mesh.face(f).end());
-    if (f == which || which < 0) std::reverse(face.begin(), face.end());
-    result.add_face(face);
-  }
-  return result;
-}
-
-inline PolygonMesh inside_out(const PolygonMesh& mesh) { return with_face_turned(mesh, -1); }
+using shapes::inside_out, shapes::together, shapes::with_face_flipped, shapes::without_face;
 
 inline PolygonMesh with_face(PolygonMesh mesh, const std::vector<int>& face) {
   mesh.add_face(face);
@@ -41,17 +22,6 @@ inline PolygonMesh with_face(PolygonMesh mesh, const std::vector<int>& face) {
 inline PolygonMesh with_vertex(PolygonMesh mesh, int v, const Vec3& x) {
   mesh.vertices[static_cast<std::size_t>(v)] = x;
   return mesh;
-}
-
-inline PolygonMesh together(PolygonMesh a, const PolygonMesh& b) {
-  const int shift = static_cast<int>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (int f = 0; f < b.face_count(); ++f) {
-    std::vector<int> face(b.face(f).begin(), b.face(f).end());
-    for (int& v : face) v += shift;
-    a.add_face(face);
-  }
-  return a;
 }
 
 /// A third face at an edge of the cube.
@@ -88,7 +58,7 @@ inline std::vector<SpoiledCube> spoiled_cubes() {
           {"a corner twice", Kind::degenerate_face, with_face(cut, {0, 1, 1})},
           {"a corner pulled", Kind::nonplanar_face, with_vertex(whole, 7, {1, 1, 1.2})},
           {"the bottom left out", Kind::open_edge, without_face(whole, 0)},
-          {"a triangle turned", Kind::inconsistent_orientation, with_face_turned(cut, 0)},
+          {"a triangle turned", Kind::inconsistent_orientation, with_face_flipped(cut, 0)},
           {"a triangle twice", Kind::duplicate_face, with_face(cut, {4, 5, 7})},
           {"a fin on an edge", Kind::uneven_edge, with_fin()},
           {"a triangle and its back", Kind::flat, two_sides()},
@@ -270,9 +240,9 @@ inline Table balance_table() {
   add("octahedron", 0, octahedron());
   add("two, one inside the other", 0, together(octahedron(), octahedron()));
   add("a face left out", 3, without_face(octahedron(), 0));
-  add("a face turned", 0, with_face_turned(octahedron(), 0));
+  add("a face turned", 0, with_face_flipped(octahedron(), 0));
   add("a face twice", 0, with_face(octahedron(), {0, 2, 4}));
-  add("left out here, turned there", 3, without_face(with_face_turned(octahedron(), 3), 0));
+  add("left out here, turned there", 3, without_face(with_face_flipped(octahedron(), 3), 0));
   return table;
 }
 

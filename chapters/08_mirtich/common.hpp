@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "objects/mesh_edits.hpp"
+#include "support/random.hpp"
 #include "support/sketch.hpp"
 #include "support/table.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
@@ -17,29 +18,15 @@
 namespace mirtich_chapter {
 
 using namespace tumble;
+using shapes::triangulated;
 using support::error_number;
 using support::error_or_rounding;
 using support::number;
+using support::Random;
 using support::Table;
 using support::Vec2;
 
 constexpr double pi = std::numbers::pi, degree = pi / 180;
-
-/// Numbers that are the same in every run and with every compiler.
-class Dice {
- public:
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
-  }
-  /// Its numbers are drawn one after the other, whatever order a compiler gives to arguments.
-  Vec3 vector(double size) {
-    const double x = between(-size, size), y = between(-size, size);
-    return {x, y, between(-size, size)};
-  }
-
- private:
-  std::mt19937_64 bits_{8};
-};
 
 // ── Bodies ──
 
@@ -60,13 +47,6 @@ inline PolygonMesh skewed_box(const Mat3& edges, const Vec3& origin = Vec3::Zero
 
 inline PolygonMesh cube(double size = 1, const Vec3& origin = Vec3::Zero()) {
   return skewed_box(size * Mat3::Identity(), origin);
-}
-
-inline PolygonMesh triangulated(const PolygonMesh& mesh) {
-  PolygonMesh result;
-  result.vertices = mesh.vertices;
-  for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) { result.add_face(t); });
-  return result;
 }
 
 inline PolygonMesh moved(PolygonMesh mesh, const Vec3& d) {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common.hpp"
-#include "support/objects/mug.hpp"
+#include "objects/mug.hpp"
 #include "support/plot.hpp"
 
 namespace mirtich_chapter {

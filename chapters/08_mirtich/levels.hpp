@@ -111,14 +111,14 @@ inline Table walk_table() {
 /// The largest relative error of ∬ zᵏ dA, k = 1, 2, 3, when shadows are cast along z, over some
 /// triangles whose normal has n_z = lean. Along x the same integrals are right to rounding.
 inline std::array<double, 3> worst_errors(double lean) {
-  Dice dice;
+  Random random(8);
   std::array<double, 3> worst{};
   for (int i = 0; i < 50; ++i) {
     const Vec3 n(std::sqrt(1 - lean * lean), 0, lean), across = Vec3::UnitY();
     const Vec3 down = n.cross(across), middle(2, 1, 3);
     std::vector<Vec3> corners;
     for (int k = 0; k < 3; ++k) {
-      const double angle = 120 * degree * k + dice.between(0, 1), r = dice.between(0.5, 1);
+      const double angle = 120 * degree * k + random.uniform(0, 1), r = random.uniform(0.5, 1);
       corners.push_back(middle + r * (std::cos(angle) * across + std::sin(angle) * down));
     }
     const mirtich::Plane plane = mirtich::plane_of(corners, mirtich::vector_area(corners));

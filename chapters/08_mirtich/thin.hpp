@@ -57,10 +57,10 @@ struct ThinErrors {
 };
 
 inline ThinErrors thin_errors(const Vec3& sizes) {
-  Dice dice;
+  Random random(8);
   ThinErrors worst;
   for (int i = 0; i < 12; ++i) {
-    const LatticeTetrahedron body = lattice_tetrahedron(exp_rotation(dice.vector(3)), sizes);
+    const LatticeTetrahedron body = lattice_tetrahedron(exp_rotation(random.vector(3)), sizes);
     const auto note = [&](Accuracy accuracy, double& error, double& bound) {
       const BoundedMassProperties found = computed(body.mesh, accuracy);
       require(mass_error(found, body) <= found.mass_error_bound, "a bound does not hold");

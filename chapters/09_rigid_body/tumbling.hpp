@@ -3,22 +3,15 @@
 /// Bodies that turn over: a wing nut in pictures, the way of L in the body, how often it happens.
 
 #include "common.hpp"
+#include "support/sphere_curves.hpp"
 #include "support/view.hpp"
 #include "tumble/elliptic/integrals.hpp"
 
 namespace rigid_body_chapter {
 
-/// The time from one turning over to the next [s], of a body that nothing pushes.
-inline double time_between_flips(const RigidBody<>& body, const RigidBodyState<>& start) {
-  const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
-  return 2 * complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) / std::abs(polhode->lambda);
-}
+using support::sphere_view, support::visible, support::Way;
 
 // ── The nut ──
-
-constexpr double nut_rate = 2 * pi * 5, nut_tilt = 0.01;  // five turns a second [rad/s], [rad]
-
-inline RigidBodyState<> nut_start() { return spinning(nut(), nut_rate, nut_tilt); }
 
 /// The nut photographed by flashes that follow each other as the turns do.
 inline std::string nut_figure() {
@@ -61,12 +54,6 @@ inline std::string spin_figure() {
 }
 
 // ── The way of L in the body ──
-
-/// One closed way of L on its sphere, in principal axes, and how it is drawn.
-struct Way {
-  std::vector<Vec3> points;
-  support::Pen pen;
-};
 
 /// The way that leads through a direction of L. The body starts with its principal axes along the
 /// world's.
@@ -115,34 +102,6 @@ inline std::vector<Way> ways_of(const Vec3& moments) {
     }
   for (const Way& way : parting_circles(moments)) ways.push_back(way);
   return ways;
-}
-
-/// The parts of a way that are on the near side of the sphere, or on the far side.
-inline std::vector<std::vector<Vec2>> visible(const Way& way, const Mat3& view, bool near) {
-  std::vector<std::vector<Vec2>> parts;
-  bool pen_down = false;
-  for (const Vec3& point : way.points) {
-    const Vec3 p = view * point;
-    if ((p.z() >= 0) != near) {
-      pen_down = false;
-      continue;
-    }
-    if (!pen_down) parts.emplace_back();
-    pen_down = true;
-    parts.back().push_back(p.head<2>());
-  }
-  return parts;
-}
-
-/// From principal axes to the viewer's: the middle axis near the front, the largest moment's up.
-inline Mat3 sphere_view() {
-  const double around = 56 * degree, above = 24 * degree;
-  const Vec3 right(-std::sin(around), std::cos(around), 0);
-  const Vec3 toward(std::cos(around) * std::cos(above), std::sin(around) * std::cos(above),
-                    std::sin(above));
-  Mat3 view;
-  view << right.transpose(), toward.cross(right).transpose(), toward.transpose();
-  return view;
 }
 
 inline void draw_sphere(support::Sketch& sketch, const Vec3& moments, const std::string& name) {

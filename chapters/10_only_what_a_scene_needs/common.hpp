@@ -1,18 +1,31 @@
 #pragma once
 /// @file
-/// What all parts of this chapter's program share: the scenes, and how errors are written. The
-/// handle, the nut and the mug are those of chapter 9.
+/// What all parts of this chapter's program share: the scenes, and how errors are written.
 
-#include "09_rigid_body/mug.hpp"
-#include "09_rigid_body/tumbling.hpp"
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "objects/hanging_mug.hpp"
+#include "support/plot.hpp"
+#include "support/sketch.hpp"
+#include "support/sphere_curves.hpp"
+#include "support/table.hpp"
 #include "tumble/geometric.hpp"
+#include "tumble/rotation.hpp"
 #include "tumble/simulate.hpp"
 #include "tumble/steady.hpp"
 
 namespace scene_chapter {
 
-using namespace rigid_body_chapter;
-using support::degrees;
+using namespace tumble;
+using namespace tumble::bodies;
+using support::degrees, support::error_number, support::error_or_rounding, support::number;
+using support::order_text, support::sphere_view, support::visible;
+using support::Table, support::Vec2, support::Way;
+
+constexpr double pi = std::numbers::pi, degree = pi / 180;
 
 // ── Numbers ──
 
@@ -32,7 +45,7 @@ inline Quat turn(const Vec3& w) { return exp_quaternion<double>(w); }
 // ── Scenes ──
 
 /// A body that turns about its middle or a pivot, what turns it, and where it is in the end, to
-/// all digits of a double: by Taylor series with 60 digits, as in tests/reference/rigid_body.hpp.
+/// all digits of a double: by Taylor series with 60 digits, as in lib/reference/rigid_body.hpp.
 struct KnownTurning {
   RigidBody<> body;
   RigidBodyState<> start;

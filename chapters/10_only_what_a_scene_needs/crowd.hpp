@@ -3,8 +3,8 @@
 /// Many bodies: one after the other, and side by side.
 
 #include "common.hpp"
+#include "support/random.hpp"
 #include "support/stopwatch.hpp"
-#include "tumble/core/random_fraction.hpp"
 #include "tumble/ensemble.hpp"
 
 namespace scene_chapter {
@@ -16,22 +16,16 @@ struct Crowd {
 };
 
 inline Crowd crowd_of(int count) {
-  std::mt19937_64 engine(10);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * random_fraction(engine);
-  };
-  const auto vector = [&](double low, double high) {
-    Vec3 v;
-    for (double& c : v) c = between(low, high);
-    return v;
-  };
+  support::Random random(10);
   Crowd crowd;
   for (int i = 0; i < count; ++i) {
-    const Vec3 s = vector(0.5, 1.5).cwiseAbs2(), turned = vector(-3, 3), spin = vector(-1, 1);
+    const Vec3 s = random.vector(0.5, 1.5).cwiseAbs2(), turned = random.vector(-3, 3),
+               spin = random.vector(-1, 1);
     const Vec3 moments(s.y() + s.z(), s.z() + s.x(), s.x() + s.y());
     const RigidBody<> body(1, moments.asDiagonal());
     crowd.bodies.push_back(body);
-    crowd.states.push_back(turning_state(body, turn(turned), between(0, 5) * spin.normalized()));
+    crowd.states.push_back(
+        turning_state(body, turn(turned), random.uniform(0, 5) * spin.normalized()));
   }
   return crowd;
 }

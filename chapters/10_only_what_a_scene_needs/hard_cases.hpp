@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../../tests/reference/long_free_turning.hpp"
+#include "reference/long_free_turning.hpp"
 #include "support/table.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/ensemble/advance.hpp"

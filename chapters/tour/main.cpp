@@ -5,7 +5,7 @@
 #include <optional>
 #include <sstream>
 
-#include "support/objects/objects.hpp"
+#include "objects/objects.hpp"
 #include "support/view.hpp"
 #include "tour/tour.hpp"
 #include "tumble/mesh/read_obj.hpp"

@@ -1,10 +1,10 @@
 /// @file
 /// 1.3 euler_step: its laws, and what goes wrong.
+#include "judge/spec/shared/right_hand_sides.hpp"
 #include "tumble/ode/euler.hpp"
 
 #include "01_particles/contract.hpp"
 #include "judge/spec/spec.hpp"
-#include "right_hand_sides.hpp"
 
 using namespace tumble::judge;
 using namespace right_hand_sides;

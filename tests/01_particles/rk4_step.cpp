@@ -1,12 +1,12 @@
 /// @file
 /// 1.5 rk4_step: its laws, and what goes wrong.
+#include "judge/spec/shared/right_hand_sides.hpp"
 #include "tumble/ode/rk4.hpp"
 
 #include <array>
 
 #include "01_particles/contract.hpp"
 #include "judge/spec/spec.hpp"
-#include "right_hand_sides.hpp"
 
 using namespace tumble::judge;
 using namespace right_hand_sides;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "01_particles/right_hand_sides.hpp"
 #include "02_solvers/contract.hpp"
+#include "judge/spec/shared/right_hand_sides.hpp"
 #include "judge/spec/spec.hpp"
 
 using namespace tumble::judge;

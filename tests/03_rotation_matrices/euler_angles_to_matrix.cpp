@@ -8,7 +8,7 @@
 #include "03_rotation_matrices/contract.hpp"
 #include "judge/spec/spec.hpp"
 #include "tumble/rotation/euler_angles.hpp"
-#include "tumble/rotation/exp_log.hpp"
+#include "tumble/rotation/exp.hpp"
 #include "tumble/rotation/orthonormality.hpp"
 #include "tumble/rotation/skew.hpp"
 

@@ -7,7 +7,7 @@
 #include "03_rotation_matrices/contract.hpp"
 #include "03_rotation_matrices/inputs.hpp"
 #include "judge/spec/spec.hpp"
-#include "tumble/rotation/exp_log.hpp"
+#include "tumble/rotation/exp.hpp"
 #include "tumble/rotation/gram_schmidt.hpp"
 #include "tumble/rotation/newton_rotation.hpp"
 #include "tumble/rotation/orthonormality.hpp"

@@ -1,12 +1,12 @@
 /// @file
 /// 3.3 rotation_dot: its laws, and what goes wrong.
+#include "tumble/rotation/rotation_dot.hpp"
 #include "03_rotation_matrices/contract.hpp"
 #include "03_rotation_matrices/inputs.hpp"
 #include "judge/spec/spec.hpp"
 #include "tumble/rotation/euler_angles.hpp"
-#include "tumble/rotation/exp_log.hpp"
+#include "tumble/rotation/exp.hpp"
 #include "tumble/rotation/nearest_rotation.hpp"
-#include "tumble/rotation/rotation_rate.hpp"
 
 using namespace tumble::judge;
 using tumble::Mat3;

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "04_quaternions/contract.hpp"
+#include "judge/spec/shared/quaternion_reference.hpp"
 #include "judge/spec/spec.hpp"
-#include "reference.hpp"
 
 using namespace tumble::judge;
 using quaternions::Quaternion;

@@ -1,8 +1,8 @@
 /// @file
 /// 4.1 product: its laws, and what goes wrong.
 #include "04_quaternions/contract.hpp"
+#include "judge/spec/shared/quaternion_reference.hpp"
 #include "judge/spec/spec.hpp"
-#include "reference.hpp"
 
 using namespace tumble::judge;
 using quaternions::Quaternion;

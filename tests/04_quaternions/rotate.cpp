@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "04_quaternions/contract.hpp"
+#include "judge/spec/shared/quaternion_reference.hpp"
 #include "judge/spec/spec.hpp"
-#include "reference.hpp"
 
 using namespace tumble::judge;
 using quaternions::Quaternion;

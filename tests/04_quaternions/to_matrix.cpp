@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "04_quaternions/contract.hpp"
+#include "judge/spec/shared/quaternion_reference.hpp"
 #include "judge/spec/spec.hpp"
-#include "reference.hpp"
 #include "tumble/rotation/orthonormality.hpp"
 #include "tumble/rotation/skew.hpp"
 

@@ -5,7 +5,7 @@
 #include "05_momentum/contract.hpp"
 #include "judge/spec/spec.hpp"
 #include "tumble/body/derived.hpp"
-#include "tumble/rotation/exp_log.hpp"
+#include "tumble/rotation/exp.hpp"
 
 using namespace tumble::judge;
 using tumble::Mat3, tumble::Vec3;

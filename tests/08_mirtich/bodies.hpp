@@ -7,7 +7,9 @@
 
 #include "08_mirtich/contract.hpp"
 #include "08_mirtich/shapes.hpp"
-#include "lib/mass/meshes.hpp"
+#include "objects/mesh_edits.hpp"
+#include "objects/shapes.hpp"
+#include "reference/exact_moments.hpp"
 
 namespace tumble::judge {
 
@@ -32,7 +34,7 @@ inline PolygonMesh any_prism(int n, const Vec3& middle, double size = 1) {
   std::vector<Eigen::Vector2d> base;
   for (const Vec3& x : any_star(n, size)) base.emplace_back(x.head<2>());
   const double height = size * any_number(0.3, 1);
-  return test::mapped(test::prism(base, height), any_rotation(), middle);
+  return shapes::mapped(shapes::prism(base, height), any_rotation(), middle);
 }
 
 /// A tetrahedron with any four corners that are not nearly in one plane.
@@ -40,7 +42,7 @@ inline PolygonMesh any_tetrahedron(double size = 1) {
   Mat3 edges;
   do edges << any_vector(size), any_vector(size), any_vector(size);
   while (edges.determinant() < 0.2 * size * size * size);
-  return test::mapped(test::unit_tetrahedron(), edges, any_vector(size));
+  return shapes::mapped(shapes::unit_tetrahedron(), edges, any_vector(size));
 }
 
 /// How many corners all faces have together.

@@ -104,7 +104,7 @@ Vec3 somewhere() { return any_vector(1.5); }
 
 /// A body of triangles only: far from the origin, rounding bends every other face.
 PolygonMesh any_triangles() {
-  return test::triangulated(any_prism(4 + static_cast<int>(any_number(0, 4)), Vec3::Zero()));
+  return shapes::triangulated(any_prism(4 + static_cast<int>(any_number(0, 4)), Vec3::Zero()));
 }
 
 /// A box of unit density.
@@ -193,11 +193,11 @@ TEST_SUITE(TUMBLE_UNIT) {
   }
 
   TEST_CASE("a box: its centre is in the middle, and m (b² + c²)/12 about the axis along a") {
-    demand(polyhedron_of(test::box(-Vec3::Ones(), Vec3::Ones())), 3,
+    demand(polyhedron_of(shapes::box(-Vec3::Ones(), Vec3::Ones())), 3,
            {24, Vec3::Zero(), 16 * Mat3::Identity()});
     for (int n = 0; n < 5; ++n) {
       const Vec3 low = any_vector(2), high = low + Vec3::Constant(1.5) + any_vector();
-      demand(polyhedron_of(test::box(low, high)), 1, of_box(low, high));
+      demand(polyhedron_of(shapes::box(low, high)), 1, of_box(low, high));
     }
   }
 
@@ -205,7 +205,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     // About the centre ∫ x y dV is negative there, −1/480, and so I_xy positive.
     Mat3 I = Mat3::Constant(1. / 480);
     I.diagonal().setConstant(1. / 80);
-    const Polyhedron body = polyhedron_of(test::unit_tetrahedron());
+    const Polyhedron body = polyhedron_of(shapes::unit_tetrahedron());
     demand(body, 1, {1. / 6, Vec3::Constant(1. / 4), I});
     demand(body, 480, {80, Vec3::Constant(1. / 4), 480 * I});
   }
@@ -217,7 +217,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       const Vec3 d = somewhere();
       const double density = any_density();
       const Polyhedron before = polyhedron_of(mesh);
-      const Polyhedron after = polyhedron_of(test::mapped(mesh, R, d));
+      const Polyhedron after = polyhedron_of(shapes::mapped(mesh, R, d));
       const auto [mass, centre, inertia] = reference(before, density);
       const MassProperties expected{mass, R * centre + d, R * inertia * R.transpose()};
       demand(before, density, {mass, centre, inertia});
@@ -240,14 +240,14 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("two bodies as one: each counts about the common centre; a cavity is taken off") {
     const Vec3 corner = 3 * Vec3::Ones();
     for (int n = 0; n < 5; ++n) {
-      const PolygonMesh one = any_prism(5, somewhere()), block = test::box(corner, 2 * corner);
+      const PolygonMesh one = any_prism(5, somewhere()), block = shapes::box(corner, 2 * corner);
       const MassProperties a = reference(polyhedron_of(one), 1);
       const MassProperties b = of_box(corner, 2 * corner);
       const tumble::MassProperties first{a.mass, a.centre, a.inertia};
-      const Polyhedron both = polyhedron_of(test::together(one, block));
+      const Polyhedron both = polyhedron_of(shapes::together(one, block));
       demand(both, 1, from_library(tumble::combine(first, {b.mass, b.centre, b.inertia})));
-      const Polyhedron hollow = polyhedron_of(
-          test::together(test::box(-corner, corner), test::inside_out(any_prism(6, somewhere()))));
+      const Polyhedron hollow = polyhedron_of(shapes::together(
+          shapes::box(-corner, corner), shapes::inside_out(any_prism(6, somewhere()))));
       demand(hollow, 2, reference(hollow, 2));
     }
   }
@@ -257,13 +257,13 @@ TEST_SUITE(TUMBLE_UNIT) {
       const PolygonMesh mesh = any_prism(5, somewhere());
       const double density = any_density();
       const auto [mass, centre, inertia] = reference(polyhedron_of(mesh), density);
-      demand(polyhedron_of(test::inside_out(mesh)), density, {-mass, centre, -inertia});
+      demand(polyhedron_of(shapes::inside_out(mesh)), density, {-mass, centre, -inertia});
     }
   }
 
   TEST_CASE("faces without area change nothing; no volume at all is no mass, not NaN") {
     for (int n = 0; n < 5; ++n) {
-      Polyhedron body = polyhedron_of(n == 0 ? test::cube() : any_prism(5, somewhere()));
+      Polyhedron body = polyhedron_of(n == 0 ? shapes::cube() : any_prism(5, somewhere()));
       const double density = any_density();
       const MassProperties expected = reference(body, density);
       for (const std::vector<int>& face : {std::vector<int>{0, 1, 0}, {2, 3}, {3}, {1, 1, 1}}) {
@@ -282,8 +282,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (const double far : {1e8, 1e6, 1e4, 1e2}) {
       for (int n = 0; n < 3; ++n) {
         const Vec3 d = far * any_direction();
-        const PolygonMesh mesh = n == 0 ? test::cube() : any_triangles();
-        demand_each(polyhedron_of(test::mapped(mesh, Mat3::Identity(), d)), any_density());
+        const PolygonMesh mesh = n == 0 ? shapes::cube() : any_triangles();
+        demand_each(polyhedron_of(shapes::mapped(mesh, Mat3::Identity(), d)), any_density());
       }
     }
   }
@@ -292,7 +292,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (const double size : {1e-40, 1e-8, 1e8, 1e40}) {
       for (const double density : {1e-3, 1e4}) {
         const PolygonMesh mesh = any_prism(5, somewhere());
-        demand_each(polyhedron_of(test::mapped(mesh, size * Mat3::Identity())), density);
+        demand_each(polyhedron_of(shapes::mapped(mesh, size * Mat3::Identity())), density);
       }
     }
   }

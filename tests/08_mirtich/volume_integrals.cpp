@@ -37,7 +37,7 @@ VolumeIntegrals operator*(double factor, const VolumeIntegrals& a) {
 
 /// By signed tetrahedra over the faces, with some 30 digits.
 VolumeIntegrals reference(const Polyhedron& body) {
-  const auto m = tumble::test::exact_moments(mesh_of(body), Vec3::Zero());
+  const auto m = tumble::reference::exact_moments(mesh_of(body), Vec3::Zero());
   return {double(m.one),
           {double(m.x), double(m.y), double(m.z)},
           {double(m.xx), double(m.yy), double(m.zz)},
@@ -85,7 +85,8 @@ VolumeIntegrals of_box(const Vec3& low, const Vec3& high) {
 
 /// The corner of a cube, cut off: three faces along the axes, seen from their positive sides.
 PolygonMesh corner_of_cube() {
-  return test::mapped(test::inside_out(test::unit_tetrahedron()), -Mat3::Identity(), Vec3::Ones());
+  return shapes::mapped(shapes::inside_out(shapes::unit_tetrahedron()), -Mat3::Identity(),
+                        Vec3::Ones());
 }
 
 /// An L that is 1 high: it has a dent at (1, 1), and a corner in the middle of an edge at (1, 0).
@@ -199,20 +200,20 @@ TEST_SUITE(TUMBLE_UNIT) {
 
   TEST_CASE("boxes along the axes, and the corner of a cube") {
     demand(polyhedron_of(corner_of_cube()));
-    demand(polyhedron_of(test::box(Vec3::Zero(), Vec3::Ones())),
+    demand(polyhedron_of(shapes::box(Vec3::Zero(), Vec3::Ones())),
            {1, Vec3::Constant(1. / 2), Vec3::Constant(1. / 3), Vec3::Constant(1. / 4)});
     for (int n = 0; n < 5; ++n) {
       const Vec3 low = any_vector(2), high = low + Vec3::Constant(1.5) + any_vector();
-      demand(polyhedron_of(test::box(low, high)), of_box(low, high));
+      demand(polyhedron_of(shapes::box(low, high)), of_box(low, high));
     }
   }
 
   TEST_CASE("faces with a dent, and with corners on one line: whichever corner comes first") {
     for (std::size_t k = 0; k < L.size(); ++k)
-      demand(beginning_later(polyhedron_of(test::prism(L, 1)), k), of_L());
+      demand(beginning_later(polyhedron_of(shapes::prism(L, 1)), k), of_L());
     for (std::size_t k = 0; k < L.size(); ++k) {
       const Mat3 R = any_rotation();
-      const PolygonMesh turned = test::mapped(test::prism(L, 1), R, somewhere());
+      const PolygonMesh turned = shapes::mapped(shapes::prism(L, 1), R, somewhere());
       demand(beginning_later(polyhedron_of(turned), k));
     }
   }
@@ -220,12 +221,13 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("two bodies add up, and a cavity is taken off") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh one = any_prism(5, somewhere());
-      const PolygonMesh other = test::mapped(any_tetrahedron(), Mat3::Identity(), 6 * Vec3::Ones());
-      const Polyhedron both = polyhedron_of(test::together(one, other));
+      const PolygonMesh other =
+          shapes::mapped(any_tetrahedron(), Mat3::Identity(), 6 * Vec3::Ones());
+      const Polyhedron both = polyhedron_of(shapes::together(one, other));
       const VolumeIntegrals a = reference(polyhedron_of(one));
       demand(both, a + reference(polyhedron_of(other)));
-      const PolygonMesh hollow =
-          test::together(test::box(-3 * Vec3::Ones(), 3 * Vec3::Ones()), test::inside_out(one));
+      const PolygonMesh hollow = shapes::together(shapes::box(-3 * Vec3::Ones(), 3 * Vec3::Ones()),
+                                                  shapes::inside_out(one));
       demand(polyhedron_of(hollow), of_box(-3 * Vec3::Ones(), 3 * Vec3::Ones()) + -1 * a);
     }
   }
@@ -233,13 +235,13 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("inside out, every integral changes its sign") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(5, somewhere());
-      demand(polyhedron_of(test::inside_out(mesh)), -1 * reference(polyhedron_of(mesh)));
+      demand(polyhedron_of(shapes::inside_out(mesh)), -1 * reference(polyhedron_of(mesh)));
     }
   }
 
   TEST_CASE("faces without area bring nothing, and no face no volume") {
     for (int n = 0; n < 5; ++n) {
-      Polyhedron body = polyhedron_of(n == 0 ? test::cube() : any_prism(5, somewhere()));
+      Polyhedron body = polyhedron_of(n == 0 ? shapes::cube() : any_prism(5, somewhere()));
       const VolumeIntegrals expected = reference(body);
       const int middle = static_cast<int>(body.vertices.size());
       body.vertices.push_back((body.vertices[0] + body.vertices[1]) / 2);
@@ -263,9 +265,9 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(6, somewhere());
       demand(polyhedron_of(mesh));
-      demand(polyhedron_of(test::triangulated(mesh)), reference(polyhedron_of(mesh)));
+      demand(polyhedron_of(shapes::triangulated(mesh)), reference(polyhedron_of(mesh)));
     }
-    demand(polyhedron_of(test::triangulated(test::torus_mesh(8, 5, 1, 0.4))));
+    demand(polyhedron_of(shapes::triangulated(shapes::torus_mesh(8, 5, 1, 0.4))));
   }
 
   TEST_CASE("moved by d, a body has the same volume V, and ∫ r dV grows by V d") {
@@ -278,7 +280,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       const VolumeIntegrals expected{
           V, r + V * d, squares + 2 * d.cwiseProduct(r) + V * d.cwiseAbs2(),
           products + r.cwiseProduct(next_d) + next_r.cwiseProduct(d) + V * d.cwiseProduct(next_d)};
-      const Polyhedron moved = polyhedron_of(test::mapped(mesh, Mat3::Identity(), d));
+      const Polyhedron moved = polyhedron_of(shapes::mapped(mesh, Mat3::Identity(), d));
       // Moving rounds the vertices.
       REQUIRE(student::volume_integrals(moved) == close_to(expected, 2 * rounding(moved)));
     }
@@ -292,7 +294,7 @@ TEST_SUITE(TUMBLE_UNIT) {
               obeys("every integral is right to its rounding", error(v, reference(body), body), 1));
     };
     for (const double size : {1e-40, 1e-8, 1e8, 1e40})
-      demand_each(test::mapped(any_prism(5, somewhere()), size * Mat3::Identity()));
+      demand_each(shapes::mapped(any_prism(5, somewhere()), size * Mat3::Identity()));
     for (const double far : {10., 1e3, 1e6}) demand_each(any_prism(5, far * any_direction()));
   }
 }

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "09_rigid_body/contract.hpp"
-#include "bodies.hpp"
+#include "judge/spec/shared/bodies.hpp"
+#include "judge/spec/shared/rigid_body_reference.hpp"
 #include "judge/spec/spec.hpp"
-#include "reference.hpp"
 
 using namespace bodies;
 

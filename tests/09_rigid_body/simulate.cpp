@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "09_rigid_body/contract.hpp"
-#include "bodies.hpp"
+#include "judge/spec/shared/bodies.hpp"
+#include "judge/spec/shared/rigid_body_reference.hpp"
 #include "judge/spec/spec.hpp"
-#include "reference.hpp"
 #include "tumble/free_body/free_symmetric_top.hpp"
 
 using namespace bodies;

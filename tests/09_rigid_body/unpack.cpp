@@ -1,9 +1,9 @@
 /// @file
 /// 9.2 unpack: its laws, and what goes wrong.
 #include "09_rigid_body/contract.hpp"
-#include "bodies.hpp"
+#include "judge/spec/shared/bodies.hpp"
+#include "judge/spec/shared/rigid_body_reference.hpp"
 #include "judge/spec/spec.hpp"
-#include "reference.hpp"
 
 using namespace bodies;
 

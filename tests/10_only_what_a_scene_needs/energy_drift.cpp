@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "09_rigid_body/bodies.hpp"
-#include "09_rigid_body/reference.hpp"
 #include "10_only_what_a_scene_needs/contract.hpp"
+#include "judge/spec/shared/bodies.hpp"
+#include "judge/spec/shared/rigid_body_reference.hpp"
 #include "judge/spec/spec.hpp"
 #include "tumble/free_body/free_symmetric_top.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "04_quaternions/reference.hpp"
 #include "10_only_what_a_scene_needs/contract.hpp"
+#include "judge/spec/shared/quaternion_reference.hpp"
 #include "judge/spec/spec.hpp"
 
 using namespace tumble::judge;

@@ -5,5 +5,5 @@
 #include "tumble/quaternion/convert.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/quaternion/normalize.hpp"
-#include "tumble/quaternion/quaternion_rate.hpp"
+#include "tumble/quaternion/quaternion_dot.hpp"
 #include "tumble/quaternion/slerp.hpp"

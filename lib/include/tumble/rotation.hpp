@@ -3,10 +3,10 @@
 /// Everything about rotation matrices.
 
 #include "tumble/rotation/euler_angles.hpp"
-#include "tumble/rotation/exp_log.hpp"
+#include "tumble/rotation/exp.hpp"
 #include "tumble/rotation/gram_schmidt.hpp"
 #include "tumble/rotation/nearest_rotation.hpp"
 #include "tumble/rotation/newton_rotation.hpp"
 #include "tumble/rotation/orthonormality.hpp"
-#include "tumble/rotation/rotation_rate.hpp"
+#include "tumble/rotation/rotation_dot.hpp"
 #include "tumble/rotation/skew.hpp"

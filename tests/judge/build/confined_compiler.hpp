@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "judge/conversation/student_worker.hpp"
 #include "judge/course/course.hpp"
 #include "judge/sandbox/confined_process.hpp"
+#include "judge/sandbox/worker_program.hpp"
 
 namespace tumble::judge {
 

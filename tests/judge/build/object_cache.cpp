@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "judge/course/stable_hash.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -31,7 +31,7 @@ std::optional<WorkerBuild> ObjectCache::find(const Unit& unit, const std::string
                                              const fs::path& object) const {
   const fs::path place = place_of(unit, text);
   if (!fs::exists(place)) return std::nullopt;
-  const json kept = json::from_msgpack(read_text(place / "build"));
+  const json kept = json::from_msgpack(support::read_text(place / "build"));
   if (text_in(kept.at("text")) != text) return std::nullopt;  // somebody has made the hashes meet
   WorkerBuild build;
   build.outcome = static_cast<BuildOutcome>(kept.at("outcome").get<int>());
@@ -53,7 +53,7 @@ void ObjectCache::keep(const Unit& unit, const std::string& text, const WorkerBu
                         {"outcome", static_cast<int>(build.outcome)},
                         {"detail", bytes_of(build.detail)},
                         {"warnings", bytes_of(build.warnings)}});
-  write_text(beside / "build", {message.begin(), message.end()});
+  support::write_text(beside / "build", {message.begin(), message.end()});
   if (build.outcome == BuildOutcome::built) fs::copy_file(build.object, beside / "object");
   std::error_code another_was_quicker;
   fs::rename(beside, place, another_was_quicker);

@@ -11,7 +11,7 @@
 #include "judge/build/object_cache.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/course/contract.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -179,7 +179,7 @@ class Builder {
       if (!used || earlier.id() == unit_.id() || !earlier.solution.empty()) continue;
       const std::string called = earlier.number + " " + earlier.name + ", which it calls, ";
       const fs::path source = course_.instead_of_solution(earlier);
-      if (!fs::is_regular_file(source) || read_text(source) == stub_of(course_, earlier)) {
+      if (!fs::is_regular_file(source) || support::read_text(source) == stub_of(course_, earlier)) {
         result.outcome = BuildOutcome::does_not_compile;
         result.detail = called + "is not written yet:  ./tumble check " + earlier.number + "\n";
         return false;

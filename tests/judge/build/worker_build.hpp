@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "judge/conversation/student_worker.hpp"
 #include "judge/course/course.hpp"
+#include "judge/sandbox/worker_program.hpp"
 
 namespace tumble::judge {
 

@@ -5,7 +5,7 @@
 
 #include "judge/class/process_pool.hpp"
 #include "judge/class/progress_line.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -13,8 +13,8 @@ namespace tumble::judge {
 std::uint64_t class_seed(const CourseSettings& settings, const GradesFolder& folder) {
   if (settings.seed) return *settings.seed;
   if (!fs::exists(folder.seed()))
-    write_text(folder.seed(), std::to_string(std::random_device{}()) + "\n");
-  const std::string text = read_text(folder.seed());
+    support::write_text(folder.seed(), std::to_string(std::random_device{}()) + "\n");
+  const std::string text = support::read_text(folder.seed());
   require(!text.empty() && text.find_first_not_of("0123456789\n") == std::string::npos &&
               text.size() < 20,
           folder.seed().string(), " is no seed, but '", text, "': delete it to draw a new one");

@@ -4,8 +4,8 @@
 #include "judge/class/archive.hpp"
 #include "judge/course/progress.hpp"
 #include "judge/course/stable_hash.hpp"
-#include "judge/course/text_file.hpp"
 #include "judge/verdict/judge_all.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -44,7 +44,7 @@ class Sources {
   void take(const Unpacked& unpacked) {
     refused_ = unpacked.refused;
     for (const auto& [path, text] : unpacked.files)
-      write_text_and_folders(own_.path() / path, text);
+      support::write_text_and_folders(own_.path() / path, text);
   }
 
   WorkFolder own_;
@@ -134,7 +134,7 @@ void grade_student(const Grading& grading, const Submission& submission,
 
 std::uint64_t judge_fingerprint() {
   const fs::path self = "/proc/self/exe";
-  return fs::exists(self) ? stable_hash(read_text(self)) : 0;
+  return fs::exists(self) ? stable_hash(support::read_text(self)) : 0;
 }
 
 }  // namespace tumble::judge

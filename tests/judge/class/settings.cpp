@@ -6,8 +6,8 @@
 #include <regex>
 
 #include "judge/course/stable_hash.hpp"
-#include "judge/course/text_file.hpp"
 #include "support/place.hpp"
+#include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -126,7 +126,7 @@ CourseSettings default_settings(const Course& course) {
 CourseSettings read_settings(const Course& course, const std::filesystem::path& file) {
   nlohmann::json json;
   try {
-    json = nlohmann::json::parse(read_text(file));
+    json = nlohmann::json::parse(support::read_text(file));
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(file.string() + " is no JSON: " + error.what());
   }

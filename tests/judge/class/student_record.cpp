@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "judge/course/text_file.hpp"
 #include "judge/verdict/json.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -35,13 +35,13 @@ void write_record(const std::filesystem::path& file, const StudentRecord& record
   if (!record.refused.empty()) j["refused"] = record.refused;
   j["units"] = ordered_json::array();
   for (const UnitRecord& unit : record.units) j["units"].push_back(json_of(unit));
-  write_text(file, text_of(j));
+  support::write_text(file, text_of(j));
 }
 
 std::optional<StudentRecord> read_record(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
-    const ordered_json j = ordered_json::parse(read_text(file));
+    const ordered_json j = ordered_json::parse(support::read_text(file));
     StudentRecord record{j.at("student"), j.at("seed"), j.at("judge"), j.value("refused", ""), {}};
     for (const ordered_json& unit : j.at("units")) record.units.push_back(unit_record_of(unit));
     return record;

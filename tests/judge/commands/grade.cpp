@@ -8,7 +8,7 @@
 #include "judge/class/progress_line.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/sandbox.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -51,8 +51,8 @@ int grade(const Course& course, const GradeOptions& options) {
   const std::vector<std::string> failed =
       grade_class(grading, submissions, folder, students_at_once);
   const std::vector<StudentRecord> records = records_of(folder, submissions);
-  write_text(folder.csv(), grades_csv(settings, records));
-  write_text(folder.junit(), grades_junit(settings, records));
+  support::write_text(folder.csv(), grades_csv(settings, records));
+  support::write_text(folder.junit(), grades_junit(settings, records));
   print_grades(settings, records);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   std::cerr << "tumble: " << duration_text(taken.count()) << "; grades: " << folder.csv().string()

@@ -9,7 +9,7 @@
 #include "judge/course/contract.hpp"
 #include "judge/course/hints.hpp"
 #include "judge/course/progress.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -55,14 +55,14 @@ int reset(const Course& course, const std::string& what) {
   const Unit unit = one_unit(course, what);
   const fs::path file = course.exercise(unit);
   const std::string stub = stub_of(course, unit);
-  if (fs::exists(file) && read_text(file) != stub) {
+  if (fs::exists(file) && support::read_text(file) != stub) {
     const fs::path attempts = course.state / "attempts" / unit.chapter;
     fs::create_directories(attempts);
     const fs::path kept = attempts / (unit.name + "." + time_stamp() + ".cpp");
     fs::copy_file(file, kept, fs::copy_options::overwrite_existing);
     std::cout << "Your file is kept: " << fs::relative(kept).string() << "\n";
   }
-  write_text(file, stub);
+  support::write_text(file, stub);
   std::cout << unit.number << " " << unit.name << " is as it was handed out.\n";
   return 0;
 }
@@ -80,7 +80,7 @@ int solution(const Course& course, const std::string& what, bool anyway) {
     std::cout << "This tree has no solutions: it was handed out without them.\n";
     return 1;
   }
-  std::cout << read_text(course.solution(unit));
+  std::cout << support::read_text(course.solution(unit));
   return 0;
 }
 

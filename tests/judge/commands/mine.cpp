@@ -8,13 +8,13 @@
 #include "judge/commands/commands.hpp"
 #include "judge/commands/given_files.hpp"
 #include "judge/commands/sandbox.hpp"
-#include "judge/course/text_file.hpp"
 #include "judge/mine/diagnosis.hpp"
 #include "judge/mine/engine_build.hpp"
 #include "judge/mine/report.hpp"
 #include "judge/verdict/console.hpp"
 #include "judge/verdict/judge_all.hpp"
 #include "judge/verdict/number_text.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -74,8 +74,9 @@ int measured(const Course& course, const MineOptions& options, const mine::Engin
   const mine::Measurement measurement = mine::measure(mine::OwnEngine(build.worker), progress);
   const std::vector<std::string> findings = mine::diagnose(measurement);
   const fs::path svg = figure_file(course, options);
-  write_text(svg, mine::figure_of(build, measurement));
-  if (options.json) write_text(*options.json, mine::json_of(build, &measurement, findings));
+  support::write_text(svg, mine::figure_of(build, measurement));
+  if (options.json)
+    support::write_text(*options.json, mine::json_of(build, &measurement, findings));
   mine::print_measurement(std::cout, build, measurement);
   if (!findings.empty()) explain(course, build, findings);
   std::cout << "\n"
@@ -86,7 +87,7 @@ int measured(const Course& course, const MineOptions& options, const mine::Engin
 
 int not_built(const MineOptions& options, const mine::EngineBuild& build,
               const std::string& finding) {
-  if (options.json) write_text(*options.json, mine::json_of(build, nullptr, {finding}));
+  if (options.json) support::write_text(*options.json, mine::json_of(build, nullptr, {finding}));
   return 1;
 }
 

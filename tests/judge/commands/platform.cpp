@@ -10,16 +10,17 @@
 #include "judge/commands/commands.hpp"
 #include "judge/commands/given_files.hpp"
 #include "judge/commands/sandbox.hpp"
-#include "judge/course/text_file.hpp"
 #include "judge/mine/travelling_curve.hpp"
 #include "judge/platforms/package.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
 namespace {
 
 void write_files(const PlatformRun& run, const StudentRecord& record, const std::string& figure) {
-  for (const auto& [file, text] : run.files(record, figure)) write_text_and_folders(file, text);
+  for (const auto& [file, text] : run.files(record, figure))
+    support::write_text_and_folders(file, text);
 }
 
 /// The student's own engine, if there is one to be made.

@@ -6,8 +6,8 @@
 #include "judge/commands/matrix.hpp"
 #include "judge/course/contract.hpp"
 #include "judge/course/hints.hpp"
-#include "judge/course/text_file.hpp"
 #include "judge/verdict/judge_all.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -18,7 +18,7 @@ int matrix(const Course& course, const std::string& what, std::uint64_t seed) {
 namespace {
 
 bool is_stub(const Course& course, const Unit& unit) {
-  return read_text(course.exercise(unit)) == stub_of(course, unit);
+  return support::read_text(course.exercise(unit)) == stub_of(course, unit);
 }
 
 }  // namespace

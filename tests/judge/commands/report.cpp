@@ -4,7 +4,7 @@
 
 #include "judge/class/grade_class.hpp"
 #include "judge/commands/commands.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -12,8 +12,8 @@ namespace tumble::judge {
 int report(const Course& course, const ReportOptions& options) {
   const CourseSettings settings = settings_or_default(course, options.settings);
   const std::vector<StudentRecord> records = read_records(GradesFolder{options.grades});
-  write_text(options.out,
-             report_html(settings, records, options.names ? Names::shown : Names::hidden));
+  support::write_text(options.out,
+                      report_html(settings, records, options.names ? Names::shown : Names::hidden));
   std::cerr << "tumble: " << records.size() << " submissions, on one page: ";
   std::cout << options.out.string() << "\n";
   return 0;

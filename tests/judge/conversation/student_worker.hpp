@@ -13,17 +13,11 @@
 #include "judge/protocol/message.hpp"
 #include "judge/sandbox/confined_process.hpp"
 #include "judge/sandbox/pipe.hpp"
+#include "judge/sandbox/worker_program.hpp"
 #include "judge/spec/answerer.hpp"
 #include "judge/spec/session.hpp"
 
 namespace tumble::judge {
-
-/// How a worker is started: behind all walls, or with a sanitizer that needs some of them open.
-struct WorkerProgram {
-  std::filesystem::path file;
-  Confinement confinement;
-  std::vector<std::string> environment = {};
-};
 
 class StudentWorker : public Answerer {
  public:

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "judge/course/stable_hash.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -15,13 +15,13 @@ std::uint64_t fingerprint(const fs::path& file) {
   std::error_code unreadable;
   const bool is_file = fs::is_regular_file(fs::symlink_status(file, unreadable));
   if (!is_file || fs::file_size(file, unreadable) > most) return 0;
-  return stable_hash(read_text(file));
+  return stable_hash(support::read_text(file));
 }
 
 Progress::Progress(const Course& course) : course_(course), file_(course.state / "progress.json") {
   if (!fs::exists(file_)) return;
   try {
-    const json all = json::parse(read_text(file_));
+    const json all = json::parse(support::read_text(file_));
     for (const auto& [unit, j] : all.items())
       units_[unit] = {j.at("tries"), j.at("last"), j.at("source"), j.at("hints")};
   } catch (const json::exception& e) {
@@ -41,7 +41,7 @@ void Progress::save() const {
   for (const auto& [unit, p] : units_)
     j[unit] = {{"tries", p.tries}, {"last", p.last}, {"source", p.source}, {"hints", p.hints}};
   fs::create_directories(file_.parent_path());
-  write_text(file_, j.dump(2) + "\n");
+  support::write_text(file_, j.dump(2) + "\n");
 }
 
 }  // namespace tumble::judge

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "judge/course/contract.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -27,25 +27,29 @@ bool is_chapter(const std::string& folder) {
          folder[2] == '_';
 }
 
-/// Whether a file, from the root, belongs into the tree.
-bool belongs(const fs::path& path, const TreeParts& parts) {
-  static const std::set<std::string> at_the_top = {
-      "CMakeLists.txt", "CMakePresets.json", "LICENSE",   "tumble",
-      ".clang-format",  ".clang-tidy",       ".gitignore"};
+/// What students must not see, and what only watches over the project; beside these, everything of
+/// the chosen chapters is handed out.
+bool is_kept_back(const fs::path& path, const TreeParts& parts) {
   const auto [tree, folder] = upper_folders(path);
-  if (folder.empty()) return at_the_top.count(tree) > 0;
-  if (tree == "lib") return true;
-  const bool is_in = parts.chapters.count(folder) > 0;
-  if (tree == "exercises") {
-    const std::string name = path.filename().string();
-    return name == "contract.hpp" || name == "not_implemented.hpp" || (name == "hints.md" && is_in);
-  }
-  if (tree == "solutions") return parts.solutions && is_in;
-  if (tree != "chapters" && tree != "tests") return false;
-  if (is_chapter(folder)) return is_in;
-  static const std::set<std::string> shared = {"book",  "support",   "tour",           "scenes",
-                                               "judge", "reference", "CMakeLists.txt", "README.md"};
-  return shared.count(folder) > 0;
+  if (is_chapter(folder) && parts.chapters.count(folder) == 0)  // contracts speak of each other
+    return path.filename() != "contract.hpp";
+  if (tree == "solutions") return !parts.solutions;
+  if (tree == "exercises")  // whatever has been tried in this tree: stubs are written anew
+    return path.extension() != ".hpp" && path.extension() != ".md";
+  return (tree == "tests" && folder == "project") || folder == "for_instructors";
+}
+
+/// Whether a file, from the root, belongs into the tree. At the top only what the project has there
+/// is taken: a class's submissions, grades or settings may lie beside it.
+bool belongs(const fs::path& path, const TreeParts& parts) {
+  static const std::set<std::string> files = {"CMakeLists.txt", "CMakePresets.json", "LICENSE",
+                                              "tumble",         ".clang-format",     ".clang-tidy",
+                                              ".gitattributes", ".gitignore"};
+  static const std::set<std::string> trees = {"chapters",  "lib",   "exercises",
+                                              "solutions", "tests", ".devcontainer"};
+  const std::string top = path.begin()->string();
+  if (std::next(path.begin()) == path.end()) return files.count(top) > 0;
+  return trees.count(top) > 0 && !is_kept_back(path, parts);
 }
 
 /// All files of the tree to be made, from the root.
@@ -60,33 +64,16 @@ Paths files_of(const fs::path& root, const TreeParts& parts) {
   return paths;
 }
 
-/// Headers of other chapters' programs that these files include, and what those include.
-Paths included_headers(const fs::path& root, const Paths& paths) {
-  static const std::regex include(R"(#include "(\d\d_[a-z_]+/[a-z_]+\.hpp)\")");
-  Paths found, open = paths;
-  while (!open.empty()) {
-    const fs::path path = *open.begin();
-    open.erase(open.begin());
-    if (upper_folders(path).first != "chapters") continue;
-    const std::string text = read_text(root / path);
-    for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
-      const fs::path header = fs::path("chapters") / (*it)[1].str();
-      if (paths.count(header) == 0 && fs::exists(root / header) && found.insert(header).second)
-        open.insert(header);
-    }
-  }
-  return found;
-}
-
 /// The page that greets students, with the chapters that they have.
 std::string readme(const Course& course, const std::set<std::string>& chapters) {
   std::string list;
   for (const std::string& chapter : chapters) {
-    const std::string page = read_text(course.root / "chapters" / chapter / "README.md");
+    const std::string page = support::read_text(course.root / "chapters" / chapter / "README.md");
     const std::string title = page.substr(2, page.find('\n') - 2);  // "# 4 Quaternions"
     list += "- [" + title + "](chapters/" + chapter + "/README.md): exercises/" + chapter + "\n";
   }
-  std::string text = read_text(course.root / "tests" / "judge" / "handout" / "students.md");
+  std::string text =
+      support::read_text(course.root / "tests" / "judge" / "handout" / "students.md");
   const std::string place = "<!-- chapters -->\n";
   return text.replace(text.find(place), place.size(), list);
 }
@@ -156,21 +143,19 @@ void make_tree(const Course& course, const TreeParts& parts, const fs::path& to)
           " exists already: nothing is overwritten");
   require(course.has_solutions(), "this tree is a hand-out itself");
   Paths paths = files_of(course.root, parts);
-  const Paths headers = included_headers(course.root, paths);
-  paths.insert(headers.begin(), headers.end());
   paths.insert("README.md");
   for (const fs::path& path : paths) {
     if (path == "README.md") continue;
-    const std::string text = read_text(course.root / path);
-    write_text_and_folders(
+    const std::string text = support::read_text(course.root / path);
+    support::write_text_and_folders(
         to / path, path.extension() == ".md" ? without_dead_links(text, path, paths) : text);
     fs::permissions(to / path, fs::status(course.root / path).permissions());
   }
-  write_text_and_folders(to / "README.md", readme(course, parts.chapters));
-  for (const Unit& unit : course.units)  // whatever has been tried in this tree
+  support::write_text_and_folders(to / "README.md", readme(course, parts.chapters));
+  for (const Unit& unit : course.units)
     if (parts.chapters.count(unit.chapter) > 0)
-      write_text_and_folders(to / "exercises" / unit.chapter / (unit.name + ".cpp"),
-                             stub_of(course, unit));
+      support::write_text_and_folders(to / "exercises" / unit.chapter / (unit.name + ".cpp"),
+                                      stub_of(course, unit));
 }
 
 }  // namespace tumble::judge

@@ -11,7 +11,7 @@
 #include "judge/build/diagnostics.hpp"
 #include "judge/build/worker_build.hpp"
 #include "judge/course/contract.hpp"
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge::mine {
 
@@ -38,7 +38,7 @@ std::string not_written(const Course& course, const Part& part) {
   if (!fs::exists(fs::symlink_status(part.source))) return "there is no file";
   if (!fs::is_regular_file(fs::symlink_status(part.source))) return "is no file";
   if (fs::file_size(part.source) > (1 << 20)) return {};  // refused, with its reason, when compiled
-  const std::string text = read_text(part.source);
+  const std::string text = support::read_text(part.source);
   if (text == stub_of(course, part.unit)) return "nothing is written yet";
   return throws_not_implemented(text) ? "still throws NotImplemented" : "";
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "judge/mine/measure.hpp"
-#include "judge/verdict/finding.hpp"
+#include "judge/protocol/finding.hpp"
 #include "tumble/ode/midpoint.hpp"
 #include "tumble/quaternion.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "judge/verdict/finding.hpp"
+#include "judge/protocol/finding.hpp"
 #include "judge/verdict/number_text.hpp"
 
 namespace tumble::judge::mine {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "judge/protocol/convert.hpp"
-#include "judge/verdict/finding.hpp"
+#include "judge/protocol/finding.hpp"
 
 namespace tumble::judge::mine {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "support/objects/objects.hpp"
+#include "objects/objects.hpp"
 #include "support/stopwatch.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/ode.hpp"

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "judge/course/text_file.hpp"
 #include "judge/handout/handout.hpp"
 #include "judge/platforms/platform.hpp"
 #include "judge/platforms/prairielearn_question.hpp"
 #include "judge/verdict/json.hpp"
+#include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -53,7 +53,7 @@ class Package {
           fs::path to)
       : course_(course),
         settings_(settings_or_default(course, file)),
-        json_(file ? ordered_json::parse(read_text(*file)) : ordered_json::object()),
+        json_(file ? ordered_json::parse(support::read_text(*file)) : ordered_json::object()),
         to_(std::move(to)) {
     require(!fs::exists(to_) || (fs::is_directory(to_) && fs::is_empty(to_)), to_.string(),
             " exists already: nothing is overwritten");
@@ -95,8 +95,9 @@ class Package {
     words_.merge(write_question(course_, settings_, words_.at("IMAGE"), question));
     copy("question.html", question);
     for (const Unit& unit : course_.units)
-      write_text_and_folders(question / "tests" / "solutions" / unit.chapter / (unit.name + ".cpp"),
-                             read_text(course_.solution(unit)));
+      support::write_text_and_folders(
+          question / "tests" / "solutions" / unit.chapter / (unit.name + ".cpp"),
+          support::read_text(course_.solution(unit)));
     write_settings(question / "tests");
     make_tree(course_, {all_chapters_, false}, to_ / "image" / "tumble");  // for every question
     copy("Dockerfile", to_ / "image");
@@ -109,7 +110,7 @@ class Package {
     make_tree(course_, {chapters_, false}, bundle / "tumble");
     write_settings(bundle);
     copy("autograder.py", bundle);
-    write_text_and_folders(to_ / "assignment.json", text_of(assignment()));
+    support::write_text_and_folders(to_ / "assignment.json", text_of(assignment()));
     copy("README.md", to_);
   }
 
@@ -117,8 +118,8 @@ class Package {
     const fs::path repository = to_ / "repository";
     make_tree(course_, {chapters_, false}, repository);
     write_settings(repository);
-    write_text_and_folders(repository / ".github" / "workflows" / "tumble.yml",
-                           read_text(packages() / "workflow.yml"));
+    support::write_text_and_folders(repository / ".github" / "workflows" / "tumble.yml",
+                                    support::read_text(packages() / "workflow.yml"));
     copy("README.md", to_);
   }
 
@@ -143,12 +144,12 @@ class Package {
   /// A file of the platform's folder, its words filled in.
   void copy(const std::string& name, const fs::path& folder) const {
     const fs::path from = packages() / name;
-    write_text_and_folders(folder / name, filled(read_text(from), words_));
+    support::write_text_and_folders(folder / name, filled(support::read_text(from), words_));
     fs::permissions(folder / name, fs::status(from).permissions());
   }
 
   void write_settings(const fs::path& folder) const {
-    write_text_and_folders(folder / "course.json", text_of(json_));
+    support::write_text_and_folders(folder / "course.json", text_of(json_));
   }
 
   ordered_json assignment() const {

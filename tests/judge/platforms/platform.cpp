@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "judge/class/grades.hpp"
-#include "judge/course/text_file.hpp"
 #include "judge/platforms/results.hpp"
+#include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -33,7 +33,7 @@ std::string value_or_empty(const std::map<std::string, std::string>& map, const 
 /// The number of the submission and who made it: the same when it is graded again.
 std::string gradescope_identity(const fs::path& metadata) {
   require(fs::is_regular_file(metadata), metadata.string(), " is not there: Gradescope writes it");
-  const auto j = nlohmann::json::parse(read_text(metadata));
+  const auto j = nlohmann::json::parse(support::read_text(metadata));
   return j.value("id", nlohmann::json()).dump() + j.value("users", nlohmann::json()).dump();
 }
 
@@ -50,7 +50,7 @@ PlatformRun on_prairielearn(const fs::path& root, const CourseSettings& settings
   const fs::path secret = root / "tests", data = root / "data" / "data.json";
   require(fs::is_regular_file(data), data.string(), " is not there: PrairieLearn writes it");
   if (fs::exists(secret)) fs::permissions(secret, fs::perms::owner_all);
-  return {root / "student", read_text(data),
+  return {root / "student", support::read_text(data),
           [=](const StudentRecord& record, const std::string& figure) {
             return Files{{root / "results" / "results.json",
                           prairielearn_results(settings, record, figure)}};

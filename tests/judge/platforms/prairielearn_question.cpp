@@ -5,9 +5,9 @@
 
 #include "judge/course/contract.hpp"
 #include "judge/course/stable_hash.hpp"
-#include "judge/course/text_file.hpp"
 #include "judge/verdict/json.hpp"
 #include "judge/verdict/markup.hpp"
+#include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -64,25 +64,27 @@ Words write_question(const Course& course, const CourseSettings& settings, const
   Words words{{"FILES", names_of_files(settings)}, {"UNITS", ""}};
   for (const Unit& unit : settings.units) {
     const fs::path files = question / "clientFilesQuestion";
-    write_text_and_folders(files / (unit.name + ".cpp"), stub_of(course, unit));
-    write_text_and_folders(files / unit.chapter / "contract.hpp", read_text(course.contract(unit)));
+    support::write_text_and_folders(files / (unit.name + ".cpp"), stub_of(course, unit));
+    support::write_text_and_folders(files / unit.chapter / "contract.hpp",
+                                    support::read_text(course.contract(unit)));
     words["UNITS"] += about(course, unit);
   }
-  write_text_and_folders(question / "info.json",
-                         text_of({{"uuid", uuid_of(settings.title)},
-                                  {"title", settings.title},
-                                  {"topic", "Rigid-body dynamics"},
-                                  {"type", "v3"},
-                                  {"singleVariant", true},
-                                  {"partialCredit", true},
-                                  {"gradingMethod", "External"},
-                                  {"externalGradingOptions",
-                                   {{"image", image},
-                                    {"entrypoint",
-                                     {"/tumble/tumble", "--no-install", "platform", "prairielearn",
-                                      "/grade", "--course", "/grade/tests/course.json"}},
-                                    {"timeout", seconds_for(course, settings)},
-                                    {"enableNetworking", false}}}}));
+  support::write_text_and_folders(
+      question / "info.json",
+      text_of({{"uuid", uuid_of(settings.title)},
+               {"title", settings.title},
+               {"topic", "Rigid-body dynamics"},
+               {"type", "v3"},
+               {"singleVariant", true},
+               {"partialCredit", true},
+               {"gradingMethod", "External"},
+               {"externalGradingOptions",
+                {{"image", image},
+                 {"entrypoint",
+                  {"/tumble/tumble", "--no-install", "platform", "prairielearn", "/grade",
+                   "--course", "/grade/tests/course.json"}},
+                 {"timeout", seconds_for(course, settings)},
+                 {"enableNetworking", false}}}}));
   return words;
 }
 

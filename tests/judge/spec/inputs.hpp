@@ -6,15 +6,17 @@
 #include <Eigen/Geometry>
 
 #include "judge/spec/session.hpp"
-#include "support/inputs.hpp"
+#include "support/random.hpp"
+#include "tumble/core/rounding.hpp"
 #include "tumble/core/types.hpp"
 
 namespace tumble::judge {
 
-using test::eps;
+/// Tolerances are written as k·eps, k the number of roundings.
+inline constexpr double eps = unit_roundoff;
 
 /// The random numbers of the test case that runs.
-inline test::Random& inputs() { return Session::current().random(); }
+inline support::Random& inputs() { return Session::current().random(); }
 
 /// A number, uniform in [low, high).
 inline double any_number(double low, double high) { return inputs().uniform(low, high); }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "judge/verdict/finding.hpp"
+#include "judge/protocol/finding.hpp"
 
 namespace tumble::judge {
 

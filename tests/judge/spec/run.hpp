@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "judge/protocol/finding.hpp"
 #include "judge/spec/answerer.hpp"
-#include "judge/verdict/finding.hpp"
 
 namespace tumble::judge {
 

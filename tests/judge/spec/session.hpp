@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "judge/protocol/finding.hpp"
 #include "judge/spec/answerer.hpp"
 #include "judge/spec/demand.hpp"
 #include "judge/spec/misconception.hpp"
-#include "judge/verdict/finding.hpp"
-#include "support/inputs.hpp"
+#include "support/random.hpp"
 
 namespace tumble::judge {
 
@@ -63,7 +63,7 @@ class Session {
 
   // ── For a spec ──
   /// The inputs of this case: they depend on the seed, the unit and the case, nothing else.
-  test::Random& random() { return *random_; }
+  support::Random& random() { return *random_; }
   /// Asks, records, and gives the number of the call.
   /// @throws NoAnswer
   std::size_t ask(Call call);
@@ -83,7 +83,7 @@ class Session {
   std::string unit_;
   Answerer& answerer_;
   std::uint64_t seed_;
-  std::optional<test::Random> random_;
+  std::optional<support::Random> random_;
   std::vector<Call> calls_;
   std::optional<Finding> finding_;
   std::exception_ptr judge_failure_;

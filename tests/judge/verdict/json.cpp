@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "judge/course/text_file.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -75,7 +75,7 @@ std::string text_of(const ordered_json& json) {
 void write_json(const std::filesystem::path& file, const std::vector<UnitRecord>& records) {
   ordered_json j{{"schema", "tumble/results/1"}, {"units", ordered_json::array()}};
   for (const UnitRecord& record : records) j["units"].push_back(json_of(record));
-  write_text(file, text_of(j));
+  support::write_text(file, text_of(j));
 }
 
 }  // namespace tumble::judge

@@ -9,7 +9,7 @@
 
 #include "judge/build/worker_build.hpp"
 #include "judge/course/course.hpp"
-#include "judge/verdict/finding.hpp"
+#include "judge/protocol/finding.hpp"
 
 namespace tumble::judge {
 

@@ -11,7 +11,7 @@
 #include "tumble/body/derived.hpp"
 #include "tumble/body/forces.hpp"
 #include "tumble/body/state.hpp"
-#include "tumble/quaternion/quaternion_rate.hpp"
+#include "tumble/quaternion/quaternion_dot.hpp"
 
 namespace tumble {
 

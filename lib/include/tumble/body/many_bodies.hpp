@@ -15,7 +15,7 @@
 #include "tumble/body/forces.hpp"
 #include "tumble/body/state.hpp"
 #include "tumble/core/require.hpp"
-#include "tumble/quaternion/quaternion_rate.hpp"
+#include "tumble/quaternion/quaternion_dot.hpp"
 
 namespace tumble {
 

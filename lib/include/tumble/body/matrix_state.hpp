@@ -10,7 +10,7 @@
 
 #include "tumble/body/derived.hpp"
 #include "tumble/body/forces.hpp"
-#include "tumble/rotation/rotation_rate.hpp"
+#include "tumble/rotation/rotation_dot.hpp"
 
 namespace tumble {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tumble/core/loop_options.hpp"
 #include "tumble/core/require.hpp"
 #include "tumble/ensemble/force_of.hpp"
+#include "tumble/simd/loop_options.hpp"
 
 namespace tumble {
 

@@ -17,11 +17,11 @@
 
 #include "tumble/body/rigid_body.hpp"
 #include "tumble/body/state.hpp"
-#include "tumble/core/double_double.hpp"
 #include "tumble/elliptic/integrals.hpp"
 #include "tumble/elliptic/modulus.hpp"
 #include "tumble/mass/principal_axes.hpp"
 #include "tumble/quaternion/convert.hpp"
+#include "tumble/simd/double_double.hpp"
 
 namespace tumble {
 

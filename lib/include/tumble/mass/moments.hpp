@@ -6,8 +6,8 @@
 /// p should be near the body: then nothing cancels when the inertia is moved to the centre of mass.
 /// Source: any text on mechanics, e.g. Goldstein, "Classical Mechanics" (3rd ed. 2002), §5.3.
 
-#include "tumble/core/double_double.hpp"
 #include "tumble/mass/mass_properties.hpp"
+#include "tumble/simd/double_double.hpp"
 
 namespace tumble {
 

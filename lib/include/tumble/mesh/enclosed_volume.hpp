@@ -6,9 +6,9 @@
 /// nothing is lost when it is small or far away. Source: the divergence theorem; the bound after
 /// Higham, "Accuracy and Stability of Numerical Algorithms" (2nd ed. 2002), §3.1.
 
-#include "tumble/core/double_double.hpp"
 #include "tumble/mesh/sum_over_blocks.hpp"
 #include "tumble/simd/corners.hpp"
+#include "tumble/simd/double_double.hpp"
 
 namespace tumble {
 

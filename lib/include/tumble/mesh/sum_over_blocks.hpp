@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "tumble/core/loop_options.hpp"
 #include "tumble/core/parallel.hpp"
 #include "tumble/mesh/triangle_blocks.hpp"
+#include "tumble/simd/loop_options.hpp"
 
 namespace tumble {
 

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Rotation vector θ u ↔ unit quaternion, exact to rounding for every angle.
+/// Rotation vector θ u ↔ unit quaternion, exact to rounding for every angle; and the rotation
+/// vector of a matrix.
 ///
 /// exp: q = (cos ½θ, sin ½θ u);  log: θ = 2 atan2(|v|, w), which is as good at 0 as at π (acos is
 /// not). Source: Grassia, "Practical parameterization of rotations using the exponential map", J.
@@ -8,17 +9,11 @@
 
 #include <cmath>
 
+#include "tumble/core/sinc.hpp"
 #include "tumble/core/types.hpp"
+#include "tumble/quaternion/convert.hpp"
 
 namespace tumble {
-
-/// sin x / x, with its limit 1 at 0. No series is needed: the quotient itself is accurate
-/// for tiny x.
-template <class T>
-T sinc(const T& x) {
-  using std::sin;
-  return x == T(0) ? T(1) : sin(x) / x;
-}
 
 /// The unit quaternion of the rotation by |w| radians about the direction of w.
 /// @param w rotation vector [rad], any length
@@ -41,6 +36,11 @@ Vector3<T> log_quaternion(const Quaternion<T>& q) {
   if (sine == T(0)) return Vector3<T>::Zero();
   return (T(2) * atan2(sine, w) / sine) * v;
 }
+
+/// The rotation vector of R [rad], with length in [0, π]. At π both ±w are right; one is returned.
+/// The logarithm goes through the quaternion, whose log is smooth at π.
+/// @throws std::invalid_argument if R is not near a rotation matrix
+inline Vec3 log_rotation(const Mat3& R) { return log_quaternion(from_matrix(R)); }
 
 /// The angle [rad] of the turn that takes orientation a to orientation b, in [0, π]; the
 /// signs of the quaternions do not matter. This is the error measure for orientations in all

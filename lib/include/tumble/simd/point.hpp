@@ -2,7 +2,7 @@
 /// @file
 /// Points whose coordinates are numbers of any kind: doubles, Pairs, Packs, or Pairs of Packs.
 
-#include "tumble/core/pair.hpp"
+#include "tumble/simd/pair.hpp"
 
 namespace tumble::simd {
 

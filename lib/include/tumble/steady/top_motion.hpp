@@ -13,9 +13,9 @@
 #include <cmath>
 #include <optional>
 
-#include "tumble/core/double_double.hpp"
 #include "tumble/elliptic/modulus.hpp"
 #include "tumble/free_body/polhode.hpp"
+#include "tumble/simd/double_double.hpp"
 
 namespace tumble {
 

@@ -17,8 +17,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tumble/core/pair.hpp"
 #include "tumble/simd/instruction_set.hpp"
+#include "tumble/simd/pair.hpp"
 #include "tumble/steady/steady_torque.hpp"
 
 namespace tumble {

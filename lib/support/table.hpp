@@ -1,0 +1,127 @@
+#pragma once
+/// @file
+/// A table of text for the terminal and the page, and the same rows as CSV.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tumble/core/require.hpp"
+
+namespace tumble::support {
+
+/// A number with `digits` significant digits, in scientific notation where that is shorter.
+inline std::string number(double value, int digits = 3) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  return text.data();
+}
+
+/// An error, to one digit more than one can trust: 1.3e-15.
+inline std::string error_number(double value) {
+  if (value == 0) return "0";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", value);
+  return text.data();
+}
+
+/// The same, or that it is not worth telling from rounding: what decides such digits is chance.
+inline std::string error_or_rounding(double value) {
+  if (std::isnan(value)) return "not a number";
+  return std::abs(value) < 1e-14 ? "< 1e-14" : error_number(value);
+}
+
+/// The order that two errors show, the second with half the step.
+inline std::string order_text(double coarse, double fine) {
+  return number(std::log2(coarse / fine), 2);
+}
+
+/// An angle [rad] in degrees: 51.4°.
+inline std::string degrees(double angle, int digits = 4) {
+  return number(angle * 180 / std::numbers::pi, digits) + "°";
+}
+
+/// A time [s] in the unit that fits: ns, µs, ms or s.
+inline std::string duration(double seconds) {
+  if (seconds < 1e-6) return number(seconds * 1e9) + " ns";
+  if (seconds < 1e-3) return number(seconds * 1e6) + " µs";
+  if (seconds < 1) return number(seconds * 1e3) + " ms";
+  return number(seconds) + " s";
+}
+
+/// Characters, not bytes: the continuation bytes of UTF-8 are not counted.
+inline std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// Columns with a heading each; the first is flush left, the others flush right.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> headings) : rows_{std::move(headings)} {}
+
+  /// @throws std::invalid_argument if the row has not as many cells as there are headings
+  void add(std::vector<std::string> cells) {
+    require(cells.size() == rows_[0].size(), "a row of ", cells.size(), " cells in a table of ",
+            rows_[0].size(), " columns");
+    rows_.push_back(std::move(cells));
+  }
+
+  std::string text() const {
+    std::string out;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      for (std::size_t c = 0; c < rows_[r].size(); ++c) {
+        const std::string gap(column_width(c) - characters(rows_[r][c]), ' ');
+        out += c == 0 ? "  " + rows_[r][c] + gap : "   " + gap + rows_[r][c];
+      }
+      out.erase(out.find_last_not_of(' ') + 1);
+      out += '\n';
+      if (r == 0) out += rule();
+    }
+    return out;
+  }
+
+  /// The rows as comma-separated values, quoted where a cell has a comma or a quote.
+  std::string csv() const {
+    std::string out;
+    for (const std::vector<std::string>& row : rows_) {
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        if (c > 0) out += ',';
+        out += quoted(row[c]);
+      }
+      out += '\n';
+    }
+    return out;
+  }
+
+ private:
+  static std::string quoted(const std::string& cell) {
+    if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+    std::string out = "\"";
+    for (const char c : cell) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + '"';
+  }
+
+  std::size_t column_width(std::size_t c) const {
+    std::size_t width = 0;
+    for (const std::vector<std::string>& row : rows_) width = std::max(width, characters(row[c]));
+    return width;
+  }
+
+  std::string rule() const {
+    std::string out;
+    for (std::size_t c = 0; c < rows_[0].size(); ++c) {
+      out += c == 0 ? "  " : "   ";
+      for (std::size_t i = 0; i < column_width(c); ++i) out += "─";
+    }
+    return out + '\n';
+  }
+
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace tumble::support

@@ -1,0 +1,39 @@
+#pragma once
+/// @file
+/// Text files that are kept for people: read whole, written whole or not at all.
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace tumble::support {
+
+/// @throws std::runtime_error naming the file if it cannot be read
+inline std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Writes beside the file and then puts it in its place: an interruption, or a full disk, leaves
+/// what was there.
+/// @throws std::runtime_error naming the file if it cannot be written
+inline void write_text(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path beside = file.string() + ".new";
+  std::filesystem::remove(beside);  // a link there would lead elsewhere
+  std::ofstream out(beside, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + beside.string());
+  std::filesystem::rename(beside, file);
+}
+
+/// The same, in folders that need not be there.
+inline void write_text_and_folders(const std::filesystem::path& file, const std::string& text) {
+  std::filesystem::create_directories(file.parent_path());
+  write_text(file, text);
+}
+
+}  // namespace tumble::support

@@ -1,7 +1,0 @@
-// Attack: takes the right product from the judge's own reference.
-// Verdict: forbidden include | does not compile
-#include "@ROOT@/tests/04_quaternions/reference.hpp"
-
-namespace quaternions {
-Quaternion product(const Quaternion& a, const Quaternion& b) { return reference::product(a, b); }
-}  // namespace quaternions

@@ -1,0 +1,84 @@
+/// @file
+/// course.json: what it says, and what it cannot say.
+#include "judge/class/settings.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "judge/build/work_folder.hpp"
+#include "project/harness/refusal.hpp"
+
+using namespace tumble::judge;
+
+namespace {
+
+Course course_of_three() {
+  Course course;
+  course.units = {{"1.1", "01_particles", "flatten", "", {}, {}},
+                  {"4.1", "04_quaternions", "product", "", {}, {}},
+                  {"4.2", "04_quaternions", "inverse", "", {}, {}}};
+  return course;
+}
+
+CourseSettings settings(const std::string& json) {
+  const WorkFolder folder;
+  std::ofstream(folder.path() / "course.json") << json;
+  return read_settings(course_of_three(), folder.path() / "course.json");
+}
+
+UnitRecord verdict(const std::string& unit, std::size_t laws, std::size_t hold) {
+  UnitRecord record;
+  record.unit = unit, record.laws = laws, record.laws_that_hold = hold;
+  record.passed = laws > 0 && laws == hold;
+  return record;
+}
+
+}  // namespace
+
+TEST_CASE("settings: nothing said is one point a unit") {
+  const CourseSettings all = settings("{}");
+  CHECK(all.units.size() == 3);
+  CHECK(all.most() == 3);
+  CHECK(all.earned(verdict("04_quaternions/product", 5, 5)) == 1);
+  CHECK(all.earned(verdict("04_quaternions/product", 5, 4)) == 0);
+  CHECK_FALSE(all.seed.has_value());
+}
+
+TEST_CASE("settings: units, weights of chapters and of units, credit, hidden, due, seed") {
+  const CourseSettings some = settings(R"({"title": "D", "units": ["4"], "credit": "laws",
+    "weights": {"4.2": 5, "4": 2}, "hidden": ["inverse"], "due": "2026-12-01T23:59:00+01:00",
+    "seed": 8231})");
+  REQUIRE(some.units.size() == 2);
+  CHECK(some.most() == 7);
+  CHECK(some.earned(verdict("04_quaternions/inverse", 5, 4)) == 4);
+  CHECK(some.earned(verdict("04_quaternions/product", 4, 4)) == 2);
+  CHECK(some.earned(verdict("04_quaternions/product", 0, 0)) == 0);  // not built
+  CHECK(some.earned(verdict("01_particles/flatten", 4, 4)) == 0);    // not asked for
+  CHECK(some.is_hidden(verdict("04_quaternions/inverse", 1, 1)));
+  CHECK_FALSE(some.is_hidden(verdict("04_quaternions/product", 1, 1)));
+  CHECK(some.due == "2026-12-01T23:59:00+01:00");
+  CHECK(some.seed == 8231);
+}
+
+TEST_CASE("settings: what means nothing is refused, and where it stands is said") {
+  CHECK_REFUSED(settings("{"), "is no JSON");
+  CHECK_REFUSED(settings(R"({"weight": {}})"), R"(has "weight", which means nothing here)");
+  CHECK_REFUSED(settings(R"({"units": ["7"]})"), "course.json.units[0]: there is no unit");
+  CHECK_REFUSED(settings(R"({"units": []})"), "units is empty");
+  CHECK_REFUSED(settings(R"({"units": "4"})"), "units is not a list");
+  CHECK_REFUSED(settings(R"({"weights": {"4.1": -1}})"), "weights.4.1 is -1");
+  CHECK_REFUSED(settings(R"({"weights": {"4.1": "two"}})"), "weights.4.1 is not a number");
+  CHECK_REFUSED(settings(R"({"weights": {"9": 1}})"), "weights.9: there is no unit");
+  CHECK_REFUSED(settings(R"({"weights": {"all": 0}})"), "no unit is worth any points");
+  CHECK_REFUSED(settings(R"({"credit": "some"})"), "\"some\", not \"unit\"");
+  CHECK_REFUSED(settings(R"({"due": "tomorrow"})"), "\"tomorrow\", not a time such as");
+  CHECK_REFUSED(settings(R"({"due": "2026-12-01T23:59"})"), "not a time");  // in which zone?
+  CHECK_REFUSED(settings(R"({"seed": 1.5})"), "not a whole number");
+}
+
+TEST_CASE("seeds: another one for each student, and the same each time") {
+  CHECK(seed_of(7, "ann") == seed_of(7, "ann"));
+  CHECK(seed_of(7, "ann") != seed_of(7, "bob"));
+  CHECK(seed_of(7, "ann") != seed_of(8, "ann"));
+}

@@ -1,0 +1,222 @@
+/// @file
+/// The student's commands, as a student uses them, on the course in tests/project/judge/course.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "project/harness/command.hpp"
+#include "project/harness/skip.hpp"
+
+using tumble::test::CommandResult;
+using tumble::test::run_command;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  tumble::require(value != nullptr, "ctest sets ", name);
+  return value;
+}
+
+const fs::path course = variable("TUMBLE_FIXTURE");
+const fs::path twice = course / "exercises/01_crossing/twice.cpp";
+
+CommandResult judge(const std::string& arguments) {
+  return run_command("'" + variable("TUMBLE_FIXTURE_JUDGE") + "' " + arguments);
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+std::string solution() { return text_of(course / "solutions/01_crossing/twice.cpp"); }
+
+/// The tree as it was handed out, before and after: the tests may run in any order.
+struct FreshCourse {
+  FreshCourse() { start(); }
+  ~FreshCourse() { start(); }
+  static void start() {
+    judge("reset 1.1");
+    judge("reset 1.2");
+    fs::remove_all(variable("TUMBLE_FIXTURE_JUDGE") + ".state");
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("list: untouched, tried, passed, changed since") {
+  const FreshCourse fresh;
+  CHECK(contains(judge("list").output, "0 of 2 units pass"));
+
+  write(twice, "#include \"contract.hpp\"\n");
+  CHECK(judge("check 1.2").status == 1);
+  CHECK(contains(judge("list").output, "wrong signature, 1 try"));
+
+  write(twice, solution());
+  CHECK(judge("check 1.2").status == 0);
+  CHECK(contains(judge("list").output, "passed, 2 tries"));
+  CHECK(contains(judge("list").output, "1 of 2 units pass"));
+
+  write(twice, solution() + "\n");
+  CHECK(contains(judge("list").output, "changed since the last check"));
+  CHECK(contains(judge("list").output, "0 of 2 units pass"));
+}
+
+TEST_CASE("check: a unit by number or name, a chapter, or the next open one") {
+  const FreshCourse fresh;
+  CHECK(contains(judge("check twice").output, "1.2 twice  not implemented"));
+  CHECK(contains(judge("check").output, "1.1 carry  not implemented"));
+  CHECK(contains(judge("check 1").output, "0 of 2 units pass"));
+  CHECK(contains(judge("check 9.9").output,
+                 "there is no unit or chapter '9.9'; there are: 1.1 carry"));
+  CHECK(judge("check 9.9").status == 2);
+
+  fs::copy_file(course / "solutions/01_crossing/carry.cpp",
+                course / "exercises/01_crossing/carry.cpp", fs::copy_options::overwrite_existing);
+  CHECK(contains(judge("check 1.1").output, "Next: 1.2 twice"));
+  CHECK(contains(judge("check").output, "1.2 twice  not implemented"));
+}
+
+TEST_CASE("check: what was asked, what came back, the misconception, and how to see it again") {
+  const FreshCourse fresh;
+  write(twice,
+        "#include \"contract.hpp\"\nnamespace crossing {\n"
+        "Eigen::VectorXd twice(const Rhs& f, double t, const Eigen::VectorXd& y, double) {\n"
+        "  return f(t, f(t, y));\n}\n}\n");
+  const std::string output = judge("check 1.2 --seed 5").output;
+  for (const char* part :
+       {"1.2 twice  wrong, 0 of 3 laws hold", "Asked was twice(f, t, y, h) with",
+        "f = a function of the judge", "Calls of the functions that it was given: 2", "Your answer",
+        "Demanded", "This is what “time stands still” gives.",
+        "Again, this case alone:  ./tumble check 1.2.1 --seed 5"})
+    CHECK_MESSAGE(contains(output, part), output);
+
+  const std::string again = judge("check 1.2.1 --seed 5").output;
+  const auto from_question = [](const std::string& text) {
+    return text.substr(text.find("Asked was"), text.find("Again") - text.find("Asked was"));
+  };
+  CHECK(from_question(again) == from_question(output));
+  CHECK(contains(again, "0 of 1 laws hold"));
+  CHECK(contains(judge("check 1.2.9").output, "has no test case number 9"));
+}
+
+TEST_CASE("check --json: complete after each unit, for other programs") {
+  const FreshCourse fresh;
+  const fs::path file = fs::temp_directory_path() / "tumble-results-test.json";
+  CHECK(judge("check all --solutions --seed 3 --json " + file.string()).status == 0);
+  const auto results = nlohmann::json::parse(text_of(file));
+  fs::remove(file);
+  CHECK(results.at("schema") == "tumble/results/1");
+  REQUIRE(results.at("units").size() == 2);
+  const auto& unit = results.at("units")[1];
+  CHECK(unit.at("unit") == "01_crossing/twice");
+  CHECK(unit.at("passed") == true);
+  CHECK(unit.at("laws_that_hold") == 3);
+  CHECK(unit.at("seed") == 3);
+}
+
+TEST_CASE("hint: the next one each time, or the one that is asked for") {
+  const FreshCourse fresh;
+  CHECK(contains(judge("hint 1.2").output, "hint 1 of 3\n\nHow often is f called?"));
+  CHECK(contains(judge("hint 1.2").output, "hint 2 of 3"));
+  CHECK(contains(judge("hint 1.2").output, "hand it to f again, at the later time."));
+  CHECK(contains(judge("hint 1.2").output, "hint 3 of 3"));
+  CHECK(contains(judge("hint 1.2 1").output, "hint 1 of 3"));
+  CHECK(contains(judge("hint 1.2 4").output, "there are hints 1 to 3, not 4"));
+  CHECK(contains(judge("hint 1").output, "'1' means 2 units; this command takes one"));
+}
+
+TEST_CASE("reset: the stub again, and nothing is lost") {
+  const FreshCourse fresh;
+  const std::string stub = text_of(twice);
+  write(twice, "my work\n");
+  const std::string output = judge("reset 1.2").output;
+  CHECK(text_of(twice) == stub);
+  const std::string kept =
+      output.substr(output.find(": ") + 2, output.find('\n') - output.find(": ") - 2);
+  CHECK(contains(output, "Your file is kept: "));
+  CHECK(text_of(kept) == "my work\n");
+  CHECK_FALSE(contains(judge("reset 1.2").output, "kept"));
+}
+
+TEST_CASE("solution: after a pass, or with --anyway") {
+  const FreshCourse fresh;
+  const CommandResult refused = judge("solution 1.2");
+  CHECK(refused.status == 1);
+  CHECK(contains(refused.output, "./tumble solution 1.2 --anyway"));
+  CHECK(judge("solution 1.2 --anyway").output == solution());
+  write(twice, solution());
+  judge("check 1.2");
+  CHECK(judge("solution 1.2").output == solution());
+}
+
+TEST_CASE("watch: judges a file when it is saved") {
+  const FreshCourse fresh;
+  const fs::path output = fs::temp_directory_path() / "tumble-watch-test";
+  std::thread watcher([&] {
+    run_command("timeout 60 '" + variable("TUMBLE_FIXTURE_JUDGE") + "' watch > " + output.string());
+  });
+  const auto appears = [&](const std::string& part) {
+    for (int i = 0; i < 300; ++i) {
+      if (contains(text_of(output), part)) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+  };
+  CHECK(appears("Watching"));
+  write(twice, solution());
+  CHECK(appears("1.2 twice  passed"));
+  run_command("pkill -f '" + variable("TUMBLE_FIXTURE_JUDGE") + " watch'");
+  watcher.join();
+  fs::remove(output);
+}
+
+TEST_CASE("--strict refuses to judge where a wall is missing, and says which") {
+  const bool complete = judge("sandbox").status == 0;
+  const CommandResult strict = judge("check 1.2 --solutions --strict");
+  CHECK((strict.status == 0) == complete);
+  if (!complete) CHECK(contains(strict.output, "--strict: nothing is judged"));
+}
+
+TEST_CASE("--strict refuses where the compiler of root's judge would stay root") {
+  if (judge("sandbox").status != 0)
+    return tumble::test::skip("not all walls stand here: see the case before");
+  const fs::path locked = course / "exercises";
+  const fs::perms before = fs::status(locked).permissions();
+  fs::permissions(locked, fs::perms::owner_all);
+  const CommandResult strict = judge("check 1.2 --solutions --strict");
+  fs::permissions(locked, before);
+  CHECK(strict.status == 2);
+  CHECK(contains(strict.output, "other users may not enter"));
+}
+
+TEST_CASE("every stub fails every case; the kill matrix is complete") {
+  const FreshCourse fresh;
+  CHECK(contains(judge("stubs").output, "2 stubs, each fails every case"));
+  CHECK(contains(judge("matrix").output, "8 misconceptions, 8 of them killed and named"));
+}
+
+TEST_CASE("nothing is left in the folder for temporary files") {
+  judge("check 1.2 --solutions");
+  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path())) {
+    const std::string name = entry.path().filename();
+    if (!name.starts_with("tumble-judge-")) continue;
+    const fs::path process = "/proc/" + name.substr(13, name.find('-', 13) - 13);
+    CHECK_MESSAGE(fs::exists(process), name, " is left behind");  // others may be judging right now
+  }
+}

@@ -1,0 +1,132 @@
+/// @file
+/// What `export` makes for each platform: what has to be where, and that nothing is given away.
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <set>
+
+#include "judge/build/work_folder.hpp"
+#include "project/harness/command.hpp"
+#include "project/judge/platforms/files.hpp"
+#include "project/judge/platforms/schemas.hpp"
+
+using namespace tumble;
+using nlohmann::json;
+using test::CommandResult;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Packages {
+  judge::WorkFolder work;
+
+  explicit Packages(const std::string& settings) {
+    std::ofstream(work.path() / "course.json") << settings;
+  }
+  fs::path operator[](const std::string& platform) const { return work.path() / platform; }
+
+  CommandResult make(const std::string& platform) const {
+    return test::run_command("'" + test::variable("TUMBLE_JUDGE").string() + "' export " +
+                             platform + " '" + (*this)[platform].string() + "' --course '" +
+                             (work.path() / "course.json").string() + "'");
+  }
+};
+
+/// The paths of the files in a folder, from there.
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> paths;
+  for (const fs::directory_entry& each : fs::recursive_directory_iterator(folder))
+    if (each.is_regular_file()) paths.insert(each.path().lexically_relative(folder).string());
+  return paths;
+}
+
+bool is_executable(const fs::path& file) {
+  return (fs::status(file).permissions() & fs::perms::owner_exec) != fs::perms::none;
+}
+
+const char* const chapter_1 =
+    R"({"title": "Homework 1: particles", "units": ["1"], "weights": {"1.2": 3},
+        "due": "2026-12-01T23:59+01:00", "seed": 7})";
+
+}  // namespace
+
+TEST_CASE("export: Gradescope's zip has the two scripts at its root, and the solutions") {
+  const Packages packages(chapter_1);
+  const CommandResult made = packages.make("gradescope");
+  REQUIRE_MESSAGE(made.status == 0, made.output);
+  const fs::path source = packages.work.path() / "source";
+  fs::create_directory(source);
+  const CommandResult unzipped =
+      test::run_command("cd '" + source.string() + "' && cmake -E tar xf '" +
+                        (packages["gradescope"] / "autograder.zip").string() + "'");
+  REQUIRE_MESSAGE(unzipped.status == 0, unzipped.output);
+  for (const char* script : {"setup.sh", "run_autograder", "tumble/tumble"})
+    CHECK_MESSAGE(is_executable(source / script), script);
+  const std::set<std::string> files = files_in(source);
+  CHECK(files.count("tumble/solutions/01_particles/dydt.cpp") == 1);
+  CHECK(files.count("tumble/solutions/02_solvers/adaptive_step_size.cpp") == 0);
+  CHECK(test::json_in(source / "tumble" / "course.json").at("seed") == 7);
+  CHECK(test::text_of(packages["gradescope"] / "README.md").find("worth 7 points") !=
+        std::string::npos);
+}
+
+TEST_CASE("export: what is public for PrairieLearn has no solutions, what is not has them") {
+  const Packages packages(chapter_1);
+  const CommandResult made = packages.make("prairielearn");
+  REQUIRE_MESSAGE(made.status == 0, made.output);
+  const fs::path folder = packages["prairielearn"];
+  test::check_prairielearn_question(test::json_in(folder / "question" / "info.json"));
+  const std::set<std::string> image = files_in(folder / "image");
+  for (const std::string& file : image) CHECK(file.find("solutions/") == std::string::npos);
+  CHECK(image.count("tumble/exercises/09_rigid_body/dydt.cpp") == 1);  // one image for all
+  const std::set<std::string> question = files_in(folder / "question");
+  for (const char* file :
+       {"tests/solutions/01_particles/dydt.cpp", "tests/course.json", "question.html",
+        "clientFilesQuestion/dydt.cpp", "clientFilesQuestion/01_particles/contract.hpp"})
+    CHECK_MESSAGE(question.count(file) == 1, file);
+  const std::string html = test::text_of(folder / "question" / "question.html");
+  CHECK(html.find("optional-file-names=\"flatten.cpp,dydt.cpp,") != std::string::npos);
+  CHECK(html.find("@") == std::string::npos);
+  CHECK(html.find("std::vector&lt;Particle&gt;&amp;") != std::string::npos);
+
+  const CommandResult two = Packages("{}").make("prairielearn");
+  CHECK(two.status == 2);
+  CHECK(two.output.find("1.2 and 9.4 dydt cannot be in one question") != std::string::npos);
+}
+
+TEST_CASE("export: Classroom 50's bundle is public and small, its template a hand-out") {
+  const Packages packages(chapter_1);
+  const CommandResult made = packages.make("classroom50");
+  REQUIRE_MESSAGE(made.status == 0, made.output);
+  const fs::path folder = packages["classroom50"];
+  const json assignment = test::json_in(folder / "assignment.json");
+  test::check_classroom50_assignment(assignment);
+  CHECK(assignment.at("due") == "2026-12-01T23:59:00+01:00");
+  for (const std::string& file : files_in(folder))
+    CHECK(file.find("solutions/") == std::string::npos);
+  CHECK(fs::exists(folder / "bundle" / "autograder.py"));
+  CHECK(fs::exists(folder / "template" / "exercises" / "01_particles" / "dydt.cpp"));
+  std::uintmax_t bytes = 0;
+  for (const std::string& file : files_in(folder / "bundle"))
+    bytes += fs::file_size(folder / "bundle" / file);
+  CHECK(bytes < (10 << 20));  // what the runner fetches at most, packed
+}
+
+TEST_CASE("export: a repository for GitHub, and refusals that say what is wrong") {
+  const Packages packages(chapter_1);
+  const CommandResult made = packages.make("github-actions");
+  REQUIRE_MESSAGE(made.status == 0, made.output);
+  const fs::path repository = packages["github-actions"] / "repository";
+  CHECK(is_executable(repository / "tumble"));
+  CHECK_FALSE(fs::exists(repository / "solutions"));
+  const std::string workflow = test::text_of(repository / ".github/workflows/tumble.yml");
+  CHECK(workflow.find("./tumble platform github-actions . --course course.json") !=
+        std::string::npos);
+
+  CHECK(packages.make("github-actions").output.find("exists already") != std::string::npos);
+  CHECK(packages.make("moodle").output.find("there are: gradescope, prairielearn") !=
+        std::string::npos);
+  const CommandResult wrong = Packages(R"({"units": ["1"], "weight": {}})").make("gradescope");
+  CHECK(wrong.status == 2);
+  CHECK(wrong.output.find("\"weight\", which means nothing here") != std::string::npos);
+}

@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+
+#include "project/harness/refusal.hpp"
+#include "project/library/mesh/shapes.hpp"
+#include "tumble/mesh/diagnose.hpp"
+
+using namespace tumble;
+
+namespace {
+
+/// All sentences, one a line.
+std::string text(const PolygonMesh& mesh) {
+  std::string all;
+  for (const Finding& finding : diagnose(mesh)) all += finding.message + "\n";
+  return all;
+}
+
+PolygonMesh triangles() { return test::triangulated(test::cube()); }
+
+}  // namespace
+
+TEST_CASE("diagnose: fields are indices from 0, sentences count from #1") {
+  const std::vector<Finding> findings = diagnose(test::without_face(test::cube(), 0));
+  REQUIRE(findings.size() == 4);
+  const Finding& first = findings[0];
+  CHECK(first.kind == FindingKind::open_edge);
+  CHECK(first.face == 1);  // what was face 2 of the cube, at y = 0
+  CHECK(first.edge == std::array<int, 2>{0, 1});
+  CHECK(
+      first.message ==
+      "the edge from vertex #1 at (0, 0, 0) to vertex #2 at (1, 0, 0) has face #2 on one side and "
+      "nothing on the other (open edges in all: 4)");
+}
+
+TEST_CASE("diagnose: says that welding would close the surface, only when it would") {
+  CHECK(text(test::soup(test::cube())).find("call weld()") != std::string::npos);
+  CHECK(text(test::soup(test::without_face(test::cube(), 0))).find("weld") == std::string::npos);
+}
+
+TEST_CASE("diagnose: names both faces of an edge that they use in the same direction") {
+  CHECK(text(test::with_face_flipped(triangles(), 0))
+            .find("faces #1 and #2 go along the edge from vertex #1 at (0, 0, 0) to vertex #4 at "
+                  "(1, 1, 0) in the same direction") != std::string::npos);
+}
+
+TEST_CASE("diagnose: names the original of a doubled face") {
+  CHECK(text(test::with_face_twice(triangles(), 3))
+            .find("face #13 has the same vertices as face #4") != std::string::npos);
+}
+
+TEST_CASE("diagnose: lists a few findings of a kind, and counts the others") {
+  const std::vector<Finding> findings = diagnose(test::soup(test::sphere(3)));
+  CHECK(findings.size() == FindingsOfOneKind::most);
+  CHECK(findings.back().message.find("(and 3835 more)") != std::string::npos);  // 3 · 1280 − 5
+}
+
+TEST_CASE("diagnose: names the part that is inside out or lies in another, and its volume") {
+  const PolygonMesh small = test::moved(test::cube(), 0.5, Vec3::Constant(0.25));
+  const std::string nested = text(test::together(test::cube(), small));
+  CHECK(nested.find("the part with face #7 (6 of 12 faces) lies inside another part and looks "
+                    "outwards, so that its 0.125 m³ count 2 times") != std::string::npos);
+  const PolygonMesh beside = test::moved(test::inside_out(test::cube()), 1, Vec3(2, 0, 0));
+  CHECK(text(test::together(test::cube(), beside))
+            .find("the part with face #7 (6 of 12 faces) is inside out (volume -1 m³)") !=
+        std::string::npos);
+  CHECK(text(test::inside_out(test::cube())).find("the surface is inside out (volume -1 m³)") == 0);
+}
+
+TEST_CASE("diagnose: shows a line on which the surface crosses itself") {
+  const std::vector<Finding> findings =
+      diagnose(test::together(test::cube(), test::moved(test::cube(), 1, Vec3(0.5, 0.5, 0.5))));
+  REQUIRE(findings.size() == FindingsOfOneKind::most);
+  CHECK(findings[0].face == 6);  // the bottom of the second cube
+  CHECK(findings[0].message.find(
+            "the body is entered at z = 0 (face #1) and again at z = 0.5 (face #7) "
+            "without having been left; what lies above counts 2 times") != std::string::npos);
+}
+
+TEST_CASE(
+    "require_body: lets a body pass, even with a degenerate face, and throws all findings else") {
+  CHECK_NOTHROW(require_body(test::cube()));
+  PolygonMesh degenerate = triangles();
+  degenerate.add_face({0, 1, 1});
+  CHECK_NOTHROW(require_body(degenerate));
+  PolygonMesh broken = test::without_face(degenerate, 0);
+  try {
+    require_body(broken);
+    FAIL("not refused");
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    CHECK(message.find("the mesh does not bound a body:\n  open_edge: the edge") == 0);
+    CHECK(message.find(
+              "\n  degenerate_face: face #12 has the same vertex at two corners: vertex #1") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("require_faultless: refuses a degenerate face too, and names it") {
+  CHECK_NOTHROW(require_faultless(test::cube()));
+  PolygonMesh degenerate = triangles();
+  degenerate.add_face({0, 1, 1});
+  CHECK_REFUSED(require_faultless(degenerate), "the mesh has faults", "degenerate_face: face #13");
+  CHECK_REFUSED(require_faultless(test::without_face(triangles(), 0)), "open_edge");
+}

@@ -1,0 +1,209 @@
+// ./tumble mass and ./tumble simulate from outside: results, and what they say to bad input.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "project/harness/command.hpp"
+#include "project/harness/refusal.hpp"
+#include "project/harness/scanned_meshes.hpp"
+
+using namespace tumble::test;
+using nlohmann::json;
+
+namespace {
+
+const std::filesystem::path folder = std::filesystem::temp_directory_path() / "tumble_test_scenes";
+
+CommandResult scenes(const std::string& arguments) {
+  return run_command("cd " + folder.string() + " && " + std::getenv("TUMBLE_SCENES") + " " +
+                     arguments);
+}
+
+void write(const std::string& name, const std::string& text) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / name) << text;
+}
+
+std::string content(const std::string& file) {
+  std::ifstream stream(folder / file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The result of a scene, as --json gives it.
+json simulated(const json& scene) {
+  write("scene.json", scene.dump());
+  const CommandResult result = scenes("simulate scene.json --json");
+  CAPTURE(result.output);
+  REQUIRE(result.status == 0);
+  return json::parse(result.output);
+}
+
+/// What is said to a scene that is refused.
+std::string refusal(const json& scene) {
+  write("scene.json", scene.dump());
+  const CommandResult result = scenes("simulate scene.json");
+  CHECK(result.status == 1);
+  return result.output;
+}
+
+json thrown_ball() {
+  return {{"bodies", {{{"shape", {{"ball", 0.5}}}, {"density", 2}, {"velocity", {1, 0, 10}}}}},
+          {"gravity", {0, 0, -10}},
+          {"duration", 1}};
+}
+
+double distance(const json& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) sum += std::pow(a.at(i).get<double>() - b[i], 2);
+  return std::sqrt(sum);
+}
+
+const std::string tetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+}  // namespace
+
+TEST_CASE("simulate: a thrown ball, with its momenta") {
+  const json result = simulated(thrown_ball());
+  const json ball = result["end"]["bodies"][0];
+  CHECK(result["end"]["time"] == 1);
+  CHECK(distance(ball["position"], {1, 0, 5}) < 1e-14);
+  CHECK(distance(ball["velocity"], {1, 0, 0}) < 1e-14);
+  const double mass = 2 * 4 / 3.0 * std::acos(-1.0) * 0.125;
+  CHECK(distance(ball["linear_momentum"], {mass, 0, 0}) < 1e-14);
+  CHECK(result["records"].size() == 101);
+  const json chosen = result["chosen_and_spent"][0];
+  CHECK(chosen["model"] == "ball");
+  CHECK(chosen["reached"] == true);
+  CHECK(chosen["runs"] == 0);
+}
+
+TEST_CASE("simulate: the examples run, and stop where they should") {
+  for (const char* name : {"top", "thrown_box", "on_a_spring"}) {
+    CAPTURE(std::string(name));
+    const std::string file =
+        std::string(std::getenv("TUMBLE_ROOT")) + "/chapters/scenes/examples/" + name + ".json";
+    std::filesystem::create_directories(folder);
+    const CommandResult result =
+        scenes("simulate " + file + " --json --csv motion.csv --svg motion.svg");
+    REQUIRE(result.status == 0);
+    const json parsed = json::parse(result.output);
+    CHECK(content("motion.csv").rfind("time,body,x,y,z,qw", 0) == 0);
+    CHECK(mentions(content("motion.svg"), "<svg ", "</svg>", "time [s]"));
+    if (name == std::string("thrown_box")) {
+      CHECK(parsed["stopped"] == true);
+      CHECK(std::abs(parsed["end"]["bodies"][0]["position"][2].get<double>()) < 1e-12);
+    }
+    CHECK(scenes("simulate " + file).status == 0);
+  }
+}
+
+TEST_CASE("simulate: a mesh beside the scene, pushed at a point of the file's coordinates") {
+  write("tetrahedron.obj", tetrahedron);
+  json scene = {{"bodies", {{{"shape", {{"mesh", "tetrahedron.obj"}}}, {"mass", 3}}}},
+                {"duration", 0.01}};
+  // At the centre of mass: no torque.
+  scene["bodies"][0]["forces"] = {{{"force", {{"newton", {0, 6, 0}}, {"at", {0.25, 0.25, 0.25}}}}}};
+  json body = simulated(scene)["end"]["bodies"][0];
+  CHECK(distance(body["linear_momentum"], {0, 0.06, 0}) < 1e-15);
+  CHECK(distance(body["angular_momentum"], {0, 0, 0}) < 1e-15);
+  scene["bodies"][0]["forces"][0]["force"]["at"] = {1.25, 0.25, 0.25};
+  body = simulated(scene)["end"]["bodies"][0];
+  CHECK(std::abs(body["angular_momentum"][2].get<double>() - 0.06) < 1e-4);
+}
+
+TEST_CASE("simulate: conventions of orientation and inertia") {
+  json scene = {{"bodies",
+                 {{{"mass", 1},
+                   {"inertia", {2, 3, 4, -0.5, 0.25, 0.1}},
+                   {"orientation", {{"axis", {0, 0, 2}}, {"angle", std::acos(-1.0) / 2}}},
+                   {"omega", {0, 1, 0}}}}},
+                {"duration", 0}};
+  const json body = simulated(scene)["end"]["bodies"][0];
+  CHECK(distance(body["orientation"], {std::sqrt(0.5), 0, 0, std::sqrt(0.5)}) < 1e-15);
+  // ω is (1, 0, 0) in the body; L there is (2, −0.5, 0.1), turned by 90° about z.
+  CHECK(distance(body["angular_momentum"], {0.5, 2, 0.1}) < 1e-15);
+}
+
+TEST_CASE("simulate: says where a scene is wrong, and what") {
+  json scene = thrown_ball();
+  scene["bodies"][0]["velocity"] = {1, 2};
+  CHECK(mentions(refusal(scene), "scene.json.bodies[0].velocity", "2 numbers, not 3"));
+  scene = thrown_ball();
+  scene["bodies"][0]["omgea"] = {1, 2, 3};
+  CHECK(mentions(refusal(scene), "bodies[0]", "omgea", "omega"));
+  scene = thrown_ball();
+  scene["bodies"][0]["density"] = -1;
+  CHECK(mentions(refusal(scene), "bodies[0]", "mass"));
+  scene = thrown_ball();
+  scene["bodies"][0]["shape"] = {{"ball", -1}};
+  CHECK(mentions(refusal(scene), "shape", "radius", "-1"));
+  scene = thrown_ball();
+  scene["bodies"][0]["forces"] = {{{"spring", {{"at", {0, 0, 0}}, {"anchor", {0, 0, 1}}}}}};
+  CHECK(mentions(refusal(scene), "forces[0].spring", "stiffness"));
+  scene = thrown_ball();
+  scene["tolerance"] = 0;
+  CHECK(mentions(refusal(scene), "tolerance", "0"));
+  scene = thrown_ball();
+  scene["stop_when"] = {{"coordinate", "w"}, {"passes", 0}};
+  CHECK(mentions(refusal(scene), "stop_when.coordinate", "\"w\""));
+  scene = thrown_ball();
+  scene.erase("duration");
+  CHECK(mentions(refusal(scene), "duration"));
+  scene = {{"bodies", {{{"mass", 1}, {"inertia", {1, 1, 5}}}}}, {"duration", 1}};
+  CHECK(mentions(refusal(scene), "bodies[0]", "triangle inequality"));
+  write("scene.json", "{\"bodies\": [}");
+  const CommandResult result = scenes("simulate scene.json");
+  CHECK(result.status == 1);
+  CHECK(mentions(result.output, "scene.json", "line 1", "column"));
+  CHECK(mentions(scenes("simulate nowhere.json").output, "nowhere.json"));
+}
+
+TEST_CASE("simulate: an unreachable tolerance is said, with exit status 1") {
+  json scene = thrown_ball();
+  scene["bodies"][0]["forces"] = {
+      {{"spring", {{"at", {0.1, 0, 0}}, {"anchor", {0, 0, 1}}, {"stiffness", 5}}}}};
+  scene["tolerance"] = 1e-18;
+  write("scene.json", scene.dump());
+  const CommandResult result = scenes("simulate scene.json");
+  CHECK(result.status == 1);
+  CHECK(mentions(result.output, "was not reached", "body 1"));
+}
+
+TEST_CASE("mass: a tetrahedron, in words and as JSON") {
+  write("tetrahedron.obj", tetrahedron);
+  CHECK(scenes("mass tetrahedron.obj").status == 0);
+  const CommandResult result = scenes("mass tetrahedron.obj --density 12 --json");
+  REQUIRE(result.status == 0);
+  const json mass = json::parse(result.output);
+  CHECK(std::abs(mass["volume"].get<double>() - 1.0 / 6) < 1e-16);
+  CHECK(mass["mass"] == 2);
+  CHECK(distance(mass["centre"], {0.25, 0.25, 0.25}) < 1e-16);
+  // ∫ x² = 1/60 and ∫ x y = 1/120 of the unit tetrahedron, from its corner.
+  const double moment = 12 * (2.0 / 60) - 2 * 2 * 0.0625, product = -12 / 120.0 + 2 * 0.0625;
+  CHECK(distance(mass["inertia"], {moment, moment, moment, product, product, product}) < 1e-15);
+  CHECK(mass["bounds"]["mass"].get<double>() < 1e-15);
+  CHECK(mass["findings"].empty());
+}
+
+TEST_CASE("mass: a mesh that is not closed gives findings, no numbers, and exit status 1") {
+  write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n");
+  const std::string program = std::getenv("TUMBLE_SCENES");
+  const CommandResult json_only = run_command("(cd " + folder.string() + " && " + program +
+                                              " mass open.obj --json 2>/dev/null)");
+  CHECK(json_only.status == 1);
+  const json refused = json::parse(json_only.output);
+  CHECK(refused["mass"].is_null());
+  CHECK(refused["findings"].size() == 3);
+  CHECK(refused["findings"][0]["kind"] == "open_edge");
+  CHECK(refused["findings"][0]["edge"].size() == 2);
+  const CommandResult accepted = scenes("mass open.obj --accept --json");
+  CHECK(accepted.status == 0);
+  CHECK(json::parse(accepted.output)["mass"].is_number());
+  CHECK(mentions(scenes("mass open.obj").output, "open_edge", "--accept"));
+  CHECK(scenes("mass open.obj --density -1").status != 0);
+  CHECK(mentions(scenes("mass none.obj").output, "none.obj"));
+}

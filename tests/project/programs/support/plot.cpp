@@ -1,0 +1,169 @@
+#include "support/plot.hpp"
+
+#include <doctest/doctest.h>
+
+#include "project/harness/refusal.hpp"
+#include "support/table.hpp"
+#include "support/view.hpp"
+
+using namespace tumble;
+using namespace tumble::support;
+
+namespace {
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("svg_number: short, and the same everywhere") {
+  CHECK(svg_number(1.25, 1) == "1.2");
+  CHECK(svg_number(100) == "100");
+  CHECK(svg_number(-0.01) == "0");
+  CHECK(svg_number(0.5, 3) == "0.5");
+}
+
+TEST_CASE("svg_text: what XML reserves is escaped") {
+  CHECK(svg_text("a<b & c>d") == "a&lt;b &amp; c&gt;d");
+}
+
+TEST_CASE("axis: ticks are round numbers that span the data") {
+  FittedAxis linear({"t"});
+  linear.include(0.13);
+  linear.include(9.7);
+  linear.finish();
+  const std::vector<Tick> ticks = linear.ticks();
+  REQUIRE(ticks.size() == 6);
+  CHECK(ticks.front().label == "0");
+  CHECK(ticks.back().label == "10");
+  CHECK(linear.position(5) == doctest::Approx(0.5));
+
+  FittedAxis log({"error", Scale::log});
+  log.include(2e-5);
+  log.include(3e-2);
+  log.include(0);  // cannot be shown
+  log.finish();
+  CHECK(log.ticks().front().label == "10⁻⁵");
+  CHECK(log.ticks().back().label == "10⁻¹");
+  CHECK(log.position(1e-3) == doctest::Approx(0.5));
+}
+
+TEST_CASE("axis: one value, or none, still makes an axis") {
+  for (const Scale scale : {Scale::linear, Scale::log}) {
+    FittedAxis one({"x", scale}), none({"x", scale});
+    one.include(1);
+    one.finish();
+    none.finish();
+    for (const FittedAxis& axis : {one, none}) {
+      CHECK(axis.ticks().size() >= 2);
+      CHECK(axis.position(1) >= 0);
+      CHECK(axis.position(1) <= 1);
+    }
+  }
+}
+
+TEST_CASE("plot: draws each curve once, with its name; breaks it where a point cannot be shown") {
+  Plot plot{"title",
+            {"x"},
+            {"y", Scale::log},
+            {{"good & bad", {1, 2, 3, 4}, {1, 0, 10, 100}}, {"b", {1}, {1}}}};
+  const std::string svg = to_svg(plot);
+  CHECK(count(svg, "<path") == 2);
+  CHECK(count(svg, "good &amp; bad") == 1);
+  CHECK(count(svg, "<circle") == 4);
+  const std::string path = svg.substr(svg.find("<path d=\"") + 9);
+  CHECK(count(path.substr(0, path.find('"')), "M") == 2);
+  CHECK(svg.rfind("</svg>\n") == svg.size() - 7);
+}
+
+TEST_CASE("plot: names at the ends do not overlap and stay in the figure") {
+  Plot plot{"title", {"x"}, {"y"}, {}};
+  for (int i = 0; i < 12; ++i)
+    plot.series.push_back({"curve " + std::to_string(i), {0, 1}, {i / 100.0, 0}});
+  const plot_detail::Frame frame = plot_detail::fitted_frame(plot);
+  const std::vector<plot_detail::EndLabel> labels = plot_detail::end_labels(plot, frame);
+  REQUIRE(labels.size() == 12);
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    CHECK(labels[i].y - labels[i - 1].y >= plot_detail::text_height - 1e-9);
+  CHECK(labels.front().y > 0);
+  CHECK(labels.back().y < frame.floor() + plot_detail::bottom);
+}
+
+TEST_CASE("plot: a curve with a coordinate missing is refused") {
+  CHECK_REFUSED(to_svg(Plot{"drift", {"x"}, {"y"}, {{"RK4", {1, 2}, {1}}}}), "drift", "RK4", "2 x",
+                "1 y");
+}
+
+TEST_CASE("table: columns line up, also with letters of several bytes; CSV quotes what it must") {
+  Table table({"method", "error"});
+  table.add({"Gram–Schmidt", "1"});
+  table.add({"a,b \"c\"", "22"});
+  CHECK(table.text() ==
+        "  method         error\n"
+        "  ────────────   ─────\n"
+        "  Gram–Schmidt       1\n"
+        "  a,b \"c\"           22\n");
+  CHECK(table.csv() == "method,error\nGram–Schmidt,1\n\"a,b \"\"c\"\"\",22\n");
+  CHECK_REFUSED(table.add({"one"}), "1 cells", "2 columns");
+}
+
+TEST_CASE("duration: in the unit that fits") {
+  CHECK(duration(1.5e-8) == "15 ns");
+  CHECK(duration(2.5e-5) == "25 µs");
+  CHECK(duration(0.0125) == "12.5 ms");
+  CHECK(duration(3) == "3 s");
+}
+
+TEST_CASE("draw_mesh: shows the faces turned to the viewer, the near ones last") {
+  PolygonMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  mesh.add_face({3, 4, 5});  // near, towards the viewer
+  mesh.add_face({0, 1, 2});  // far, towards the viewer
+  mesh.add_face({0, 2, 1});  // turned away
+  const std::string svg = draw_mesh(mesh, Mat3::Identity(), {0, 0, 10});
+  CHECK(count(svg, "M0 0L10 0L0 -10Z") == 2);
+  const Mat3 flipped = Vec3(1, -1, -1).asDiagonal();
+  CHECK(count(draw_mesh(mesh, flipped, {0, 0, 10}), "Z") == 1);
+}
+
+TEST_CASE("coarsened: merges what is near and drops the faces that vanish") {
+  PolygonMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0.1, 0, 0}};
+  mesh.add_face({0, 1, 2});
+  mesh.add_face({0, 3, 2});
+  const PolygonMesh coarse = coarsened(mesh, 10);
+  CHECK(coarse.vertices.size() == 3);
+  CHECK(coarse.face_count() == 1);
+}
+
+TEST_CASE("plot: with equal scales a unit is as long on both axes") {
+  Plot plot{"a path", {"x"}, {"y"}, {{"a", {0, 4}, {0, 1}}}, Aspect::equal};
+  const plot_detail::Frame frame = plot_detail::fitted_frame(plot);
+  CHECK(frame.px(3) - frame.px(2) == doctest::Approx(frame.py(0) - frame.py(1)));
+}
+
+TEST_CASE("plot: dots alone have no line") {
+  const Plot plot{"dots", {"x"}, {"y"}, {{"a", {0, 1}, {0, 1}, Look::dots}}};
+  CHECK(count(to_svg(plot), "<path") == 0);
+  CHECK(count(to_svg(plot), "<circle") == 2);
+}
+
+TEST_CASE("plot: a dashed line is one, with its markers") {
+  const Plot plot{"", {"x"}, {"y"}, {{"there", {1, 2}, {1, 2}, Look::dashed}}};
+  const std::string svg = to_svg(plot);
+  CHECK(count(svg, "stroke-dasharray") == 1);
+  CHECK(count(svg, "<circle") == 2);
+}
+
+TEST_CASE("plots below each other are one document, and so are the notes below them") {
+  const Plot plot{"one", {"x"}, {"y"}, {{"curve", {1, 2}, {1, 2}}}};
+  const std::string svg = to_svg("all", {plot, plot}, {"a < b", "more"});
+  CHECK(count(svg, "<svg") == 1);
+  CHECK(count(svg, "<style>") == 1);
+  CHECK(count(svg, ">curve</text>") == 2);
+  CHECK(count(svg, ">a &lt; b</text>") == 1);
+  CHECK(count(svg, "height=\"930\"") == 1);  // 2 (44 + 340 + 56) + 2 · 19 + 12
+}

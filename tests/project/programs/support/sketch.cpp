@@ -1,0 +1,40 @@
+#include "support/sketch.hpp"
+
+#include <doctest/doctest.h>
+
+#include "project/harness/refusal.hpp"
+
+using namespace tumble::support;
+using tumble::test::mentions;
+
+TEST_CASE("sketch: a unit to the right and a unit up are as long, from where the window says") {
+  Sketch sketch(100, 100, "a title");
+  sketch.look({50, 60, 10});
+  sketch.curve({{0, 0}, {1, 0}, {1, 2}}, {"c3"});
+  CHECK(mentions(sketch.svg(), "<title>a title</title>", "d=\"M50 60L60 60L60 40\"", "var(--c3)",
+                 "fill=\"none\"", "</svg>"));
+}
+
+TEST_CASE("sketch: a frame is closed, and filled only if asked") {
+  Sketch sketch(100, 100, "");
+  sketch.look({0, 10, 1});
+  sketch.frame({1, 2}, {3, 5}, {"grid", 1, 1, 0.25});
+  CHECK(mentions(sketch.svg(), "M1 8L3 8L3 5L1 5L1 8", "fill-opacity=\"0.25\""));
+}
+
+TEST_CASE("sketch: discs grow with the window, dots do not") {
+  Sketch sketch(100, 100, "");
+  sketch.look({0, 0, 4});
+  sketch.disc({1, 0}, 2, "c0");
+  sketch.dot({1, 0}, "c1", 3);
+  sketch.dots({{2, 0}, {3, 0}}, "c2", 2);
+  CHECK(mentions(sketch.svg(), "cx=\"4\" cy=\"0\" r=\"8\" fill=\"var(--c0)\"",
+                 "cx=\"4\" cy=\"0\" r=\"3\" fill=\"var(--c1)\"",
+                 "<g fill=\"var(--c2)\">\n<circle cx=\"8\" cy=\"0\" r=\"2\"/>"));
+}
+
+TEST_CASE("sketch: words may have what XML reserves") {
+  Sketch sketch(100, 100, "");
+  sketch.words({0, 0}, {3, 4}, "a < b", "ink", "end");
+  CHECK(mentions(sketch.svg(), "x=\"3\" y=\"4\"", "text-anchor=\"end\">a &lt; b</text>"));
+}
