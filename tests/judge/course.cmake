@@ -73,25 +73,35 @@ function(tumble_add_check target chapter name number)
     return()
   endif()
   string(SUBSTRING ${chapter} 0 2 digits)
-  add_custom_target(check.${digits}.${name} COMMAND ${target} check ${number} DEPENDS ${target}
-    USES_TERMINAL COMMENT "")
+  add_custom_target(check.${digits}.${name} COMMAND ${target} check ${number} USES_TERMINAL COMMENT "")
+  add_dependencies(check.${digits}.${name} spec.${chapter}.${name})
   add_test(NAME exercise/${chapter}/${name} COMMAND ${target} check ${number})
   set_tests_properties(exercise/${chapter}/${name} PROPERTIES LABELS "exercise;ch${digits}")
 endfunction()
 
-# Adds `target`, the judge of the course under `root`: its specs, and for each unit its worker's objects
-# and a target check.04.product. Writes ${target}.json, which tells the judge what there is.
-function(tumble_add_judge target root)
-  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # a spec knows its unit by a definition of its own
-  set_source_files_properties(${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp
-    PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
-  target_include_directories(${target} PRIVATE ${root}/exercises)
-  target_link_libraries(${target} PRIVATE tumble_judge_commands)
+# The spec of a unit: a module that the judge loads when it is asked for that unit.
+function(tumble_add_spec target judge unit spec)
+  add_library(${target} MODULE ${spec})
+  set_target_properties(${target} PROPERTIES PREFIX "" UNITY_BUILD OFF)
+  target_compile_definitions(${target} PRIVATE TUMBLE_UNIT="${unit}")
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${ARGN})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  target_precompile_headers(${target} PRIVATE ${tumble_judge_folder}/spec/spec.hpp
-    ${PROJECT_SOURCE_DIR}/lib/include/tumble/rotation.hpp)
-  add_dependencies(${target} tumble_worker tumble_student_pch)
+  target_link_libraries(${target} PRIVATE ${judge} tumble_support doctest::doctest nlohmann_json::nlohmann_json)
+endfunction()
+
+# Adds `target`, the judge of the course under `root`, and for each unit a target that builds all that
+# judging it needs: spec.04_quaternions.product (with a prefix, if one is given). all_specs builds all of
+# them. Writes ${target}.json, which tells the judge what there is.
+function(tumble_add_judge target root)
+  set(prefix ${ARGN})
+  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF ENABLE_EXPORTS ON) # specs use what it has
+  target_link_libraries(${target} PRIVATE tumble_judge_core tumble_judge_commands)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  add_custom_target(${prefix}all_specs)
+  if(TARGET tumble_unpack)
+    add_dependencies(${prefix}all_specs tumble_unpack) # who grades a class has archives
+  endif()
 
   set(json)
   set(earlier)
@@ -119,10 +129,6 @@ function(tumble_add_judge target root)
       endif()
       tumble_require_file(${spec} "the spec of ${unit}")
 
-      target_sources(${target} PRIVATE ${spec})
-      set_source_files_properties(${spec} TARGET_DIRECTORY ${target} PROPERTIES
-        COMPILE_DEFINITIONS "TUMBLE_UNIT=\"${chapter}/${name}\"")
-
       set(id ${target}_${chapter}_${name})
       set(worker ${CMAKE_CURRENT_BINARY_DIR}/workers/${chapter}/${name}.cpp)
       file(CONFIGURE OUTPUT ${worker} CONTENT [[
@@ -133,11 +139,17 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
 ]] @ONLY)
       tumble_student_object(${id}_worker ${worker}
         ${PROJECT_SOURCE_DIR}/tests ${exercises} ${root}/exercises)
-      add_dependencies(${target} ${id}_worker)
+      tumble_add_spec(${id}_spec ${target} ${chapter}/${name} ${spec} ${root}/exercises)
+      set(all_of_unit ${prefix}spec.${chapter}.${name})
+      add_custom_target(${all_of_unit})
+      add_dependencies(${all_of_unit} ${target} ${id}_spec ${id}_worker ${solutions}
+        tumble_worker tumble_student_pch)
+      add_dependencies(${prefix}all_specs ${all_of_unit})
       set(solution_object "\"\"") # of a hand-out
       if(EXISTS ${solution})
         tumble_student_object(${id}_solution ${solution} ${exercises} ${root}/exercises)
-        add_dependencies(${target} ${id}_solution)
+        list(APPEND solutions ${id}_solution)
+        add_dependencies(${prefix}all_specs ${id}_solution)
         set(solution_object "\"$<FILTER:$<TARGET_OBJECTS:${id}_solution>,INCLUDE,/solutions/>\"")
       endif()
 
@@ -147,7 +159,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
       string(APPEND json "${separator}
     {\"number\": \"${number}\", \"chapter\": \"${chapter}\", \"name\": \"${name}\",
      \"worker\": \"$<FILTER:$<TARGET_OBJECTS:${id}_worker>,INCLUDE,/workers/>\",
-     \"solution\": ${solution_object}, \"earlier\": [${earlier_json}]}")
+     \"spec\": \"$<TARGET_FILE:${id}_spec>\", \"solution\": ${solution_object}, \"earlier\": [${earlier_json}]}")
       set(separator ",")
       if(EXISTS ${solution})
         list(APPEND earlier ${solution_object})
@@ -160,7 +172,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
   if(EXISTS ${root}/tests/judge/mine/engine.cpp AND whole)
     tumble_student_object(${target}_engine ${root}/tests/judge/mine/engine.cpp
       ${PROJECT_SOURCE_DIR}/tests ${root}/exercises)
-    add_dependencies(${target} ${target}_engine)
+    add_dependencies(${prefix}all_specs ${target}_engine tumble_judge_mine)
     set(engine "$<FILTER:$<TARGET_OBJECTS:${target}_engine>,INCLUDE,/engine.cpp>")
   endif()
 
@@ -176,6 +188,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
   \"precompiled\": \"${TUMBLE_STUDENT_PCH}\",
   \"linker\": \"${TUMBLE_STUDENT_LINKER}\",
   \"engine\": \"${engine}\",
+  \"mine\": \"$<TARGET_FILE:tumble_judge_mine>\",
   \"runtime\": \"$<TARGET_FILE:tumble_worker>\",
   \"units\": [${json}
   ]

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "judge/spec/load_spec.hpp"
 #include "judge/spec/misconception.hpp"
 #include "judge/verdict/markup.hpp"
 
@@ -39,6 +40,7 @@ std::string share(std::size_t n, std::size_t of) {
 
 /// The misconception of a unit with this name; an empty one if a newer judge no longer knows it.
 NamedMistake mistake_named(const Unit& unit, const std::string& name) {
+  load_spec(unit);
   for (const NamedMistake& mistake : mistakes_of(unit.id()))
     if (mistake.name == name) return mistake;
   return {name, "", ""};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "judge/spec/impostor.hpp"
+#include "judge/spec/load_spec.hpp"
 #include "judge/spec/misconception.hpp"
 #include "judge/spec/run.hpp"
 
@@ -58,6 +59,7 @@ bool print_kill_matrix(std::ostream& out, const Course& course, const std::vecto
   std::size_t total = 0, right = 0;
   out << "| unit | misconception | cases that fail | named |\n|---|---|---|---|\n";
   for (const Unit& unit : units) {
+    load_spec(unit);
     const std::vector<NamedMistake>& mistakes = mistakes_of(unit.id());
     for (std::size_t k = 0; k < mistakes.size(); ++k) {
       Kill kill = try_to_kill(unit, k, seed);

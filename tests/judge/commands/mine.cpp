@@ -5,12 +5,13 @@
 #include <stdexcept>
 
 #include "judge/build/work_folder.hpp"
-#include "judge/commands/commands.hpp"
 #include "judge/commands/given_files.hpp"
+#include "judge/commands/mine_module.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "judge/mine/diagnosis.hpp"
 #include "judge/mine/engine_build.hpp"
 #include "judge/mine/report.hpp"
+#include "judge/mine/travelling_curve.hpp"
 #include "judge/verdict/console.hpp"
 #include "judge/verdict/judge_all.hpp"
 #include "judge/verdict/number_text.hpp"
@@ -91,9 +92,7 @@ int not_built(const MineOptions& options, const mine::EngineBuild& build,
   return 1;
 }
 
-}  // namespace
-
-int mine_command(const Course& course, const MineOptions& options) {
+int run_mine(const Course& course, const MineOptions& options) {
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
   if (options.fill && !course.has_solutions()) {
     std::cerr << "tumble: --fill: this tree has no solutions, it was handed out without them\n";
@@ -122,5 +121,9 @@ int mine_command(const Course& course, const MineOptions& options) {
   }
   return measured(course, options, build);
 }
+
+}  // namespace
+
+extern "C" const MineModule tumble_mine_module = {run_mine, mine::travelling_curve};
 
 }  // namespace tumble::judge

@@ -9,8 +9,8 @@
 #include "judge/class/submissions.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/given_files.hpp"
+#include "judge/commands/mine_module.hpp"
 #include "judge/commands/sandbox.hpp"
-#include "judge/mine/travelling_curve.hpp"
 #include "judge/platforms/package.hpp"
 #include "support/text_file.hpp"
 
@@ -33,7 +33,7 @@ std::string figure_of(const Grading& grading, const PlatformRun& run, const fs::
     const auto found = files.find(unit.id());
     return run.submission / (found == files.end() ? fs::path("not handed in") : found->second);
   };
-  return mine::travelling_curve(course, source, folder).value_or("");
+  return mine_module(course).travelling_curve(course, source, folder).value_or("");
 }
 
 }  // namespace

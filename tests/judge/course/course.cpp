@@ -20,7 +20,8 @@ Unit read_unit(const json& j) {
             j.at("name"),
             j.at("worker").get<std::string>(),
             {},
-            j.at("solution").get<std::string>()};
+            j.at("solution").get<std::string>(),
+            j.at("spec").get<std::string>()};
   for (const json& object : j.at("earlier")) unit.earlier.emplace_back(object.get<std::string>());
   return unit;
 }
@@ -59,6 +60,7 @@ Course read_course(const fs::path& file) {
                   j.at("state").get<std::string>(),
                   read_toolchain(j),
                   j.at("engine").get<std::string>(),
+                  j.at("mine").get<std::string>(),
                   {}};
     for (const json& unit : j.at("units")) course.units.push_back(read_unit(unit));
     return course;

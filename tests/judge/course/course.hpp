@@ -19,6 +19,7 @@ struct Unit {
   fs::path worker;                ///< object file that asks the student's function
   std::vector<fs::path> earlier;  ///< object files: the solutions of all units before this one
   fs::path solution;              ///< object file: its own solution
+  fs::path spec = {};             ///< module: its laws and misconceptions; empty in tests
 
   /// "04_quaternions/product"
   std::string id() const { return chapter + "/" + name; }
@@ -43,6 +44,7 @@ struct Course {
   fs::path state;  ///< folder where progress and saved attempts are kept
   Toolchain toolchain;
   fs::path engine;  ///< object file that makes an engine of the student's functions; or empty
+  fs::path mine;    ///< module that measures such an engine
   std::vector<Unit> units;
   /// Where a course without solutions finds a function that another one calls; in exercises/ if not
   /// said.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "judge/course/stable_hash.hpp"
+#include "tumble/core/rounding.hpp"
 
 namespace tumble::judge {
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "judge/build/work_folder.hpp"
+#include "judge/spec/load_spec.hpp"
 
 namespace tumble::judge {
 
@@ -26,6 +27,8 @@ double seconds_since(Clock::time_point start) {
 void judge_all(const Course& course, const std::vector<Unit>& units,
                const std::function<fs::path(const Unit&)>& source, const Judgement& judgement,
                const std::function<void(const UnitResult&)>& done) {
+  for (const Unit& unit : units)
+    load_spec(unit);  // before anything can be called a student's fault
   const WorkFolder work;
   const auto folder_of = [&](const Unit& unit) {
     return work.path() / (unit.chapter + "-" + unit.name);
