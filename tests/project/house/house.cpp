@@ -4,10 +4,12 @@
 
 #include <cstdlib>
 
+#include "project/harness/command.hpp"
 #include "project/harness/temporary_folder.hpp"
 #include "project/house/includes.hpp"
 
 using namespace tumble;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -37,6 +39,25 @@ TEST_CASE("the project: every include points down to lib/, none leaves the tree"
 TEST_CASE("the project: no folders include each other in a circle") {
   for (const std::string& circle : house::circles(house::includes_of(std::getenv("TUMBLE_ROOT"))))
     FAIL_CHECK(circle);
+}
+
+TEST_CASE("the project: each chapter alone can be handed out, with all that it includes") {
+  for (int chapter = 1; chapter <= 10; ++chapter) {
+    CAPTURE(chapter);
+    const test::TemporaryFolder folder;
+    const fs::path tree = folder.path() / "tree";
+    const auto made =
+        test::run_command(std::string("'") + std::getenv("TUMBLE_JUDGE") + "' handout --chapters " +
+                          std::to_string(chapter) + " '" + tree.string() + "'");
+    REQUIRE_MESSAGE(made.status == 0, made.output);
+    for (const char* kept :
+         {"lib/include/tumble/tumble.hpp", "tests/judge/spec/spec.hpp", "tumble"})
+      CHECK_MESSAGE(fs::exists(tree / kept), kept);
+    for (const char* held_back : {"solutions", "tests/project", "chapters/for_instructors"})
+      CHECK_MESSAGE(!fs::exists(tree / held_back), held_back);
+    for (const std::string& broken : house::broken_laws(house::includes_of(tree)))
+      FAIL_CHECK(broken);
+  }
 }
 
 TEST_CASE("an arrow upwards is found, and said with its place") {
