@@ -1,10 +1,10 @@
 // ./tumble tour: a real object, from its mesh to its mass properties to its tumbling motion.
-#include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
+#include "support/command_line.hpp"
 #include "support/objects/objects.hpp"
 #include "support/view.hpp"
 #include "tour/tour.hpp"
@@ -31,7 +31,7 @@ std::string names_of_objects() {
 const objects::Object& find_object(const std::string& name) {
   for (const objects::Object& object : objects::all)
     if (object.name == name) return object;
-  throw std::invalid_argument("there is no object '" + name + "', only " + names_of_objects());
+  throw std::invalid_argument("there is no object '" + name + "'; there are " + names_of_objects());
 }
 
 /// @throws std::invalid_argument naming the subject if the mesh does not bound a body
@@ -127,11 +127,8 @@ int main(int argc, char** argv) {
   app.add_option("--density", options.density, "[kg/m³]; 1000 for a mesh if not given")
       ->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "folder for figures and tables")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return support::run_command_line(app, argc, argv, [&] {
     run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "tumble tour: " << error.what() << '\n';
-    return 1;
-  }
+    return support::exit_status::achieved;
+  });
 }
