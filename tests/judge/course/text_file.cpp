@@ -14,13 +14,25 @@ std::string read_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-  const fs::path beside = file.string() + ".new";
-  fs::remove(beside);  // a link there would lead elsewhere
-  std::ofstream out(beside, std::ios::binary);
+namespace {
+
+void write_in_place(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw std::runtime_error("cannot write " + beside.string());
+  if (!out) throw std::runtime_error("cannot write " + file.string());
+}
+
+}  // namespace
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::error_code missing;
+  const fs::file_type type = fs::status(file, missing).type();
+  if (type == fs::file_type::character || type == fs::file_type::fifo)
+    return write_in_place(file, text);  // /dev/stdout stays what it is
+  const fs::path beside = file.string() + ".new";
+  fs::remove(beside);  // a link there would lead elsewhere
+  write_in_place(beside, text);
   fs::rename(beside, file);
 }
 
