@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "support/command_line.hpp"
+#include "support/terminal.hpp"
 
 namespace tumble::support {
 
@@ -60,7 +61,7 @@ void Chapter::show_all(const std::string& folder) const {
   std::cout << title_ << "\n";
   for (const NamedTable& each : tables_) {
     const Table table = each.make();
-    std::cout << "\n" << each.heading << "\n\n" << table.text() << std::flush;
+    std::cout << "\n" << each.heading << "\n\n" << fitted(table) << std::flush;
     write(std::filesystem::path(folder) / (each.name + ".csv"), table.csv());
   }
   write_figures(folder);

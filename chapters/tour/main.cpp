@@ -6,6 +6,7 @@
 
 #include "support/command_line.hpp"
 #include "support/objects/objects.hpp"
+#include "support/terminal.hpp"
 #include "support/view.hpp"
 #include "tour/tour.hpp"
 #include "tumble/mesh/read_obj.hpp"
@@ -73,7 +74,7 @@ void introduce(const Subject& subject) {
              support::number(body.mass, 10), "kg"});
   table.add({"centre of mass", three_numbers(body.centre, 6), "m"});
   table.add({"principal moments", three_numbers(moments, 6), "kg m²"});
-  std::cout << table.text();
+  std::cout << support::fitted(table);
 }
 
 void show_objects(Output& output) {
