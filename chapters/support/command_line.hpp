@@ -75,9 +75,9 @@ inline std::string unexpected(const CLI::App& app, const std::string& argument) 
 
 inline std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> rest = app.remaining(true);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty())
-    return unexpected(app, rest.front());
-  return error.what();
+  const bool no_command = &given_command(app) == &app && !command_names(app).empty();
+  const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  return !rest.empty() && (extra || no_command) ? unexpected(app, rest.front()) : error.what();
 }
 
 /// Reads the command line, runs, and reports what went wrong.

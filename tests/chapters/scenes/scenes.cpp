@@ -228,10 +228,10 @@ TEST_CASE("mass and simulate: wrong usage, a missing file and a full disk are st
 TEST_CASE("simulate: in a narrow terminal no line is longer than it, and no word is broken") {
   write("scene.json", thrown_ball().dump());
   const CommandResult narrow =
-      run_command("cd " + folder.string() + " && COLUMNS=60 script -qec '" +
+      run_command("cd " + folder.string() + " && COLUMNS=40 script -qec '" +
                   std::getenv("TUMBLE_SCENES") + " simulate scene.json' /dev/null");
   std::istringstream lines(narrow.output);
   for (std::string line; std::getline(lines, line);)
-    CHECK(tumble::support::characters(line) <= 61);  // and a carriage return
+    CHECK(tumble::support::characters(line) <= 41);  // and a carriage return
   CHECK(mentions(narrow.output, "    at the end: "));
 }
