@@ -258,6 +258,8 @@ called 'sudo apt-get'
 ID=1000 ABSENT=doctest-dev run tour
 expect 0
 expect_no doctest-dev
+ID=1000 ABSENT=doctest-dev run tour --no-install
+expect 0
 ID=1000 COMPILER_IS_A_STUB=yes run tour
 expect 2 'please install: a C++20 compiler' 'sudo apt-get install g++'
 expect_no tinyobj
