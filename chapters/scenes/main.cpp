@@ -1,13 +1,10 @@
 // ./tumble mass FILE.obj and ./tumble simulate scene.json: the library without writing C++.
-#include <CLI/CLI.hpp>
-#include <exception>
-#include <iostream>
-
 #include "scenes/commands.hpp"
+#include "support/command_line.hpp"
 
 int main(int argc, char** argv) {
   using namespace tumble::scenes;
-  CLI::App app{"Mass properties of meshes, and the motion of bodies."};
+  CLI::App app("Mass properties of meshes, and the motion of bodies.", "./tumble");
   app.require_subcommand(1);
   MassCommand mass;
   CLI::App* mass_app =
@@ -29,11 +26,6 @@ int main(int argc, char** argv) {
   simulate_app->add_option("--svg", simulate.svg, "draw how the bodies turn into this file");
   simulate_app->add_flag("--json", simulate.json,
                          "all digits, and everything that was chosen and spent, as JSON");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return mass_app->parsed() ? run(mass) : run(simulate);
-  } catch (const std::exception& error) {
-    std::cerr << "tumble: " << error.what() << '\n';
-    return 1;
-  }
+  return tumble::support::run_command_line(
+      app, argc, argv, [&] { return mass_app->parsed() ? run(mass) : run(simulate); });
 }

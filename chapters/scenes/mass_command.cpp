@@ -2,7 +2,7 @@
 
 #include "scenes/commands.hpp"
 #include "scenes/json.hpp"
-#include "support/table.hpp"
+#include "support/terminal.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/mesh/read_obj.hpp"
 
@@ -70,7 +70,7 @@ std::string numbers(std::initializer_list<double> list) {
 
 void print(const Answer& found, const MassCommand& command) {
   for (const Finding& finding : found.findings)
-    std::cout << name(finding.kind) << ": " << finding.message << '\n';
+    std::cout << support::fitted(std::string(name(finding.kind)) + ": " + finding.message) << '\n';
   if (!found.usable) return;
   const BoundedMassProperties& body = found.body;
   const Mat3& I = body.inertia;
@@ -85,7 +85,7 @@ void print(const Answer& found, const MassCommand& command) {
              support::error_number(body.inertia_error_bound * I.norm())});
   table.add({"inertia xy, yz, zx", numbers({I(0, 1), I(1, 2), I(2, 0)}), "kg m²",
              support::error_number(body.inertia_error_bound * I.norm())});
-  std::cout << table.text();
+  std::cout << support::fitted(table);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "scenes/json.hpp"
 #include "scenes/scene.hpp"
 #include "support/plot.hpp"
-#include "support/table.hpp"
+#include "support/terminal.hpp"
 #include "tumble/simulate/first_event.hpp"
 
 namespace tumble::scenes {
@@ -162,6 +162,21 @@ std::string three(const Vec3& v) {
          support::number(v.z(), 9);
 }
 
+void print_report(const SimulationReport& report) {
+  const auto line = [](const auto&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    std::cout << support::fitted(text.str()) << '\n';
+  };
+  line("model: ", name_of(report.model), " (", report.why, ")");
+  line("method: ", report.method);
+  line("error: about ", support::error_number(report.error_estimate), ", asked for ",
+       support::error_number(report.tolerance));
+  line("spent: ", report.runs, " runs, ", report.steps, " steps, ", report.evaluations,
+       " evaluations");
+  std::cout << '\n';
+}
+
 void print(const Scene& scene, const Motions& motions) {
   std::cout << (motions.stopped ? "stopped at t = " : "until t = ")
             << support::number(motions.end, 16) << " s\n\n";
@@ -177,11 +192,8 @@ void print(const Scene& scene, const Motions& motions) {
     table.add({"angular velocity", three(now.omega), "rad/s"});
     table.add({"linear momentum", three(s.P), "kg m/s"});
     table.add({"angular momentum", three(s.L), "kg m²/s"});
-    std::cout << table.text() << "model: " << name_of(report.model) << " (" << report.why
-              << ")\nmethod: " << report.method << "\nerror: about "
-              << support::error_number(report.error_estimate) << ", asked for "
-              << support::error_number(report.tolerance) << "\nspent: " << report.runs << " runs, "
-              << report.steps << " steps, " << report.evaluations << " evaluations\n\n";
+    std::cout << support::fitted(table);
+    print_report(report);
   }
 }
 

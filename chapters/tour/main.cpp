@@ -1,11 +1,12 @@
 // ./tumble tour: a real object, from its mesh to its mass properties to its tumbling motion.
-#include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
 #include "objects/objects.hpp"
+#include "support/command_line.hpp"
+#include "support/terminal.hpp"
 #include "support/view.hpp"
 #include "tour/tour.hpp"
 #include "tumble/mesh/read_obj.hpp"
@@ -31,7 +32,7 @@ std::string names_of_objects() {
 const objects::Object& find_object(const std::string& name) {
   for (const objects::Object& object : objects::all)
     if (object.name == name) return object;
-  throw std::invalid_argument("there is no object '" + name + "', only " + names_of_objects());
+  throw std::invalid_argument("there is no object '" + name + "'; there are " + names_of_objects());
 }
 
 /// @throws std::invalid_argument naming the subject if the mesh does not bound a body
@@ -73,7 +74,7 @@ void introduce(const Subject& subject) {
              support::number(body.mass, 10), "kg"});
   table.add({"centre of mass", three_numbers(body.centre, 6), "m"});
   table.add({"principal moments", three_numbers(moments, 6), "kg m²"});
-  std::cout << table.text();
+  std::cout << support::fitted(table);
 }
 
 void show_objects(Output& output) {
@@ -127,11 +128,8 @@ int main(int argc, char** argv) {
   app.add_option("--density", options.density, "[kg/m³]; 1000 for a mesh if not given")
       ->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "folder for figures and tables")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return support::run_command_line(app, argc, argv, [&] {
     run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "tumble tour: " << error.what() << '\n';
-    return 1;
-  }
+    return support::exit_status::achieved;
+  });
 }

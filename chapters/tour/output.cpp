@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/terminal.hpp"
 #include "tour/tour.hpp"
 
 namespace tumble::tour {
@@ -24,7 +25,7 @@ void Output::write(const std::string& file, const std::string& content) {
 
 void Output::show(const std::string& heading, const support::Table& table,
                   const std::string& file) {
-  std::cout << '\n' << heading << "\n\n" << table.text() << std::flush;
+  std::cout << '\n' << heading << "\n\n" << support::fitted(table) << std::flush;
   write(file + ".csv", table.csv());
 }
 

@@ -1,10 +1,13 @@
 #include "support/chapter.hpp"
 
-#include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+
+#include "support/command_line.hpp"
+#include "support/terminal.hpp"
 
 namespace tumble::support {
 
@@ -46,7 +49,7 @@ void Chapter::print_only(const std::string& name) const {
     }
     known += " " + each.name;
   }
-  throw std::invalid_argument("there is no table '" + name + "'; there are:" + known);
+  throw std::invalid_argument(folder_ + " has no table '" + name + "'; there are:" + known);
 }
 
 void Chapter::write_figures(const std::string& folder) const {
@@ -58,7 +61,7 @@ void Chapter::show_all(const std::string& folder) const {
   std::cout << title_ << "\n";
   for (const NamedTable& each : tables_) {
     const Table table = each.make();
-    std::cout << "\n" << each.heading << "\n\n" << table.text() << std::flush;
+    std::cout << "\n" << each.heading << "\n\n" << fitted(table) << std::flush;
     write(std::filesystem::path(folder) / (each.name + ".csv"), table.csv());
   }
   write_figures(folder);
@@ -66,24 +69,20 @@ void Chapter::show_all(const std::string& folder) const {
 }
 
 int Chapter::run(int argc, char** argv) const {
-  CLI::App app(title_);
+  CLI::App app(title_, "./tumble chapter " + std::to_string(std::atoi(folder_.c_str())));
   std::string only, figures, out = "build/chapters/" + folder_;
   app.add_option("--only", only, "print one table, by its name, and nothing else");
   app.add_option("--figures", figures, "write the figures into this folder, and nothing else");
   app.add_option("--out", out, "folder for figures (SVG) and tables (CSV)")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return run_command_line(app, argc, argv, [&] {
     if (app.count("--only") > 0)
       print_only(only);
     else if (app.count("--figures") > 0)
       write_figures(figures);
     else
       show_all(out);
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << folder_ << ": " << error.what() << "\n";
-    return 1;
-  }
+    return exit_status::achieved;
+  });
 }
 
 }  // namespace tumble::support

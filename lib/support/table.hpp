@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "support/wrapped.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::support {
@@ -53,12 +54,6 @@ inline std::string duration(double seconds) {
   return number(seconds) + " s";
 }
 
-/// Characters, not bytes: the continuation bytes of UTF-8 are not counted.
-inline std::size_t characters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 /// Columns with a heading each; the first is flush left, the others flush right.
 class Table {
  public:
@@ -81,6 +76,22 @@ class Table {
       out.erase(out.find_last_not_of(' ') + 1);
       out += '\n';
       if (r == 0) out += rule();
+    }
+    return out;
+  }
+
+  /// The same if no line is longer than `width` characters. Or else each row becomes a few lines
+  /// that break between words: its first cell, and below it the others, each with its heading.
+  std::string text_within(std::size_t width) const {
+    std::size_t line = 2;
+    for (std::size_t c = 0; c < rows_[0].size(); ++c) line += column_width(c) + (c == 0 ? 0 : 3);
+    if (line <= width) return text();
+    std::string out = wrapped(rows_[0][0], width, 2) + '\n';
+    for (std::size_t r = 1; r < rows_.size(); ++r) {
+      out += "  " + wrapped(rows_[r][0], width - 2, 4) + '\n';
+      for (std::size_t c = 1; c < rows_[r].size(); ++c)
+        if (!rows_[r][c].empty())
+          out += "    " + wrapped(rows_[0][c] + ": " + rows_[r][c], width - 4, 6) + '\n';
     }
     return out;
   }

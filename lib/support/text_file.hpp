@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace tumble::support {
 
@@ -17,17 +18,28 @@ inline std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Writes beside the file and then puts it in its place: an interruption, or a full disk, leaves
-/// what was there.
+/// Writes into the file as it is.
 /// @throws std::runtime_error naming the file if it cannot be written
-inline void write_text(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path beside = file.string() + ".new";
-  std::filesystem::remove(beside);  // a link there would lead elsewhere
-  std::ofstream out(beside, std::ios::binary);
+inline void write_in_place(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw std::runtime_error("cannot write " + beside.string());
-  std::filesystem::rename(beside, file);
+  if (!out) throw std::runtime_error("cannot write " + file.string());
+}
+
+/// Writes beside the file and then puts it in its place: an interruption, or a full disk, leaves
+/// what was there. A device, such as /dev/stdout, is written to.
+/// @throws std::runtime_error naming the file if it cannot be written
+inline void write_text(const std::filesystem::path& file, const std::string& text) {
+  namespace fs = std::filesystem;
+  std::error_code missing;
+  const fs::file_type type = fs::status(file, missing).type();
+  if (type == fs::file_type::character || type == fs::file_type::fifo)
+    return write_in_place(file, text);
+  const fs::path beside = file.string() + ".new";
+  fs::remove(beside);  // a link there would lead elsewhere
+  write_in_place(beside, text);
+  fs::rename(beside, file);
 }
 
 /// The same, in folders that need not be there.

@@ -1,11 +1,11 @@
 /// @file
 /// Keeps the pages true, and turns them into what Doxygen reads.
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "book/tool/check.hpp"
 #include "book/tool/site.hpp"
 #include "book/tool/sources.hpp"
+#include "support/command_line.hpp"
 
 using namespace tumble::book;
 
@@ -21,10 +21,17 @@ void write_all(const Places& places) {
   for (const Page& page : changed) write_page(page);
 }
 
+int print_mistakes(const Places& places) {
+  const std::vector<std::string> mistakes = mistakes_in(places);
+  for (const std::string& mistake : mistakes) std::cout << mistake << "\n";
+  using namespace tumble::support;
+  return mistakes.empty() ? exit_status::achieved : exit_status::not_achieved;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("the pages of the book");
+  CLI::App app("the pages of the book", "tumble_book");
   app.require_subcommand(1);
   Places places;
   fs::path file;
@@ -36,19 +43,11 @@ int main(int argc, char** argv) {
   filter->add_option("file", file)->required();
   CLI::App* figures = app.add_subcommand("figures", "put the drawings into Doxygen's pages");
   figures->add_option("folder", file)->required();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    if (*checking) {
-      const std::vector<std::string> mistakes = mistakes_in(places);
-      for (const std::string& mistake : mistakes) std::cout << mistake << "\n";
-      return mistakes.empty() ? 0 : 1;
-    }
+  return tumble::support::run_command_line(app, argc, argv, [&] {
+    if (*checking) return print_mistakes(places);
     if (*writing) write_all(places);
     if (*figures) fill_in_figures(places.root, file);
     if (*filter) std::cout << for_doxygen(places.root, read_page(file));
-    return 0;
-  } catch (const std::exception& e) {
-    std::cerr << e.what() << "\n";
-    return 2;
-  }
+    return tumble::support::exit_status::achieved;
+  });
 }

@@ -26,15 +26,14 @@ std::size_t number_of(const std::string& text) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   require(error == std::errc() && end == text.data() + text.size() && number > 0, "'", text,
-          "' is no number of a case");
+          "' is not the number of a case");
   return number;
 }
 
 Selection select(const Course& course, const Progress& progress, const std::string& what) {
   if (what.empty()) {
-    for (const Unit& unit : course.units)
-      if (!progress.is_done(unit)) return {{unit}, 0};
-    return {};
+    const std::optional<Unit> open = progress.next_open();
+    return open ? Selection{{*open}, 0} : Selection{};
   }
   const auto first_dot = what.find('.');
   const auto second_dot = what.find('.', first_dot + 1);
@@ -65,16 +64,24 @@ void print_totals(const std::vector<UnitResult>& results) {
 }
 
 void print_next(const Course& course, const Progress& progress) {
-  for (const Unit& unit : course.units) {
-    if (progress.is_done(unit)) continue;
-    std::cout << "  Next: " << unit.number << " " << unit.name << ", in "
-              << fs::relative(course.exercise(unit), course.root).string() << "\n";
-    return;
-  }
-  std::cout << "  Every unit passes. Well done.\n";
+  if (const std::optional<Unit> unit = progress.next_open())
+    std::cout << "  Next: " << unit->number << " " << unit->name << ", in "
+              << fs::relative(course.exercise(*unit), course.root).string() << "\n";
+  else
+    std::cout << "  Every unit passes. Well done.\n";
+}
+
+/// Two chapters may have a function of the same name.
+void print_namesakes(const std::vector<Unit>& units, const std::string& what) {
+  if (units.size() > 1 && units.front().name == what)
+    std::cerr << "tumble: " << what << " means " << numbers_of(units) << "\n";
 }
 
 }  // namespace
+
+std::vector<Unit> units_to_check(const Course& course, const std::string& what) {
+  return select(course, Progress(course), what).units;
+}
 
 int check(const Course& course, const CheckOptions& options) {
   Progress progress(course);
@@ -83,6 +90,7 @@ int check(const Course& course, const CheckOptions& options) {
     print_next(course, progress);
     return 0;
   }
+  print_namesakes(selection.units, options.what);
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
   Judgement judgement;
   judgement.seed = options.seed.value_or(fresh_seed());

@@ -60,6 +60,10 @@ struct PlatformOptions {
   std::optional<fs::path> settings;  ///< course.json
 };
 
+/// What `check` judges: "4.1", "product", "4", "all", "4.1.3" for one case; the next open unit if
+/// empty, or none if all are done.
+/// @throws std::invalid_argument if there is no such thing
+std::vector<Unit> units_to_check(const Course& course, const std::string& what);
 /// Judges what was asked for, explains, and remembers.
 int check(const Course& course, const CheckOptions& options);
 /// Builds an engine of the student's own functions, and shows its errors beside the library's.
@@ -68,7 +72,7 @@ int mine_command(const Course& course, const MineOptions& options);
 int watch(const Course& course);
 /// All units with what is known about them.
 int list(const Course& course);
-/// Shows the next hint, or the one with this number.
+/// Shows the next hint, or the one with this number, for this unit or for the next open one.
 int hint(const Course& course, const std::string& unit, int number);
 /// Puts the untouched stub back, and keeps what was there.
 int reset(const Course& course, const std::string& unit);

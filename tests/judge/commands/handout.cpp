@@ -11,8 +11,7 @@ int handout_command(const Course& course, const std::string& chapters, const fs:
   make_tree(course, {meant}, to);
   std::size_t units = 0;
   for (const Unit& unit : course.units) units += meant.count(unit.chapter);
-  std::cerr << "tumble: " << meant.size() << " chapters, " << units
-            << " exercises, no solutions: ";
+  std::cerr << "tumble: " << meant.size() << " chapters, " << units << " exercises, no solutions: ";
   std::cout << to.string() << "\n";
   return 0;
 }

@@ -18,9 +18,15 @@ namespace {
 
 Unit one_unit(const Course& course, const std::string& what) {
   const std::vector<Unit> units = course.select(what);
-  require(units.size() == 1, "'", what, "' means ", units.size(),
-          " units; this command takes one, such as ", units.front().number);
+  require(units.size() == 1, "'", what, "' means ", numbers_of(units),
+          "; this command takes one of them");
   return units.front();
+}
+
+Unit next_open(const Progress& progress) {
+  const std::optional<Unit> unit = progress.next_open();
+  require(unit.has_value(), "every unit passes; a hint for which one? Such as: ./tumble hint 4.1");
+  return *unit;
 }
 
 /// "2026-11-21-083055"
@@ -34,9 +40,9 @@ std::string time_stamp() {
 }  // namespace
 
 int hint(const Course& course, const std::string& what, int number) {
-  const Unit unit = one_unit(course, what);
-  const std::vector<std::string> hints = read_hints(course, unit);
   Progress progress(course);
+  const Unit unit = what.empty() ? next_open(progress) : one_unit(course, what);
+  const std::vector<std::string> hints = read_hints(course, unit);
   int& shown = progress.of(unit).hints;
   if (number == 0) number = std::min(shown + 1, static_cast<int>(hints.size()));
   require(number >= 1 && number <= static_cast<int>(hints.size()), "there are hints 1 to ",

@@ -1,149 +1,211 @@
 /// @file
 /// The judge's command line; ./tumble calls it.
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
 
 #include "judge/commands/commands.hpp"
+#include "judge/commands/needs.hpp"
 #include "judge/platforms/platform.hpp"
+#include "support/command_line.hpp"
 
 using namespace tumble::judge;
 
 namespace {
 
-/// Options of `check` that only make sense for what it is given.
-void add_check(CLI::App& app, CheckOptions& options) {
-  app.add_option("what", options.what,
-                 "unit (4.1 or product), chapter (4), all; 4.1.3 is one case");
-  app.add_option("--seed", options.seed,
-                 "of the random inputs; another one each time if not given");
-  app.add_option("--seeds", options.seeds, "try this many, one after the other")
-      ->check(CLI::Range(1, 100000));
-  app.add_option("--from", options.from, "folder with the files to judge, instead of exercises/");
-  app.add_option("--json", options.json, "write the results here, again after each unit");
-  app.add_flag("--every-case", options.every_case, "explain every case that fails");
-  app.add_flag("--strict", options.strict, "refuse to judge if a wall of the sandbox is missing");
-  app.add_flag("--solutions", options.solutions, "judge the solutions");
-  app.add_flag("--sanitize", options.sanitized, "run with AddressSanitizer and UBSan");
-}
+/// What a command needs that judges nothing.
+Targets nothing(const Course&) { return {}; }
+Targets everything(const Course&) { return all_specs(); }
 
-void add_mine(CLI::App& app, MineOptions& options) {
-  app.add_flag("--fill", options.fill, "take the functions that are missing from the solutions");
-  app.add_option("--from", options.from, "folder with your files, instead of exercises/");
-  app.add_option("--svg", options.svg, "write the figure here, instead of build/mine.svg");
-  app.add_option("--json", options.json, "write the numbers here");
-  app.add_flag("--strict", options.strict, "refuse to run if a wall of the sandbox is missing");
-}
+constexpr const char* strict_help = "refuse to judge if a wall of the sandbox is missing";
 
-void add_grade(CLI::App& app, GradeOptions& options) {
-  app.add_option("DIR", options.folders, "folders of submissions: a folder or archive a student")
-      ->required();
-  app.add_option("--out", options.out, "folder for the results; grading goes on where it was")
-      ->capture_default_str();
-  app.add_option("--course", options.settings,
-                 "course.json: units, weights, credit, due date, seed");
-  app.add_option("--jobs", options.at_once, "submissions at a time; as many as cores if not given")
-      ->check(CLI::Range(1, 1000));
-  app.add_flag("--strict", options.strict, "refuse to judge if a wall of the sandbox is missing");
-}
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.require_subcommand(1);
+    app_.add_flag("--needs", only_needs_)->group("");  // ./tumble asks what it has to build
+    add_check();
+    add_mine();
+    add_progress();
+    add_help();
+    add_grade();
+    add_report();
+    add_handout();
+    add_export();
+    add_platform();
+    add_proofs();
+  }
 
-void add_report(CLI::App& app, ReportOptions& options) {
-  app.add_option("GRADES", options.grades, "folder that `grade` has made")->capture_default_str();
-  app.add_option("--out", options.out, "the page")->capture_default_str();
-  app.add_option("--course", options.settings, "course.json: units, weights, credit");
-  app.add_flag("--names", options.names, "the students' names, too");
-}
+  int run(int argc, char** argv) {
+    if (argc > 1 && std::string(argv[1]) == "--needs") return print_needs(argc, argv);
+    return tumble::support::run_command_line(app_, argc, argv,
+                                             [&] { return run_(read_course(TUMBLE_COURSE)); });
+  }
+
+ private:
+  using Run = std::function<int(const Course&)>;
+  using Needs = std::function<Targets(const Course&)>;
+
+  CLI::App& command(const char* name, const char* what, Run run, Needs needs) {
+    CLI::App* command = app_.add_subcommand(name, what);
+    command->callback([this, run = std::move(run), needs = std::move(needs)] {
+      run_ = run;
+      needs_ = needs;
+    });
+    return *command;
+  }
+
+  /// One target a line. Of a command line that cannot be carried out, nothing: the command itself
+  /// says what is wrong with it.
+  int print_needs(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+      for (const std::string& target : needs_(read_course(TUMBLE_COURSE)))
+        std::cout << target << "\n";
+    } catch (const std::exception&) {
+      return 0;
+    }
+    return tumble::support::finished(0);
+  }
+
+  void add_check() {
+    CLI::App& app = command(
+        "check", "judge what you have written",
+        [this](const Course& course) { return check(course, check_); },
+        [this](const Course& course) { return specs_of(units_to_check(course, check_.what)); });
+    app.add_option("what", check_.what,
+                   "unit (4.1 or product), chapter (4), all; 4.1.3 is one case");
+    app.add_option("--seed", check_.seed,
+                   "of the random inputs; another one each time if not given");
+    app.add_option("--seeds", check_.seeds, "try this many, one after the other")
+        ->check(CLI::Range(1, 100000));
+    app.add_option("--from", check_.from, "folder with the files to judge, instead of exercises/");
+    app.add_option("--json", check_.json, "write the results here, again after each unit");
+    app.add_flag("--every-case", check_.every_case, "explain every case that fails");
+    app.add_flag("--strict", check_.strict, strict_help);
+    app.add_flag("--solutions", check_.solutions, "judge the solutions");
+    app.add_flag("--sanitize", check_.sanitized, "run with AddressSanitizer and UBSan");
+  }
+
+  void add_mine() {
+    CLI::App& app = command(
+        "mine", "an engine of your own functions, beside the library",
+        [this](const Course& course) { return mine_command(course, mine_); }, everything);
+    app.add_flag("--fill", mine_.fill, "take the functions that are missing from the solutions");
+    app.add_option("--from", mine_.from, "folder with your files, instead of exercises/");
+    app.add_option("--svg", mine_.svg, "write the figure here, instead of build/mine.svg");
+    app.add_option("--json", mine_.json, "write the numbers here");
+    app.add_flag("--strict", mine_.strict, "refuse to run if a wall of the sandbox is missing");
+  }
+
+  void add_progress() {
+    command("watch", "judge each file when it is saved", watch, everything);
+    command("list", "all units, and how far you are", list, nothing);
+  }
+
+  void add_help() {
+    CLI::App& hints = command(
+        "hint", "three hints a unit, one at a time",
+        [this](const Course& course) { return hint(course, unit_, hint_); }, nothing);
+    hints.add_option("unit", unit_, "4.1 or product; the next open one if not given");
+    hints.add_option("number", hint_, "1, 2 or 3; the next one if not given");
+    command(
+        "reset", "put the untouched stub back, keeping your file",
+        [this](const Course& course) { return reset(course, unit_); }, nothing)
+        .add_option("unit", unit_)
+        ->required();
+    CLI::App& answer = command(
+        "solution", "the solution of a unit that passes",
+        [this](const Course& course) { return solution(course, unit_, anyway_); }, nothing);
+    answer.add_option("unit", unit_)->required();
+    answer.add_flag("--anyway", anyway_, "although it does not pass");
+  }
+
+  void add_grade() {
+    CLI::App& app = command(
+        "grade", "grade a class", [this](const Course& course) { return grade(course, grade_); },
+        [this](const Course& course) { return specs_that_count(course, grade_.settings); });
+    app.add_option("DIR", grade_.folders, "folders of submissions: a folder or archive a student")
+        ->required();
+    app.add_option("--out", grade_.out, "folder for the results; grading goes on where it was")
+        ->capture_default_str();
+    app.add_option("--course", grade_.settings,
+                   "course.json: units, weights, credit, due date, seed");
+    app.add_option("--jobs", grade_.at_once, "submissions at a time; as many as cores if not given")
+        ->check(CLI::Range(1, 1000));
+    app.add_flag("--strict", grade_.strict, strict_help);
+  }
+
+  void add_report() {
+    CLI::App& app = command(
+        "report", "one page about a class: what to explain again",
+        [this](const Course& course) { return report(course, report_); }, everything);
+    app.add_option("GRADES", report_.grades, "folder that `grade` has made")->capture_default_str();
+    app.add_option("--out", report_.out, "the page")->capture_default_str();
+    app.add_option("--course", report_.settings, "course.json: units, weights, credit");
+    app.add_flag("--names", report_.names, "the students' names, too");
+  }
+
+  void add_handout() {
+    CLI::App& app = command(
+        "handout", "a repository for students, without the solutions",
+        [this](const Course& course) { return handout_command(course, chapters_, handout_to_); },
+        nothing);
+    app.add_option("--chapters", chapters_, "1-4, or 1-4,6")->required();
+    app.add_option("DIR", handout_to_, "a new folder")->required();
+  }
+
+  void add_export() {
+    CLI::App& app = command(
+        "export", "a package for a platform",
+        [this](const Course& course) { return export_command(course, export_); }, nothing);
+    app.add_option("PLATFORM", export_.platform, platforms)->required();
+    app.add_option("DIR", export_.to, "a new folder")->required();
+    app.add_option("--course", export_.settings,
+                   "course.json: units, weights, credit, hidden, due date, seed");
+    app.add_option("--image", export_.image, "name of PrairieLearn's grader image")
+        ->capture_default_str();
+  }
+
+  void add_platform() {
+    CLI::App& app = command(
+        "platform", "grade one submission where a platform has put it",
+        [this](const Course& course) { return platform_command(course, platform_); },
+        [this](const Course& course) { return specs_that_count(course, platform_.settings); });
+    app.add_option("PLATFORM", platform_.platform, platforms)->required();
+    app.add_option("ROOT", platform_.root, "/autograder, /grade, the checkout")->required();
+    app.add_option("--course", platform_.settings, "course.json");
+  }
+
+  void add_proofs() {
+    CLI::App& kills = command(
+        "matrix", "every spec against every misconception",
+        [this](const Course& course) { return matrix(course, what_, seed_); },
+        [this](const Course& course) { return specs_of(course.select(what_)); });
+    kills.add_option("what", what_, "unit, chapter, all")->capture_default_str();
+    kills.add_option("--seed", seed_, "of the random inputs")->capture_default_str();
+    command("stubs", "every stub is untouched and fails every case", stubs, everything);
+    command("sandbox", "which walls stand here", sandbox, nothing);
+  }
+
+  CLI::App app_{"tumble's judge", "./tumble"};
+  bool only_needs_ = false;
+  Run run_;
+  Needs needs_;
+  CheckOptions check_;
+  MineOptions mine_;
+  std::string unit_;
+  int hint_ = 0;
+  bool anyway_ = false;
+  GradeOptions grade_;
+  ReportOptions report_;
+  std::string chapters_;
+  fs::path handout_to_;
+  ExportOptions export_;
+  PlatformOptions platform_;
+  std::string what_ = "all";
+  std::uint64_t seed_ = 1;
+};
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app("tumble's judge", "tumble");
-  app.require_subcommand(1);
-  std::function<int(const Course&)> run;
-  const auto command = [&](const char* name, const char* what,
-                           std::function<int(const Course&)> f) {
-    CLI::App* sub = app.add_subcommand(name, what);
-    sub->callback([&run, f = std::move(f)] { run = f; });
-    return sub;
-  };
-
-  CheckOptions options;
-  add_check(*command("check", "judge what you have written",
-                     [&](const Course& course) { return check(course, options); }),
-            options);
-  MineOptions mine_options;
-  add_mine(*command("mine", "an engine of your own functions, beside the library",
-                    [&](const Course& course) { return mine_command(course, mine_options); }),
-           mine_options);
-  command("watch", "judge each file when it is saved", watch);
-  command("list", "all units, and how far you are", list);
-
-  std::string unit, what = "all";
-  int number = 0;
-  bool anyway = false;
-  std::uint64_t seed = 1;
-  CLI::App* hints = command("hint", "three hints a unit, one at a time",
-                            [&](const Course& course) { return hint(course, unit, number); });
-  hints->add_option("unit", unit)->required();
-  hints->add_option("number", number, "1, 2 or 3; the next one if not given");
-  command("reset", "put the untouched stub back, keeping your file",
-          [&](const Course& course) { return reset(course, unit); })
-      ->add_option("unit", unit)
-      ->required();
-  CLI::App* answer = command("solution", "the solution of a unit that passes",
-                             [&](const Course& course) { return solution(course, unit, anyway); });
-  answer->add_option("unit", unit)->required();
-  answer->add_flag("--anyway", anyway, "although it does not pass");
-
-  GradeOptions grading;
-  add_grade(*command("grade", "grade a class",
-                     [&](const Course& course) { return grade(course, grading); }),
-            grading);
-
-  ReportOptions reporting;
-  add_report(*command("report", "one page about a class: what to explain again",
-                      [&](const Course& course) { return report(course, reporting); }),
-             reporting);
-
-  std::string chapters;
-  std::filesystem::path to;
-  CLI::App* handing_out =
-      command("handout", "a repository for students, without the solutions",
-              [&](const Course& course) { return handout_command(course, chapters, to); });
-  handing_out->add_option("--chapters", chapters, "1-4, or 1-4,6")->required();
-  handing_out->add_option("DIR", to, "a new folder")->required();
-
-  ExportOptions package;
-  CLI::App* exporting = command("export", "a package for a platform", [&](const Course& course) {
-    return export_command(course, package);
-  });
-  exporting->add_option("PLATFORM", package.platform, platforms)->required();
-  exporting->add_option("DIR", package.to, "a new folder")->required();
-  exporting->add_option("--course", package.settings,
-                        "course.json: units, weights, credit, hidden, due date, seed");
-  exporting->add_option("--image", package.image, "name of PrairieLearn's grader image")
-      ->capture_default_str();
-
-  PlatformOptions place;
-  CLI::App* on_platform =
-      command("platform", "grade one submission where a platform has put it",
-              [&](const Course& course) { return platform_command(course, place); });
-  on_platform->add_option("PLATFORM", place.platform, platforms)->required();
-  on_platform->add_option("ROOT", place.root, "/autograder, /grade, the checkout")->required();
-  on_platform->add_option("--course", place.settings, "course.json");
-
-  CLI::App* kills = command("matrix", "every spec against every misconception",
-                            [&](const Course& course) { return matrix(course, what, seed); });
-  kills->add_option("what", what);
-  kills->add_option("--seed", seed);
-  command("stubs", "every stub is untouched and fails every case", stubs);
-  command("sandbox", "which walls stand here", sandbox);
-
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return run(read_course(TUMBLE_COURSE));
-  } catch (const std::exception& e) {
-    std::cerr << "tumble: " << e.what() << "\n";
-    return 2;
-  }
-}
+int main(int argc, char** argv) { return CommandLine().run(argc, argv); }

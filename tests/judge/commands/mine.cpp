@@ -1,6 +1,7 @@
 #include "judge/mine/measure.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 
@@ -63,11 +64,13 @@ void explain(const Course& course, const mine::EngineBuild& build,
     std::cout << "  Next:  ./tumble check " << failing.front().unit.number << "\n";
 }
 
-/// Where the figure goes, if nobody says.
+/// Where the figure goes: if not said, where ./tumble builds.
 fs::path figure_file(const Course& course, const MineOptions& options) {
   if (options.svg) return *options.svg;
-  fs::create_directories(course.root / "build");
-  return course.root / "build" / "mine.svg";
+  const char* elsewhere = std::getenv("TUMBLE_BUILD");
+  const fs::path builds = elsewhere && *elsewhere ? elsewhere : course.root / "build";
+  fs::create_directories(builds);
+  return builds / "mine.svg";
 }
 
 int measured(const Course& course, const MineOptions& options, const mine::EngineBuild& build) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "tumble/core/require.hpp"
+#include "support/nearest.hpp"
 
 namespace tumble::judge {
 
@@ -39,15 +39,59 @@ bool means(const std::string& what, const Unit& unit) {
          unit.chapter.starts_with(padded + "_");
 }
 
+/// "quaternions"
+std::string title_of(const std::string& chapter) { return chapter.substr(chapter.find('_') + 1); }
+
+/// The units of each chapter.
+std::vector<std::vector<Unit>> chapters_of(const Course& course) {
+  std::vector<std::vector<Unit>> chapters;
+  for (const Unit& unit : course.units) {
+    if (chapters.empty() || chapters.back().front().chapter != unit.chapter) chapters.push_back({});
+    chapters.back().push_back(unit);
+  }
+  return chapters;
+}
+
+/// "product (4.1)", "chapter 4 (quaternions)"
+std::string with_numbers(const Course& course, const std::string& name) {
+  for (const Unit& unit : course.units)
+    if (title_of(unit.chapter) == name)
+      return "chapter " + unit.chapter_number() + " (" + name + ")";
+  return name + " (" + numbers_of(course.select(name)) + ")";
+}
+
+/// What was probably meant, or what there is.
+std::string suggestion(const Course& course, const std::string& what) {
+  std::vector<std::string> names;
+  for (const Unit& unit : course.units) names.push_back(unit.name);
+  std::string known;
+  for (const std::vector<Unit>& chapter : chapters_of(course)) {
+    const Unit& first = chapter.front();
+    if (what.starts_with(first.chapter_number() + "."))
+      return "chapter " + first.chapter_number() + " has " + numbers_of(chapter);
+    names.push_back(title_of(first.chapter));
+    known += (known.empty() ? "" : ", ") + first.chapter_number() + " " + title_of(first.chapter);
+  }
+  if (const std::optional<std::string> name = support::nearest(what, names))
+    return "did you mean " + with_numbers(course, *name) + "?";
+  return "the chapters are " + known + "; all exercises: ./tumble list";
+}
+
 }  // namespace
+
+std::string numbers_of(const std::vector<Unit>& units) {
+  const std::string &first = units.front().number, &last = units.back().number;
+  if (units.size() == 1) return first;
+  return first + (units.size() == 2 ? " and " : " to ") + last;
+}
 
 std::vector<Unit> Course::select(const std::string& what) const {
   std::vector<Unit> chosen;
   std::copy_if(units.begin(), units.end(), std::back_inserter(chosen),
                [&](const Unit& unit) { return means(what, unit); });
-  std::string known;
-  for (const Unit& unit : units) known += " " + unit.number + " " + unit.name;
-  require(!chosen.empty(), "there is no unit or chapter '", what, "'; there are:", known);
+  if (chosen.empty())
+    throw std::invalid_argument("there is no exercise or chapter '" + what + "'; " +
+                                suggestion(*this, what));
   return chosen;
 }
 
@@ -56,12 +100,9 @@ Course read_course(const fs::path& file) {
   if (!in) throw std::runtime_error("the course is not built: cannot read " + file.string());
   try {
     const json j = json::parse(in);
-    Course course{j.at("root").get<std::string>(),
-                  j.at("state").get<std::string>(),
-                  read_toolchain(j),
-                  j.at("engine").get<std::string>(),
-                  j.at("mine").get<std::string>(),
-                  {}};
+    Course course{
+        j.at("root").get<std::string>(),   j.at("state").get<std::string>(), read_toolchain(j),
+        j.at("engine").get<std::string>(), j.at("mine").get<std::string>(),  {}};
     for (const json& unit : j.at("units")) course.units.push_back(read_unit(unit));
     return course;
   } catch (const json::exception& e) {

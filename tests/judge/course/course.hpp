@@ -67,7 +67,7 @@ struct Course {
 
   /// The units that a student means by "4.1", "product", "04_quaternions/product", "4", "04" or
   /// "all".
-  /// @throws std::invalid_argument if there are none; the message lists what there is
+  /// @throws std::invalid_argument if there are none; the message says what was probably meant
   std::vector<Unit> select(const std::string& what) const;
 
  private:
@@ -75,6 +75,9 @@ struct Course {
     return root / tree / unit.chapter / (unit.name + ".cpp");
   }
 };
+
+/// "4.1", "1.2 and 9.4", "4.1 to 4.8"
+std::string numbers_of(const std::vector<Unit>& units);
 
 /// Reads what the build has written.
 /// @throws std::runtime_error if the file is missing or is no course

@@ -36,6 +36,12 @@ bool Progress::is_done(const Unit& unit) const {
          found->second.source == fingerprint(course_.exercise(unit));
 }
 
+std::optional<Unit> Progress::next_open() const {
+  for (const Unit& unit : course_.units)
+    if (!is_done(unit)) return unit;
+  return {};
+}
+
 void Progress::save() const {
   json j = json::object();
   for (const auto& [unit, p] : units_)

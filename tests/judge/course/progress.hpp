@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "judge/course/course.hpp"
@@ -26,6 +27,8 @@ class Progress {
   UnitProgress& of(const Unit& unit) { return units_[unit.id()]; }
   /// Passed, and the file has not changed since.
   bool is_done(const Unit& unit) const;
+  /// The first unit that is not done.
+  std::optional<Unit> next_open() const;
   void save() const;
 
  private:

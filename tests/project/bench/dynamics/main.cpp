@@ -1,6 +1,5 @@
 // Speed against error of rigid-body dynamics: every method, ours and others', on the same problems
 // in one run. The methods take turns (random interleaving), so that ratios hold on a busy machine.
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "project/bench/dynamics/absent.hpp"
@@ -9,6 +8,7 @@
 #include "project/bench/dynamics/problems.hpp"
 #include "project/bench/dynamics/report.hpp"
 #include "project/bench/write_file.hpp"
+#include "support/command_line.hpp"
 
 namespace tumble::bench {
 namespace {
@@ -88,8 +88,8 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   tumble::bench::Options options;
-  CLI::App app{
-      "Rigid-body dynamics: time to reach an error, of every method on the same problems."};
+  CLI::App app("Rigid-body dynamics: time to reach an error, of every method on the same problems.",
+               "./tumble bench dynamics");
   app.add_option("--only", options.only, "one problem")
       ->check(CLI::IsMember({"free", "top", "heavy", "long", "many", "absent"}));
   app.add_option("--svg-dir", options.svg_folder, "draw error against time into this folder")
@@ -97,13 +97,10 @@ int main(int argc, char** argv) {
   bool is_quick = false, no_peers = false;
   app.add_flag("--quick", is_quick, "short runs, each once: to see that everything works");
   app.add_flag("--no-peers", no_peers, "our own methods only");
-  CLI11_PARSE(app, argc, argv);
-  if (is_quick) options = quick(options);
-  options.with_peers = !no_peers;
-  try {
+  return tumble::support::run_command_line(app, argc, argv, [&] {
+    if (is_quick) options = quick(options);
+    options.with_peers = !no_peers;
     tumble::bench::run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "tumble: " << error.what() << '\n';
-    return 1;
-  }
+    return tumble::support::exit_status::achieved;
+  });
 }

@@ -1,6 +1,5 @@
 // Grading a class: how long it takes, that it takes nothing from the verdicts, and that a grading
 // which is killed goes on. A class is made up, and graded by the program that instructors use.
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdlib>
 #include <iostream>
@@ -11,6 +10,7 @@
 #include "project/bench/judge/handed_in.hpp"
 #include "project/bench/judge/program.hpp"
 #include "project/bench/judge/records.hpp"
+#include "support/command_line.hpp"
 #include "support/table.hpp"
 #include "support/text_file.hpp"
 
@@ -228,7 +228,8 @@ bool run(const Options& options) {
 int main(int argc, char** argv) {
   using tumble::bench::Options;
   Options options;
-  CLI::App app{"Grading a class that is made up: time, and whether it changes any verdict."};
+  CLI::App app("Grading a class that is made up: time, and whether it changes any verdict.",
+               "./tumble bench judge");
   app.add_option("--students", options.students, "how many")->check(CLI::Range(1, 9999));
   app.add_option("--seed", options.seed, "of the class and of its inputs");
   app.add_option("--alone", options.alone, "how many of them are also judged alone")
@@ -237,13 +238,9 @@ int main(int argc, char** argv) {
   bool quick = false, unbroken = false;
   app.add_flag("--quick", quick, "six students, a chapter: to see that everything works");
   app.add_flag("--unbroken", unbroken, "leave out the grading that is killed");
-  CLI11_PARSE(app, argc, argv);
-  if (quick) options.students = 6, options.units = "4", options.alone = 2;
-  options.killed_too = !unbroken;
-  try {
+  return tumble::support::run_command_line(app, argc, argv, [&] {
+    if (quick) options.students = 6, options.units = "4", options.alone = 2;
+    options.killed_too = !unbroken;
     return tumble::bench::run(options) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << "tumble: " << error.what() << '\n';
-    return 2;
-  }
+  });
 }

@@ -1,12 +1,12 @@
 // Speed against error of mass properties: every method, ours and others', on the same meshes in
 // one run. The methods take turns (random interleaving), so that ratios hold on a busy machine.
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <map>
 
 #include "project/bench/least_times.hpp"
 #include "project/bench/mass/case.hpp"
 #include "project/bench/write_file.hpp"
+#include "support/command_line.hpp"
 #include "support/plot.hpp"
 #include "support/table.hpp"
 
@@ -152,20 +152,18 @@ void run(const Options& options) {
 int main(int argc, char** argv) {
   using tumble::bench::Options;
   Options options;
-  CLI::App app{"Mass properties: time per triangle and error of every method on the same meshes."};
+  CLI::App app("Mass properties: time per triangle and error of every method on the same meshes.",
+               "./tumble bench mass");
   app.add_option("--triangles", options.triangles, "of the torus")
       ->check(CLI::Range(100, 100'000'000));
   app.add_option("--svg", options.svg, "draw error against time on the first body into this file");
   bool quick = false, no_peers = false;
   app.add_flag("--quick", quick, "a small torus, each once: to see that everything works");
   app.add_flag("--no-peers", no_peers, "our own methods only");
-  CLI11_PARSE(app, argc, argv);
-  if (quick) options = {20'000, 1, 0.001, true, options.svg};
-  options.with_peers = !no_peers;
-  try {
-    run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "tumble: " << error.what() << '\n';
-    return 1;
-  }
+  return tumble::support::run_command_line(app, argc, argv, [&] {
+    if (quick) options = {20'000, 1, 0.001, true, options.svg};
+    options.with_peers = !no_peers;
+    tumble::bench::run(options);
+    return tumble::support::exit_status::achieved;
+  });
 }

@@ -8,11 +8,15 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "project/harness/command.hpp"
 #include "project/harness/skip.hpp"
+#include "support/wrapped.hpp"
 
 using tumble::test::CommandResult;
 using tumble::test::run_command;
@@ -82,9 +86,12 @@ TEST_CASE("check: a unit by number or name, a chapter, or the next open one") {
   CHECK(contains(judge("check twice").output, "1.2 twice  not implemented"));
   CHECK(contains(judge("check").output, "1.1 carry  not implemented"));
   CHECK(contains(judge("check 1").output, "0 of 2 units pass"));
-  CHECK(contains(judge("check 9.9").output,
-                 "there is no unit or chapter '9.9'; there are: 1.1 carry"));
-  CHECK(judge("check 9.9").status == 2);
+  const CommandResult unknown = judge("check 9.9");
+  CHECK(unknown.status == 2);
+  CHECK(contains(unknown.output,
+                 "tumble: there is no exercise or chapter '9.9'; the chapters are 1 crossing"));
+  CHECK(contains(judge("check twcie").output, "did you mean twice (1.2)?"));
+  CHECK(contains(judge("check 1.2.x").output, "'x' is not the number of a case"));
 
   fs::copy_file(course / "solutions/01_crossing/carry.cpp",
                 course / "exercises/01_crossing/carry.cpp", fs::copy_options::overwrite_existing);
@@ -138,7 +145,8 @@ TEST_CASE("hint: the next one each time, or the one that is asked for") {
   CHECK(contains(judge("hint 1.2").output, "hint 3 of 3"));
   CHECK(contains(judge("hint 1.2 1").output, "hint 1 of 3"));
   CHECK(contains(judge("hint 1.2 4").output, "there are hints 1 to 3, not 4"));
-  CHECK(contains(judge("hint 1").output, "'1' means 2 units; this command takes one"));
+  CHECK(contains(judge("hint 1").output, "'1' means 1.1 and 1.2; this command takes one of them"));
+  CHECK(contains(judge("hint").output, "1.1 carry, hint 1 of 3"));
 }
 
 TEST_CASE("reset: the stub again, and nothing is lost") {
@@ -184,6 +192,91 @@ TEST_CASE("watch: judges a file when it is saved") {
   run_command("pkill -f '" + variable("TUMBLE_FIXTURE_JUDGE") + " watch'");
   watcher.join();
   fs::remove(output);
+}
+
+TEST_CASE("wrong usage: what is wrong, what was meant, and status 2") {
+  const std::vector<std::pair<const char*, const char*>> wrong = {
+      {"check --sed 3", "tumble: there is no option '--sed'; did you mean --seed?"},
+      {"check --seed x", "x"},
+      {"check 1.1 1.2", "tumble: '1.2' is one argument too many"},
+      {"check 1.1 --seeds 0", "--seeds"},
+      {"chekc 1.1", "tumble: there is no command 'chekc'; did you mean check?"},
+      {"reset", "unit is required"},
+      {"", "tumble: "}};
+  for (const auto& [arguments, message] : wrong) {
+    const CommandResult result = judge(arguments);
+    CHECK_MESSAGE(result.status == 2, arguments);
+    CHECK_MESSAGE(contains(result.output, message), result.output);
+  }
+  CHECK(contains(judge("check --sed 3").output, "see ./tumble check --help"));
+}
+
+TEST_CASE("help: every command's, under the name that users know") {
+  for (const std::string command : {"check", "list", "hint", "grade", "export", "matrix"}) {
+    const CommandResult help = judge(command + " --help");
+    CHECK(help.status == 0);
+    CHECK_MESSAGE(contains(help.output, "Usage: ./tumble " + command), help.output);
+    CHECK_FALSE(contains(help.output, variable("TUMBLE_FIXTURE_JUDGE")));
+  }
+}
+
+TEST_CASE("completion knows every option of every command") {
+  for (const std::string command : {"check", "list", "watch", "hint", "reset", "solution", "mine",
+                                    "handout", "export", "grade", "report", "matrix"}) {
+    const std::string words =
+        " " + run_command("'" + variable("TUMBLE_ROOT") + "/tumble' completion words " + command +
+                          " | tr '\\n' ' '")
+                  .output;
+    std::istringstream help(judge(command + " --help").output);
+    for (std::string word; help >> word;)
+      if (word.starts_with("--")) CHECK_MESSAGE(contains(words, " " + word + " "), command, word);
+  }
+}
+
+TEST_CASE("what a command line needs to be built, one target a line, and nothing else is done") {
+  const FreshCourse fresh;
+  const std::string carry = "spec.01_crossing.carry\n", twice = "spec.01_crossing.twice\n";
+  CHECK(judge("--needs check").output == carry);
+  CHECK(judge("--needs check 1.2").output == twice);
+  CHECK(judge("--needs check 1.2.1 --from nowhere").output == twice);
+  CHECK(judge("--needs check 1 --solutions").output == carry + twice);
+  CHECK(judge("--needs matrix twice").output == twice);
+  for (const char* all : {"mine", "watch", "stubs", "grade ."})
+    CHECK(judge(std::string("--needs ") + all).output == "all_specs\n");
+  const fs::path settings = fs::temp_directory_path() / "tumble-needs-test.json";
+  write(settings, R"({"units": ["1.2"], "curve": false})");
+  const std::string with_settings = " --course '" + settings.string() + "'";
+  CHECK(judge("--needs grade ." + with_settings).output == twice);
+  CHECK(judge("--needs platform gradescope ." + with_settings).output == twice);
+  fs::remove(settings);
+  for (const char* none : {"list", "hint 1.1", "reset 1.1", "solution 1.1", "report", "sandbox",
+                           "handout --chapters 1 x", "export gradescope x", "check --help",
+                           "check 9.9", "check --nonsense", "nonsense"}) {
+    const CommandResult result = judge(std::string("--needs ") + none);
+    CHECK_MESSAGE(result.output == "", none);
+    CHECK(result.status == 0);
+  }
+}
+
+TEST_CASE("a full disk is an error") {
+  if (!fs::exists("/dev/full")) return tumble::test::skip("there is no /dev/full here");
+  for (const char* arguments :
+       {"list > /dev/full", "check --help > /dev/full", "check 1.2 --solutions --json /dev/full"}) {
+    const CommandResult result =
+        run_command("( '" + variable("TUMBLE_FIXTURE_JUDGE") + "' " + arguments + " )");
+    CHECK_MESSAGE(result.status == 2, arguments);
+    CHECK(contains(result.output, "tumble: "));
+  }
+  CHECK(fs::is_character_file("/dev/full"));
+}
+
+TEST_CASE("list: in a narrow terminal no word is broken") {
+  const CommandResult narrow = run_command("COLUMNS=60 script -qec \"'" +
+                                           variable("TUMBLE_FIXTURE_JUDGE") + "' list\" /dev/null");
+  if (narrow.status == 127) return tumble::test::skip("there is no script(1) here");
+  std::istringstream lines(narrow.output);
+  for (std::string line; std::getline(lines, line);) CHECK(tumble::support::characters(line) <= 61);
+  CHECK(contains(narrow.output, "carry"));
 }
 
 TEST_CASE("--strict refuses to judge where a wall is missing, and says which") {

@@ -32,7 +32,7 @@ TEST_CASE("hand-out: 1-2 and 4 are chapters, other texts are not") {
   using Names = std::set<std::string>;
   CHECK(chapters_meant(small_course(), "1-2") == Names{"01_particles", "02_solvers"});
   CHECK(chapters_meant(small_course(), "4,1") == Names{"01_particles", "04_quaternions"});
-  CHECK_REFUSED(chapters_meant(small_course(), "1-4"), "no unit or chapter '3'");
+  CHECK_REFUSED(chapters_meant(small_course(), "1-4"), "no exercise or chapter '3'");
   CHECK_REFUSED(chapters_meant(small_course(), "2-1"), "ends before it begins");
   for (const char* text : {"", "a", "1-", "1,,2", "1-2-3", "all", "99999999999"})
     CHECK_REFUSED(chapters_meant(small_course(), text), "is no chapter and no range");

@@ -35,7 +35,7 @@ TEST_CASE("the table of misconceptions in the tree is the one that the specs giv
   std::ifstream file(std::string(root) + "/tests/project/kill_matrix.md");
   const std::string table{std::istreambuf_iterator<char>(file), {}};
   const std::string now = judge("matrix all --seed 1").output;
-  CHECK_MESSAGE(table.ends_with(now), "write it anew: tumble_judge matrix all --seed 1");
+  CHECK_MESSAGE(table.ends_with(now), "write it anew: ./tumble matrix all --seed 1");
 }
 
 TEST_CASE("every stub is untouched, has its hints, and fails every case of its spec") {

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "project/harness/command.hpp"
 #include "project/harness/refusal.hpp"
 #include "project/harness/scanned_meshes.hpp"
+#include "support/wrapped.hpp"
 
 using namespace tumble::test;
 using nlohmann::json;
@@ -45,7 +47,7 @@ json simulated(const json& scene) {
 std::string refusal(const json& scene) {
   write("scene.json", scene.dump());
   const CommandResult result = scenes("simulate scene.json");
-  CHECK(result.status == 1);
+  CHECK(result.status == 2);
   return result.output;
 }
 
@@ -157,7 +159,7 @@ TEST_CASE("simulate: says where a scene is wrong, and what") {
   CHECK(mentions(refusal(scene), "bodies[0]", "triangle inequality"));
   write("scene.json", "{\"bodies\": [}");
   const CommandResult result = scenes("simulate scene.json");
-  CHECK(result.status == 1);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "scene.json", "line 1", "column"));
   CHECK(mentions(scenes("simulate nowhere.json").output, "nowhere.json"));
 }
@@ -204,6 +206,32 @@ TEST_CASE("mass: a mesh that is not closed gives findings, no numbers, and exit 
   CHECK(accepted.status == 0);
   CHECK(json::parse(accepted.output)["mass"].is_number());
   CHECK(mentions(scenes("mass open.obj").output, "open_edge", "--accept"));
-  CHECK(scenes("mass open.obj --density -1").status != 0);
+  CHECK(scenes("mass open.obj --density -1").status == 2);
   CHECK(mentions(scenes("mass none.obj").output, "none.obj"));
+}
+
+TEST_CASE("mass and simulate: wrong usage, a missing file and a full disk are status 2") {
+  for (const char* arguments : {"mass", "mass nowhere.obj", "mass --densty 1 x.obj", "weigh x.obj"})
+    CHECK_MESSAGE(scenes(arguments).status == 2, arguments);
+  CHECK(mentions(scenes("mass --densty 1 x.obj").output, "did you mean --density?"));
+  CHECK(mentions(scenes("mass --help").output, "Usage: ./tumble mass"));
+  write("scene.json", thrown_ball().dump());
+  CHECK(scenes("simulate scene.json --csv /dev/full").status == 2);
+  CHECK(scenes("simulate scene.json --svg no/such/folder/a.svg").status == 2);
+  const std::string program = std::getenv("TUMBLE_SCENES");
+  for (const char* arguments : {"", "--json"})
+    CHECK(run_command("(cd " + folder.string() + " && " + program + " simulate scene.json " +
+                      arguments + " >/dev/full)")
+              .status == 2);
+}
+
+TEST_CASE("simulate: in a narrow terminal no line is longer than it, and no word is broken") {
+  write("scene.json", thrown_ball().dump());
+  const CommandResult narrow =
+      run_command("cd " + folder.string() + " && COLUMNS=40 script -qec '" +
+                  std::getenv("TUMBLE_SCENES") + " simulate scene.json' /dev/null");
+  std::istringstream lines(narrow.output);
+  for (std::string line; std::getline(lines, line);)
+    CHECK(tumble::support::characters(line) <= 41);  // and a carriage return
+  CHECK(mentions(narrow.output, "    at the end: "));
 }

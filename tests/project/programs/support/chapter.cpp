@@ -61,11 +61,14 @@ TEST_CASE("chapter: one table and nothing else, or the figures and nothing else"
 
 TEST_CASE("chapter: says what it cannot do") {
   CommandResult result = chapter("--only disorder");
-  CHECK(result.status != 0);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "03_rotation_matrices", "disorder", "order drift repair"));
   result = chapter("--out /dev/null/nowhere");
-  CHECK(result.status != 0);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "/dev/null/nowhere"));
   CHECK(chapter("--help").status == 0);
-  CHECK(chapter("--unknown").status != 0);
+  CHECK(mentions(chapter("--help").output, "Usage: ./tumble chapter 3"));
+  CHECK(chapter("--unknown").status == 2);
+  CHECK(mentions(chapter("--figure x").output, "tumble: ", "did you mean --figures?"));
+  CHECK(chapter("--only order >/dev/full").status == 2);
 }

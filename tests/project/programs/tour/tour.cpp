@@ -76,25 +76,25 @@ TEST_CASE("tour: takes a user's mesh") {
 TEST_CASE("tour: refuses a mesh that does not bound a body, naming file and edge") {
   const CommandResult result = tour("--mesh " + mesh_file(open_tetrahedron));
   CAPTURE(result.output);
-  CHECK(result.status == 1);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "mesh.obj", "open_edge", "#1", "#3"));
 }
 
 TEST_CASE("tour: says what is wrong with a file or an option") {
   CommandResult result = tour("--mesh no/such/file.obj");
-  CHECK(result.status != 0);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "no/such/file.obj"));
   result = tour("--mesh " + mesh_file("v 0 0 0\nf 1 2 3\n"));
-  CHECK(result.status == 1);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "line 2", "face #1"));
   result = tour("--density -1");
-  CHECK(result.status != 0);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "density"));
   result = tour("--object teapot");
-  CHECK(result.status != 0);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "teapot", "t_handle"));
   result = run_command(std::string(std::getenv("TUMBLE_TOUR")) + " --out /dev/null/tour");
-  CHECK(result.status == 1);
+  CHECK(result.status == 2);
   CHECK(mentions(result.output, "/dev/null/tour"));
 }
 

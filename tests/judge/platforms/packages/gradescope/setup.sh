@@ -19,6 +19,6 @@ if [ "$(printf '3.25\n%s\n' "$version" | sort -V | head -n 1)" != 3.25 ]; then
   pip3 install 'cmake>=3.25,<4'
 fi
 
-"$tumble/tumble" list >/dev/null
+"$tumble/tumble" prepare
 # Students' code runs as another user and behind walls; this is one more.
 chmod -R go= "$tumble/solutions" "$tumble/tests"
