@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble {
@@ -35,7 +36,7 @@ inline void write_obj(const std::string& path, const PolygonMesh& mesh) {
   std::ofstream file(path);
   write_obj(file, mesh);
   file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written");
+  if (!file) detail::refuse<std::runtime_error>(path + ": cannot be written");
 }
 
 }  // namespace tumble
