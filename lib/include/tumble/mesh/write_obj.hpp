@@ -2,13 +2,16 @@
 /// @file
 /// Writes positions and faces as a Wavefront OBJ file, so that reading it gives the same bits.
 
-#include <fstream>
 #include <limits>
 #include <locale>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#ifndef __wasi__
+#include <fstream>
+#endif
 
 #include "tumble/core/require.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
@@ -30,6 +33,9 @@ inline void write_obj(std::ostream& out, const PolygonMesh& mesh) {
   out << text.str();
 }
 
+// wasi-libc++ has no file streams.
+#ifndef __wasi__
+
 /// Writes a mesh to a file.
 /// @throws std::runtime_error when it cannot be written
 inline void write_obj(const std::string& path, const PolygonMesh& mesh) {
@@ -38,5 +44,7 @@ inline void write_obj(const std::string& path, const PolygonMesh& mesh) {
   file.close();
   if (!file) detail::refuse<std::runtime_error>(path + ": cannot be written");
 }
+
+#endif
 
 }  // namespace tumble
