@@ -39,7 +39,7 @@ apt() {
 
 # The folder with the sources of a Debian source package, as upstream has published them.
 unpack() { # package
-  (cd "$folder/sources" && apt source --download-only "$1" >/dev/null) ||
+  (cd "$folder/sources" && apt source --only-source --download-only "$1" >/dev/null) ||
     fail "the source package $1 cannot be had"
   for archive in "$folder/sources/$1"_*.orig.tar.*; do
     case $archive in *.asc) continue ;; esac
