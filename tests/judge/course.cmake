@@ -7,11 +7,32 @@ set(tumble_judge_folder ${CMAKE_CURRENT_LIST_DIR})
 
 # What a student's file is compiled with, by the judge and by the build alike.
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -g1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE -fno-pie
+set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -g1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE
   -Wall -Wextra -Wno-unused-parameter -Werror=return-type)
 foreach(folder IN LISTS eigen_folders)
   list(APPEND TUMBLE_STUDENT_FLAGS -isystem ${folder})
 endforeach()
+
+# How a worker is linked. On Linux it is one static file, a function that a student defines as well as
+# the course counts once, and main is ours. Elsewhere earlier solutions come from an archive, which gives
+# only what is undefined.
+if(TUMBLE_PORTABLE_WORKER)
+  set(TUMBLE_LINK_FLAGS)
+  set(TUMBLE_LINK_CONFINED)
+  set(TUMBLE_LINK_FIRST_COUNTS)
+else()
+  list(APPEND TUMBLE_STUDENT_FLAGS -fno-pie)
+  set(TUMBLE_LINK_FLAGS -no-pie)
+  set(TUMBLE_LINK_CONFINED -static)
+  set(TUMBLE_LINK_FIRST_COUNTS -Wl,-z,muldefs)
+endif()
+
+# A list as the elements of a JSON array.
+function(tumble_json_list out)
+  list(TRANSFORM ARGN REPLACE "(.+)" "\"\\1\"")
+  list(JOIN ARGN ", " joined)
+  set(${out} "${joined}" PARENT_SCOPE)
+endfunction()
 
 # What every student's file includes anyway, compiled once.
 set(TUMBLE_STUDENT_HEADER ${PROJECT_BINARY_DIR}/student/precompiled.hpp)
@@ -105,6 +126,7 @@ function(tumble_add_judge target root)
 
   set(json)
   set(earlier)
+  set(earlier_objects)
   set(whole TRUE)
   file(GLOB contracts ${root}/exercises/[0-9]*/contract.hpp)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/exercises)
@@ -155,7 +177,14 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
 
       tumble_add_check(${target} ${chapter} ${name} ${number})
 
-      list(JOIN earlier "," earlier_json)
+      if(TUMBLE_PORTABLE_WORKER AND earlier)
+        add_library(${id}_earlier STATIC ${earlier_objects})
+        set_target_properties(${id}_earlier PROPERTIES LINKER_LANGUAGE CXX)
+        add_dependencies(${target} ${id}_earlier)
+        set(earlier_json "\"$<TARGET_FILE:${id}_earlier>\"")
+      else()
+        list(JOIN earlier "," earlier_json)
+      endif()
       string(APPEND json "${separator}
     {\"number\": \"${number}\", \"chapter\": \"${chapter}\", \"name\": \"${name}\",
      \"worker\": \"$<FILTER:$<TARGET_OBJECTS:${id}_worker>,INCLUDE,/workers/>\",
@@ -163,6 +192,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
       set(separator ",")
       if(EXISTS ${solution})
         list(APPEND earlier ${solution_object})
+        list(APPEND earlier_objects $<FILTER:$<TARGET_OBJECTS:${id}_solution>,INCLUDE,/solutions/>)
       endif()
     endforeach()
   endforeach()
@@ -176,9 +206,10 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
     set(engine "$<FILTER:$<TARGET_OBJECTS:${target}_engine>,INCLUDE,/engine.cpp>")
   endif()
 
-  set(flags ${TUMBLE_STUDENT_FLAGS})
-  list(TRANSFORM flags REPLACE "(.+)" "\"\\1\"")
-  list(JOIN flags ", " flags)
+  tumble_json_list(flags ${TUMBLE_STUDENT_FLAGS})
+  tumble_json_list(link ${TUMBLE_LINK_FLAGS})
+  tumble_json_list(link_confined ${TUMBLE_LINK_CONFINED})
+  tumble_json_list(link_first_counts ${TUMBLE_LINK_FIRST_COUNTS})
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.json CONTENT
 "{
   \"root\": \"${root}\",
@@ -187,6 +218,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
   \"flags\": [${flags}],
   \"precompiled\": \"${TUMBLE_STUDENT_PCH}\",
   \"linker\": \"${TUMBLE_STUDENT_LINKER}\",
+  \"link\": [${link}], \"link_confined\": [${link_confined}], \"link_first_counts\": [${link_first_counts}],
   \"engine\": \"${engine}\",
   \"mine\": \"$<TARGET_FILE:tumble_judge_mine>\",
   \"runtime\": \"$<TARGET_FILE:tumble_worker>\",

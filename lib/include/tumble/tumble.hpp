@@ -15,6 +15,7 @@
 #include "tumble/rotation.hpp"
 #include "tumble/simulate.hpp"
 #include "tumble/steady.hpp"
+#include "tumble/version.hpp"
 
 /// Rigid-body dynamics: the folders under `tumble/` are its topics, each header is one concept.
 namespace tumble {}

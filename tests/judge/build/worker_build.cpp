@@ -152,20 +152,23 @@ class Builder {
   }
 
   Finished run_linker() const {
-    // A student may define what the course provides too; the first definition counts, and main is
-    // ours.
+    // A student may define what the course provides too; where the linker can do it, the first
+    // definition counts, and main is ours.
     Arguments arguments{unit_.worker.string(), object().string()};
     for (const auto* objects : {&unit_.earlier, &own_earlier_})
       for (const fs::path& earlier : *objects) arguments.push_back(earlier.string());
-    arguments.insert(arguments.end(), {tools_.runtime.string(), "-Wl,-z,muldefs", "-no-pie", "-o",
-                                       worker().string()});
+    arguments.insert(arguments.end(), {tools_.runtime.string(), "-o", worker().string()});
+    for (const Arguments* flags : {&tools_.link, &tools_.link_first_counts})
+      arguments.insert(arguments.end(), flags->begin(), flags->end());
     if (!tools_.linker.empty()) arguments.push_back("-fuse-ld=" + tools_.linker);
     // lld starts a thread for every core, which costs more than it saves.
     if (tools_.linker == "lld") arguments.emplace_back("-Wl,--threads=1");
-    if (sanitized_)
+    if (sanitized_) {
       arguments.emplace_back("-fsanitize=address,undefined");
-    else  // without the names of lines, which nobody reads there
-      arguments.insert(arguments.end(), {"-static", "-Wl,--strip-debug"});
+    } else {  // without the names of lines, which nobody reads there
+      arguments.insert(arguments.end(), tools_.link_confined.begin(), tools_.link_confined.end());
+      arguments.emplace_back("-Wl,-S");
+    }
     return run(arguments);
   }
 

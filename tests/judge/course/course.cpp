@@ -27,9 +27,15 @@ Unit read_unit(const json& j) {
 }
 
 Toolchain read_toolchain(const json& j) {
-  return {j.at("compiler"), j.at("compiler_id"),
-          j.at("flags"),    j.at("precompiled").get<std::string>(),
-          j.at("linker"),   j.at("runtime").get<std::string>()};
+  return {j.at("compiler"),
+          j.at("compiler_id"),
+          j.at("flags"),
+          j.at("precompiled").get<std::string>(),
+          j.at("linker"),
+          j.at("link"),
+          j.at("link_confined"),
+          j.at("link_first_counts"),
+          j.at("runtime").get<std::string>()};
 }
 
 bool means(const std::string& what, const Unit& unit) {

@@ -17,7 +17,7 @@ struct Unit {
   std::string chapter;            ///< "04_quaternions"
   std::string name;               ///< "product": the function, and the files' name
   fs::path worker;                ///< object file that asks the student's function
-  std::vector<fs::path> earlier;  ///< object files: the solutions of all units before this one
+  std::vector<fs::path> earlier;  ///< objects or an archive: the solutions of all units before this
   fs::path solution;              ///< object file: its own solution
   fs::path spec = {};             ///< module: its laws and misconceptions; empty in tests
 
@@ -34,9 +34,13 @@ struct Toolchain {
   std::string compiler;
   std::string compiler_id;  ///< CMake's: "GNU", "Clang", "AppleClang"
   std::vector<std::string> flags;
-  fs::path precompiled;  ///< the header that every student's file starts from
-  std::string linker;    ///< as in -fuse-ld=, or empty
-  fs::path runtime;      ///< static library: the worker's side of the protocol
+  fs::path precompiled;                    ///< the header that every student's file starts from
+  std::string linker;                      ///< as in -fuse-ld=, or empty
+  std::vector<std::string> link;           ///< flags of the linker, for every worker
+  std::vector<std::string> link_confined;  ///< and for a worker behind walls
+  /// and where the first definition of a function counts; empty if the linker knows no such thing
+  std::vector<std::string> link_first_counts;
+  fs::path runtime;  ///< static library: the worker's side of the protocol
 };
 
 struct Course {

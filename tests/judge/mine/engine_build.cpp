@@ -106,8 +106,11 @@ class Linker {
       if (!compiled.object.empty()) objects.push_back(compiled.object);
     objects.push_back(tools.runtime);
     Arguments arguments(objects.begin(), objects.end());
-    arguments.insert(arguments.end(), {"-no-pie", "-static", "-o", worker().string()});
-    if (twice == Twice::first_counts) arguments.emplace_back("-Wl,-z,muldefs");
+    arguments.insert(arguments.end(), {"-o", worker().string()});
+    const Arguments none;
+    for (const Arguments* flags : {&tools.link, &tools.link_confined,
+                                   twice == Twice::first_counts ? &tools.link_first_counts : &none})
+      arguments.insert(arguments.end(), flags->begin(), flags->end());
     if (!tools.linker.empty()) arguments.push_back("-fuse-ld=" + tools.linker);
     if (tools.linker == "lld") arguments.emplace_back("-Wl,--error-limit=0");
     const ConfinedCompiler compiler(course_, linked_in(), objects);

@@ -7,9 +7,6 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #include <array>
 #include <cerrno>
@@ -18,6 +15,7 @@
 
 #include "judge/sandbox/open_files.hpp"
 #include "judge/sandbox/pipe.hpp"
+#include "judge/sandbox/platform.hpp"
 #include "judge/sandbox/system_calls.hpp"
 
 namespace tumble::judge {
@@ -66,28 +64,16 @@ int arrange_files(const Plan& plan) {
   for (int i = 0; i <= count; ++i)
     if (dup2(out_of_the_way + i, i) < 0) return -1;
   fcntl(count, F_SETFD, FD_CLOEXEC);
-  rlimit limit = {};
-  getrlimit(RLIMIT_NOFILE, &limit);
-#ifdef __linux__
-  if (close_range(static_cast<unsigned>(count) + 1, ~0u, 0) == 0) return count;
-#endif
-  for (int i = count + 1; i < static_cast<int>(limit.rlim_cur); ++i) close(i);
+  platform::close_from(count + 1);
   return count;
 }
 
-bool limit_resource(int resource, std::uint64_t soft, std::uint64_t hard) {
-  const rlimit limit = {static_cast<rlim_t>(soft), static_cast<rlim_t>(hard)};
-#ifdef __linux__
-  return setrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0;
-#else
-  return setrlimit(resource, &limit) == 0;
-#endif
-}
+using platform::limit_resource;
 
 bool set_limits(const Limits& limits) {
   const auto cpu = static_cast<std::uint64_t>(limits.cpu_seconds);
   return limit_resource(RLIMIT_CPU, cpu, cpu + 1) &&  // SIGXCPU first, SIGKILL a second later
-         limit_resource(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes) &&
+         platform::limit_memory(limits.memory_bytes) &&
          limit_resource(RLIMIT_FSIZE, limits.file_bytes, limits.file_bytes) &&
          limit_resource(RLIMIT_CORE, 0, 0) && limit_resource(RLIMIT_NOFILE, 64, 64);
 }
@@ -100,24 +86,6 @@ bool change_user(const Confinement& confinement) {
          limit_resource(RLIMIT_NPROC, confinement.limits.processes, confinement.limits.processes);
 }
 
-/// Nothing that is started from here on gains rights: no program with set-user-ID, say.
-bool give_up_rights() {
-#ifdef __linux__
-  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
-#else
-  return true;
-#endif
-}
-
-/// It does not outlive the judge. A change of user undoes this, so it comes after.
-bool die_with_the_judge() {
-#ifdef __linux__
-  return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
-#else
-  return true;
-#endif
-}
-
 [[noreturn]] void become_program(const Plan& plan) {
   int report = plan.report;
   const auto stop = [&](Step step) {
@@ -127,13 +95,13 @@ bool die_with_the_judge() {
   };
   setpgid(0, 0);
   umask(077);
-  if (!give_up_rights() || !plan.rules.install()) stop(Step::rules);
+  if (!platform::give_up_rights() || !plan.rules.install()) stop(Step::rules);
   const int moved = arrange_files(plan);
   if (moved < 0) stop(Step::files);
   report = moved;
   if (chdir(plan.confinement.folder.c_str()) != 0) stop(Step::folder);
   if (!set_limits(plan.confinement.limits)) stop(Step::limits);
-  if (!change_user(plan.confinement) || !die_with_the_judge()) stop(Step::user);
+  if (!change_user(plan.confinement) || !platform::die_with_parent()) stop(Step::user);
   if (!plan.filter.empty()) {
     if (!install_call_filter(plan.filter)) stop(Step::calls);
     execute_behind_filter(plan.argv.data(), plan.environment.data());

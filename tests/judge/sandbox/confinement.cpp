@@ -6,6 +6,7 @@
 
 #include "judge/sandbox/confined_process.hpp"
 #include "judge/sandbox/open_files.hpp"
+#include "judge/sandbox/platform.hpp"
 #include "judge/sandbox/system_calls.hpp"
 
 namespace tumble::judge {
@@ -37,7 +38,7 @@ namespace {
 /// linked dynamically cannot come up, but the walls have to stand before it fails.
 std::string failure_of(const Confinement& confinement) {
   try {
-    ConfinedProcess probe({"/bin/true"}, {}, confinement, {-1, -1, -1});
+    ConfinedProcess probe({platform::do_nothing()}, {}, confinement, {-1, -1, -1});
     probe.wait(5);
     return {};
   } catch (const std::runtime_error& e) {

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "judge/sandbox/platform.hpp"
+
 namespace tumble::judge {
 
 Clock::time_point after(double seconds) {
@@ -33,7 +35,7 @@ void Descriptor::reset() {
 
 Pipe make_pipe() {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0)
+  if (!platform::make_pipe(ends))
     throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "judge/protocol/message.hpp"
+#include "judge/sandbox/platform.hpp"
 #include "judge/worker/descriptors.hpp"
 #include "not_implemented.hpp"
 
@@ -73,6 +74,7 @@ void answer_one(const Message& question, const std::function<Value(const List&)>
   }
 }
 
+#if TUMBLE_LINUX_WALLS
 /// The sandbox turns a refused system call into this signal: say which call it was, and end. The
 /// student's code may have been inside malloc, so the message is put together without it.
 void report_refused_call(int, siginfo_t* info, void*) {
@@ -96,6 +98,7 @@ void install_report() {
   action.sa_flags = SA_SIGINFO;
   sigaction(SIGSYS, &action, nullptr);
 }
+#endif
 
 }  // namespace
 
@@ -117,8 +120,10 @@ int serve_questions(const std::function<Value(const List&)>& answer) {
 
 }  // namespace tumble::judge
 
+#if TUMBLE_LINUX_WALLS
 extern "C" {
 using Initialiser = void (*)();
 __attribute__((section(".preinit_array"), used)) Initialiser tumble_install_report =
     tumble::judge::install_report;
 }
+#endif

@@ -5,7 +5,6 @@
 /// The result of a body is the same, to the last bit, wherever it stands, in whatever company, and
 /// with any number of threads.
 
-#include <mutex>
 #include <type_traits>
 
 #include "tumble/core/parallel.hpp"
@@ -46,13 +45,12 @@ template <class Method = void, class... Forces>
   constexpr std::size_t chunk = 4 * ensemble::in_turn;
   const std::size_t eights = bodies.bodies().size(), chunks = (eights + chunk - 1) / chunk;
   LostBodies lost;
-  std::mutex losing;
+  detail::OneAtATime losing;
   parallel_for(static_cast<int>(chunks), steps.loop.threads, [&](int i) {
     const std::size_t begin = chunk * static_cast<std::size_t>(i);
     const LostBodies here = take_steps(begin, std::min(begin + chunk, eights));
     if (here.count == 0) return;
-    const std::lock_guard lock(losing);
-    lost += here;
+    losing([&] { lost += here; });
   });
   return lost;
 }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "tumble/body/forces.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble {
 
@@ -31,10 +32,8 @@ const Force& force_of(const Force& all, std::size_t) {
 
 /// @throws std::invalid_argument as check_force() does, saying which body the force is for
 template <class Force>
-void check_force_on(std::size_t body, const Force& force) try {
-  check_force(force);
-} catch (const std::invalid_argument& error) {
-  require(false, "force on body ", body, ": ", error.what());
+void check_force_on(std::size_t body, const Force& force) {
+  detail::require_at([&] { check_force(force); }, "force on body ", body, ": ");
 }
 
 /// @throws std::invalid_argument if a force refuses what it is made of, or there is not one for

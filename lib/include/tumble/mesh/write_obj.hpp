@@ -2,7 +2,6 @@
 /// @file
 /// Writes positions and faces as a Wavefront OBJ file, so that reading it gives the same bits.
 
-#include <fstream>
 #include <limits>
 #include <locale>
 #include <ostream>
@@ -10,6 +9,11 @@
 #include <stdexcept>
 #include <string>
 
+#ifndef __wasi__
+#include <fstream>
+#endif
+
+#include "tumble/core/require.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble {
@@ -29,13 +33,18 @@ inline void write_obj(std::ostream& out, const PolygonMesh& mesh) {
   out << text.str();
 }
 
+// wasi-libc++ has no file streams.
+#ifndef __wasi__
+
 /// Writes a mesh to a file.
 /// @throws std::runtime_error when it cannot be written
 inline void write_obj(const std::string& path, const PolygonMesh& mesh) {
   std::ofstream file(path);
   write_obj(file, mesh);
   file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written");
+  if (!file) detail::refuse<std::runtime_error>(path + ": cannot be written");
 }
+
+#endif
 
 }  // namespace tumble

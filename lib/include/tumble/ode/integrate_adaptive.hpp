@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tumble/core/require.hpp"
 #include "tumble/ode/adaptive_method.hpp"
 #include "tumble/ode/counted_rhs.hpp"
 #include "tumble/ode/step_size.hpp"
@@ -35,7 +36,7 @@ template <class Scalar>
   text.precision(std::numeric_limits<Scalar>::max_digits10);
   text << "integrate_adaptive: " << why << " at t = " << t << " with a step of h = " << h << ": "
        << advice;
-  throw std::runtime_error(text.str());
+  detail::refuse<std::runtime_error>(text.str());
 }
 
 /// The refusals that keep an integration from going on for ever.

@@ -7,6 +7,7 @@
 /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.8
 /// (starting values 8.5, stopping 8.10, error estimate 8.19 and 8.20, step size 8.21 and 8.25).
 
+#include "tumble/core/require.hpp"
 #include "tumble/ode/adaptive_method.hpp"
 #include "tumble/ode/radau5_newton.hpp"
 #include "tumble/ode/step_size.hpp"
@@ -174,7 +175,7 @@ State Radau5::step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) 
     std::ostringstream text;
     text << "Radau5::step: Newton's iteration does not converge from t = " << t << " with h = " << h
          << ": take a shorter step";
-    throw std::runtime_error(text.str());
+    detail::refuse<std::runtime_error>(text.str());
   }
   return y + newton.Z.col(2);
 }

@@ -1,0 +1,87 @@
+#!/bin/sh
+# The library's umbrella header for compilers and targets that no other test has: libc++, C++23,
+# wasm32-wasi, no exceptions. Syntax alone, but for one program that is refused without exceptions.
+# What is not installed is left out, and said; exit status 77 if that is everything.
+#
+# usage: umbrella.sh [--eigen FOLDER]
+set -eu
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/../../.." && pwd)
+eigen=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --eigen) eigen=${2:?"--eigen needs the folder that holds Eigen/Core"}; shift 2 ;;
+    *) echo "umbrella.sh: there is no option '$1'; usage: umbrella.sh [--eigen FOLDER]" >&2; exit 2 ;;
+  esac
+done
+for folder in /usr/include/eigen3 /usr/local/include/eigen3 /opt/homebrew/include/eigen3; do
+  [ -n "$eigen" ] || [ ! -f "$folder/Eigen/Core" ] || eigen=$folder
+done
+[ -f "$eigen/Eigen/Core" ] || {
+  echo "umbrella.sh: Eigen/Core is not in '$eigen'; name its folder with --eigen" >&2
+  exit 2
+}
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+echo '#include <version>' >"$work/probe.cpp"
+echo '#include "tumble/tumble.hpp"' >"$work/umbrella.cpp"
+cat >"$work/refused.cpp" <<'CPP'
+#include "tumble/core/parallel.hpp"
+int main() {
+  tumble::parallel_for(4, 2, [](int) {});
+  tumble::require(false, "the mass is ", -1);
+}
+CPP
+warnings='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wno-psabi -Werror'
+checked=0 failed=0
+
+report() { printf '%-8s %s\n' "$1" "$2"; }
+works() { # what was tried, and whether it worked
+  checked=$((checked + 1))
+  if [ "$2" = 0 ]; then report passed "$1"; return; fi
+  failed=$((failed + 1))
+  report FAILED "$1"
+  sed 's/^/         /' "$work/messages" | head -n 20
+}
+
+# Does the compiler have what these flags ask for?
+has() { "$@" -std=c++20 -fsyntax-only "$work/probe.cpp" >/dev/null 2>&1; }
+
+umbrella() {
+  has "$@" || { report left-out "$*"; return; }
+  status=0
+  # shellcheck disable=SC2086  # one word a warning
+  "$@" $warnings -I"$root/lib/include" -isystem "$eigen" -fsyntax-only "$work/umbrella.cpp" \
+    >"$work/messages" 2>&1 || status=1
+  works "$*" "$status"
+}
+
+# Without exceptions a refusal says why, and aborts.
+refused() {
+  has "$@" || { report left-out "$* (a refusal)"; return; }
+  status=0
+  "$@" -std=c++20 -fno-exceptions -pthread -I"$root/lib/include" "$work/refused.cpp" \
+    -o "$work/refused" >"$work/messages" 2>&1 || status=1
+  if [ "$status" = 0 ]; then
+    # A shell of its own, whose word about the abort goes to the messages, too.
+    if sh -c '"$1"; exit $?' sh "$work/refused" >"$work/messages" 2>&1; then
+      status=1
+      echo 'it was not refused' >>"$work/messages"
+    fi
+    grep -q 'tumble: the mass is -1' "$work/messages" || status=1
+  fi
+  works "$* -fno-exceptions: a refusal aborts, with its message" "$status"
+}
+
+# C++20 with libstdc++ is what all other tests compile.
+umbrella g++ -std=c++23
+umbrella g++ -std=c++20 -fno-exceptions
+refused g++
+umbrella clang++ -std=c++20 -stdlib=libc++
+umbrella clang++ -std=c++2b -stdlib=libc++
+umbrella clang++ -std=c++20 --target=wasm32-wasi
+umbrella clang++ -std=c++20 --target=wasm32-wasi -fno-exceptions
+
+echo "$checked checked, $failed failed"
+[ "$failed" = 0 ] || exit 1
+[ "$checked" != 0 ] || exit 77
