@@ -13,11 +13,17 @@
 
 namespace tumble::detail {
 
-/// The length of the whole lines at the beginning. A \r at the very end may be half of a \r\n.
+/// Whether a line ends with the first `length` letters. Of \r\n, both belong to it; a \r at the
+/// very end of the text may be the first of them.
+inline bool ends_line(std::string_view text, std::size_t length) {
+  const char last = text[length - 1];
+  return last == '\n' || (last == '\r' && length < text.size() && text[length] != '\n');
+}
+
+/// The length of the whole lines at the beginning.
 inline std::size_t whole_lines(std::string_view text) {
   std::size_t length = text.size();
-  if (length > 0) --length;
-  while (length > 0 && !is_newline(text[length - 1])) --length;
+  while (length > 0 && !ends_line(text, length)) --length;
   return length;
 }
 

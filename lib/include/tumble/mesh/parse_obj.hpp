@@ -7,6 +7,8 @@
 /// far.
 
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -101,7 +103,7 @@ class ObjReader {
                   about_continuation());
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t v = index.value > 0 ? index.value - 1 : count + index.value;
-    if (index.value == 0 || v < 0 || v >= count) refuse_index(index);
+    if (index.value == 0 || v < 0 || v >= count) refuse_index(index.value);
     text_.move_to(end);
     return static_cast<int>(v);
   }
@@ -118,15 +120,14 @@ class ObjReader {
     return at;
   }
 
-  [[noreturn]] void refuse_index(const Parsed<std::int64_t>& index) const {
-    const auto length = static_cast<std::size_t>(index.end - text_.at());
-    const std::string_view digits(text_.at(), length);
+  [[noreturn]] void refuse_index(std::int64_t index) const {
+    if (std::abs(index) > std::numeric_limits<int>::max())
+      refuse_face("has the vertex '", shown(text_.peek_word()),
+                  "', which is not an index: it is too large");
     const std::size_t count = mesh_.vertices.size();
-    if (length > 10)
-      refuse_face("has the vertex '", shown(digits), "', which is not an index: it is too large");
-    if (count == 0) refuse_face("has vertex ", index.value, ", but there are 0 vertices so far");
-    refuse_face("has vertex ", index.value, ", but there are ", count, " vertices so far: #1 to #",
-                count, ", or -1 to -", count);
+    if (count == 0) refuse_face("has vertex ", index, ", but there are 0 vertices so far");
+    refuse_face("has vertex ", index, ", but there are ", count, " vertices so far: #1 to #", count,
+                ", or -1 to -", count);
   }
 
   template <class... Parts>

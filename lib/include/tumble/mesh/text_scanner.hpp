@@ -2,6 +2,7 @@
 /// @file
 /// A text in memory, read word by word.
 
+#include <string>
 #include <string_view>
 
 #include "tumble/core/require.hpp"
@@ -90,7 +91,18 @@ class TextScanner {
   std::string_view name_;
 };
 
-/// A word as it can be shown: its beginning, if it is long.
-inline std::string_view shown(std::string_view word) { return word.substr(0, 40); }
+/// A word as it can be shown: its beginning, if it is long; \x00 for a byte that is not a letter.
+inline std::string shown(std::string_view word) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string text;
+  for (const char c : word.substr(0, 40)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7F)
+      text += c;
+    else
+      text += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+  }
+  return text;
+}
 
 }  // namespace tumble::detail
