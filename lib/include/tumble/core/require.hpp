@@ -6,6 +6,17 @@
 #include <stdexcept>
 
 namespace tumble {
+namespace detail {
+
+/// Throws what is streamed into the message.
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... message) {
+  std::ostringstream text;
+  (text << ... << message);
+  throw std::invalid_argument(text.str());
+}
+
+}  // namespace detail
 
 /// Throws unless `condition` holds.
 /// @param condition what must be true of the input
@@ -13,10 +24,7 @@ namespace tumble {
 /// @throws std::invalid_argument with that message
 template <class... Parts>
 void require(bool condition, const Parts&... message) {
-  if (condition) return;
-  std::ostringstream text;
-  (text << ... << message);
-  throw std::invalid_argument(text.str());
+  if (!condition) detail::refuse(message...);
 }
 
 }  // namespace tumble

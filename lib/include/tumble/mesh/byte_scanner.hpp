@@ -52,8 +52,7 @@ class ByteScanner {
   /// @throws std::invalid_argument naming the byte, from 0
   template <class... Parts>
   [[noreturn]] void refuse(std::size_t back, const Parts&... message) const {
-    require(false, name_, ", byte ", at_ - back, ": ", message...);
-    throw;  // never reached, which the compiler cannot know
+    detail::refuse(name_, ", byte ", at_ - back, ": ", message...);
   }
 
  private:

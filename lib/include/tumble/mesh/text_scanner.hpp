@@ -81,8 +81,7 @@ class TextScanner {
   /// @throws std::invalid_argument naming the line
   template <class... Parts>
   [[noreturn]] void refuse(const Parts&... message) const {
-    require(false, name_, ", line ", line_, ": ", message...);
-    throw;  // never reached, which the compiler cannot know
+    detail::refuse(name_, ", line ", line_, ": ", message...);
   }
 
  private:
