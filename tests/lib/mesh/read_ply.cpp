@@ -168,7 +168,9 @@ TEST_CASE("parse_ply: refuses a binary file that is shorter or longer than its e
   const std::size_t begin = file.find("end_header\n") + 11;
   std::string spoilt = file;
   spoilt.replace(begin + 24, 8, test::bytes_of(std::nan("")));
-  ply_refused(spoilt, "vertex #2 has nan for 'x', which is not a finite number");
+  ply_refused(spoilt, ("byte " + std::to_string(begin + 24) +
+                       ": vertex #2 has nan for 'x', which is not a finite number")
+                          .c_str());
   spoilt = file;
   spoilt[begin + 8 * 24] = '\x02';
   ply_refused(spoilt, "face #1 has 2 corners, and needs 3");

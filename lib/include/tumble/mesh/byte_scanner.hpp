@@ -32,6 +32,7 @@ class ByteScanner {
   ByteScanner(std::string_view bytes, std::size_t at, std::string_view name)
       : bytes_(bytes), at_(at), name_(name) {}
 
+  std::size_t at() const { return at_; }  ///< the byte that is read next, from 0
   std::size_t bytes_left() const { return bytes_.size() - at_; }
 
   /// @param count no more than are left
@@ -48,11 +49,11 @@ class ByteScanner {
   float next_float(ByteOrder order) { return std::bit_cast<float>(next<std::uint32_t>(order)); }
   double next_double(ByteOrder order) { return std::bit_cast<double>(next<std::uint64_t>(order)); }
 
-  /// Refuses the file because of what begins `back` bytes before this place.
+  /// Refuses the file because of what begins at a byte.
   /// @throws std::invalid_argument naming the byte, from 0
   template <class... Parts>
-  [[noreturn]] void refuse(std::size_t back, const Parts&... message) const {
-    detail::refuse(name_, ", byte ", at_ - back, ": ", message...);
+  [[noreturn]] void refuse(std::size_t at, const Parts&... message) const {
+    detail::refuse(name_, ", byte ", at, ": ", message...);
   }
 
  private:

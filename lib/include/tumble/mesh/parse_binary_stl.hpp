@@ -47,10 +47,11 @@ inline void require_stl_size(std::string_view bytes, std::string_view name) {
 }
 
 inline Vec3 read_stl_vertex(ByteScanner& bytes, int facet) {
+  const std::size_t begin = bytes.at();
   Vec3 p;
   for (int k = 0; k < 3; ++k) p[k] = double{bytes.next_float(ByteOrder::little)};
   if (!p.allFinite())
-    bytes.refuse(12, "facet #", facet + 1, " has the vertex (", p.x(), ", ", p.y(), ", ", p.z(),
+    bytes.refuse(begin, "facet #", facet + 1, " has the vertex (", p.x(), ", ", p.y(), ", ", p.z(),
                  "), which is not three finite numbers");
   return p;
 }

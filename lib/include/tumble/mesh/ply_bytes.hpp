@@ -22,13 +22,14 @@ class PlyBytes {
     for (const PlyProperty& property : element.properties)
       size += static_cast<std::int64_t>(about(property.count.value_or(property.type)).size);
     if (element.count > static_cast<std::int64_t>(bytes_.bytes_left()) / size)
-      bytes_.refuse(0, "the header names ", element.count, " times '", shown(element.name),
-                    "', but only ", bytes_.bytes_left(), " bytes follow");
+      bytes_.refuse(bytes_.at(), "the header names ", element.count, " times '",
+                    shown(element.name), "', but only ", bytes_.bytes_left(), " bytes follow");
   }
 
   void begin(const PlyElement& element, std::int64_t index) {
     element_ = &element;
     number_ = index + 1;
+    begin_ = bytes_.at();
   }
 
   void end() {}
@@ -62,12 +63,13 @@ class PlyBytes {
 
   void require_end() const {
     if (bytes_.bytes_left() > 0)
-      bytes_.refuse(0, bytes_.bytes_left(), " bytes are left after the last element");
+      bytes_.refuse(bytes_.at(), bytes_.bytes_left(), " bytes are left after the last element");
   }
 
+  /// Names the byte where the element begins.
   template <class... Parts>
   [[noreturn]] void refuse(const Parts&... message) const {
-    bytes_.refuse(0, shown(element_->name), " #", number_, ' ', message...);
+    bytes_.refuse(begin_, shown(element_->name), " #", number_, ' ', message...);
   }
 
  private:
@@ -81,6 +83,7 @@ class PlyBytes {
   ByteOrder order_;
   const PlyElement* element_ = nullptr;
   std::int64_t number_ = 0;
+  std::size_t begin_ = 0;  ///< of the element
 };
 
 }  // namespace tumble::detail
