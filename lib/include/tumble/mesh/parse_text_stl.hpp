@@ -22,6 +22,7 @@ namespace tumble::detail {
 /// Whether a word is this keyword; capitals do not matter.
 inline bool is_keyword(std::string_view word, std::string_view keyword) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  if (word == keyword) return true;
   return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
                     [&](char a, char b) { return lower(a) == b; });
 }
@@ -64,7 +65,7 @@ class StlTextReader {
 
   int read_vertex(int number) {
     text_.skip_to_word();
-    if (next_is("endloop")) refuse("has ", number, " vertices, and needs 3");
+    if (!next_is("vertex") && next_is("endloop")) refuse("has ", number, " vertices, and needs 3");
     expect("vertex");
     Vec3 p;
     for (int k = 0; k < 3; ++k) p[k] = read_coordinate();

@@ -49,7 +49,7 @@ class VertexWelder {
   }
 
   void grow() {
-    slots_.assign(slots_.empty() ? 1024 : 4 * slots_.size(), -1);
+    slots_.assign(slots_.empty() ? 1024 : 2 * slots_.size(), -1);
     for (std::size_t i = 0; i < positions_.size(); ++i)
       slot_of(positions_[i]) = static_cast<int>(i);
   }
