@@ -17,7 +17,7 @@ struct SimulateCommand {
   bool json = false;
 };
 
-/// Prints the mass properties of an OBJ file and what was found about it.
+/// Prints the mass properties of a mesh file (OBJ, STL or PLY) and what was found about it.
 /// @return 0, or 1 if the mesh is not the boundary of a body (with `accept`: only if nothing could
 ///         be integrated over)
 /// @throws std::invalid_argument if the file cannot be read

@@ -1,4 +1,4 @@
-// ./tumble mass FILE.obj and ./tumble simulate scene.json: the library without writing C++.
+// ./tumble mass FILE and ./tumble simulate scene.json: the library without writing C++.
 #include "scenes/commands.hpp"
 #include "support/command_line.hpp"
 
@@ -7,9 +7,10 @@ int main(int argc, char** argv) {
   CLI::App app("Mass properties of meshes, and the motion of bodies.", "./tumble");
   app.require_subcommand(1);
   MassCommand mass;
-  CLI::App* mass_app =
-      app.add_subcommand("mass", "mass, centre of mass and inertia of an OBJ file");
-  mass_app->add_option("file", mass.file, "a closed mesh, lengths in metres")->required();
+  CLI::App* mass_app = app.add_subcommand("mass", "mass, centre of mass and inertia of a mesh");
+  mass_app
+      ->add_option("file", mass.file, "a closed mesh in an OBJ, STL or PLY file, lengths in metres")
+      ->required();
   mass_app->add_option("--density", mass.density, "[kg/m³]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);

@@ -4,7 +4,7 @@
 #include "scenes/json.hpp"
 #include "support/terminal.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
-#include "tumble/mesh/read_obj.hpp"
+#include "tumble/mesh/read_mesh.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -91,7 +91,7 @@ void print(const Answer& found, const MassCommand& command) {
 }  // namespace
 
 int run(const MassCommand& command) {
-  const PolygonMesh mesh = read_obj(command.file);
+  const PolygonMesh mesh = read_mesh(command.file);
   const Answer found = answer(command, mesh);
   if (command.json)
     std::cout << answer_json(found, command).dump(2) << '\n';

@@ -4,7 +4,7 @@
 #include "scenes/scene.hpp"
 #include "support/place.hpp"
 #include "tumble/mass.hpp"
-#include "tumble/mesh/read_obj.hpp"
+#include "tumble/mesh/read_mesh.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -23,7 +23,7 @@ MassProperties of_shape(const Place& shape, const std::filesystem::path& folder)
     if (shape.has("box")) return mass_properties(Box{shape["box"].vector()}, 1);
     if (shape.has("ellipsoid")) return mass_properties(Ellipsoid{shape["ellipsoid"].vector()}, 1);
     if (shape.has("mesh"))
-      return mesh_mass_properties(read_obj((folder / shape["mesh"].text()).string()), 1);
+      return mesh_mass_properties(read_mesh((folder / shape["mesh"].text()).string()), 1);
     for (const char* name : {"cylinder", "cone", "capsule"}) {
       if (!shape.has(name)) continue;
       const auto [radius, height] = round(name);

@@ -9,7 +9,7 @@
 #include "support/terminal.hpp"
 #include "support/view.hpp"
 #include "tour/tour.hpp"
-#include "tumble/mesh/read_obj.hpp"
+#include "tumble/mesh/read_mesh.hpp"
 #include "tumble/mesh/write_obj.hpp"
 
 namespace {
@@ -53,7 +53,7 @@ Subject load(const Options& options) {
                         options.density.value_or(object.density));
   }
   constexpr double water = 1000;
-  const PolygonMesh mesh = read_obj(options.mesh);
+  const PolygonMesh mesh = read_mesh(options.mesh);
   return make_subject(std::filesystem::path(options.mesh).filename().string(), mesh,
                       support::coarsened(mesh, 22), options.density.value_or(water));
 }
@@ -121,8 +121,9 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app("A real object, from its mesh to its mass properties to its tumbling motion.",
                "./tumble tour");
-  app.add_option("--mesh", options.mesh,
-                 "a closed mesh in an OBJ file, in metres, instead of an object of ours");
+  app.add_option(
+      "--mesh", options.mesh,
+      "a closed mesh in an OBJ, STL or PLY file, in metres, instead of an object of ours");
   app.add_option("--object", options.object, "one of: " + names_of_objects())
       ->capture_default_str();
   app.add_option("--density", options.density, "[kg/m³]; 1000 for a mesh if not given")

@@ -1,9 +1,10 @@
 #pragma once
 /// @file
-/// Everything about meshes, but for tumble/mesh/read_obj.hpp, which needs the target tumble::obj.
+/// Everything about meshes.
 
 #include "tumble/mesh/diagnose.hpp"
 #include "tumble/mesh/mesh_solid.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/mesh/read_mesh.hpp"
 #include "tumble/mesh/weld.hpp"
 #include "tumble/mesh/write_obj.hpp"

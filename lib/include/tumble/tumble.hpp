@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The whole library, but for tumble/mesh/read_obj.hpp, which needs the target tumble::obj.
+/// The whole library.
 
 #include "tumble/body.hpp"
 #include "tumble/elliptic.hpp"

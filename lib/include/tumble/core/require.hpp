@@ -17,7 +17,7 @@ namespace detail {
 /// The one place where the library throws.
 /// @throws Error with that message
 template <class Error>
-[[noreturn]] void refuse(const std::string& message) {
+[[noreturn]] void throw_error(const std::string& message) {
 #ifdef __cpp_exceptions
   throw Error(message);
 #else
@@ -34,6 +34,13 @@ std::string text_of(const Parts&... parts) {
   return text.str();
 }
 
+/// Refuses bad input, for what is streamed into the message.
+/// @throws std::invalid_argument with that message
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... message) {
+  throw_error<std::invalid_argument>(text_of(message...));
+}
+
 }  // namespace detail
 
 /// Throws unless `condition` holds.
@@ -42,8 +49,7 @@ std::string text_of(const Parts&... parts) {
 /// @throws std::invalid_argument with that message
 template <class... Parts>
 void require(bool condition, const Parts&... message) {
-  if (condition) return;
-  detail::refuse<std::invalid_argument>(detail::text_of(message...));
+  if (!condition) detail::refuse(message...);
 }
 
 namespace detail {

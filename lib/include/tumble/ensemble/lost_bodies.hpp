@@ -30,7 +30,7 @@ inline void require_none(const LostBodies& lost) {
   std::ostringstream text;
   text << lost.count << " of the ensemble's bodies are no longer finite, the first is body "
        << lost.first << ": smaller steps, or a force that stays finite where it goes, may keep it";
-  detail::refuse<std::runtime_error>(text.str());
+  detail::throw_error<std::runtime_error>(text.str());
 }
 
 }  // namespace tumble

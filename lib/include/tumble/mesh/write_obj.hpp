@@ -42,7 +42,7 @@ inline void write_obj(const std::string& path, const PolygonMesh& mesh) {
   std::ofstream file(path);
   write_obj(file, mesh);
   file.close();
-  if (!file) detail::refuse<std::runtime_error>(path + ": cannot be written");
+  if (!file) detail::throw_error<std::runtime_error>(path + ": cannot be written");
 }
 
 #endif

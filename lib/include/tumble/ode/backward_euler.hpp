@@ -45,7 +45,7 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
   std::ostringstream text;
   text << "backward_euler_step: Newton's iteration does not converge from t = " << t
        << " with h = " << h << ": take a shorter step";
-  detail::refuse<std::runtime_error>(text.str());
+  detail::throw_error<std::runtime_error>(text.str());
 }
 
 /// Backward Euler as a type, for integrate_fixed<BackwardEuler>.

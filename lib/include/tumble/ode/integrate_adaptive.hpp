@@ -36,7 +36,7 @@ template <class Scalar>
   text.precision(std::numeric_limits<Scalar>::max_digits10);
   text << "integrate_adaptive: " << why << " at t = " << t << " with a step of h = " << h << ": "
        << advice;
-  detail::refuse<std::runtime_error>(text.str());
+  detail::throw_error<std::runtime_error>(text.str());
 }
 
 /// The refusals that keep an integration from going on for ever.

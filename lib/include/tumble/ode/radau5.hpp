@@ -175,7 +175,7 @@ State Radau5::step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) 
     std::ostringstream text;
     text << "Radau5::step: Newton's iteration does not converge from t = " << t << " with h = " << h
          << ": take a shorter step";
-    detail::refuse<std::runtime_error>(text.str());
+    detail::throw_error<std::runtime_error>(text.str());
   }
   return y + newton.Z.col(2);
 }

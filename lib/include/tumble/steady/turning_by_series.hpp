@@ -75,7 +75,7 @@ class TurningBySeries {
     text << "turning by series: " << (next > t ? "too many steps" : "the step became too small")
          << " at t = " << t << " with a step of h = " << next - t
          << ": the body turns by too many radians; ask for a shorter time";
-    detail::refuse<std::runtime_error>(text.str());
+    detail::throw_error<std::runtime_error>(text.str());
   }
 
   TurningSeries<rank> series_;

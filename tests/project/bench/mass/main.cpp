@@ -5,6 +5,7 @@
 
 #include "project/bench/least_times.hpp"
 #include "project/bench/mass/case.hpp"
+#include "project/bench/mass/reading.hpp"
 #include "project/bench/write_file.hpp"
 #include "support/command_line.hpp"
 #include "support/plot.hpp"
@@ -143,6 +144,10 @@ void run(const Options& options) {
   for (const Body& body : all)
     std::cout << body.name << " (" << body.mesh.corners.size() / 3 << " triangles)\n"
               << table_for(body, results).text() << '\n';
+  std::cerr << "tumble: reading files\n";
+  const Table reading =
+      reading_table(options.triangles, options.repetitions, options.seconds, options.with_peers);
+  std::cout << "reading mesh files\n" << reading.text() << '\n';
   if (!options.svg.empty()) write_file(options.svg, support::to_svg(figure(all.front(), results)));
 }
 
@@ -152,9 +157,12 @@ void run(const Options& options) {
 int main(int argc, char** argv) {
   using tumble::bench::Options;
   Options options;
-  CLI::App app("Mass properties: time per triangle and error of every method on the same meshes.",
-               "./tumble bench mass");
-  app.add_option("--triangles", options.triangles, "of the torus")
+  CLI::App app(
+      "Mass properties: time per triangle and error of every method on the same meshes; and how "
+      "long "
+      "mesh files take to read.",
+      "./tumble bench mass");
+  app.add_option("--triangles", options.triangles, "of the torus, also of that in the files")
       ->check(CLI::Range(100, 100'000'000));
   app.add_option("--svg", options.svg, "draw error against time on the first body into this file");
   bool quick = false, no_peers = false;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <optional>
 
 #include "project/harness/inputs.hpp"
 #include "project/library/mesh/shapes.hpp"
@@ -84,6 +85,67 @@ TEST_CASE("read_obj: refuses a vertex that is not three finite numbers") {
   check_refused("v 1 2 3e\n", "'3e'");
   check_refused("v --1 2 3\n", "'--1'");
   check_refused("v +-1 2 3\n", "'+-1'");
+}
+
+TEST_CASE("read_obj: shows what is refused, and says what may help") {
+  check_refused(square + "f 1 2 \\\n3 4\n", "a line that goes on in the next one has to be joined");
+  check_refused("v 1.0 \\\n2 3\n", "line 1: the coordinate '\\'");
+  check_refused(square + std::string("f 1 2 \0 3\n", 11),
+                "the vertex '\\x00', which is not an index");
+  check_refused(square + std::string("f 1 2 3/\0\n", 11), "which is not an index");
+  check_refused("f 1 2 3\n" + square, "face #1 has vertex 1, but there are 0 vertices so far");
+  check_refused(square + "f 1 2 3\nf 4 3 2/1/1/1\n", "face #2 has the vertex '2/1/1/1'");
+  check_refused(square + "f # 1 2 3\n", "face #1 has 0 corners");
+  check_refused("v \n", "a vertex has 3 coordinates, not 0");
+  check_refused("v 1 2 3#\n", "'3#'");
+  check_refused("solid x\n", "no faces (0 vertices): it begins like STL");
+  check_refused("\x1F\x8B\x08", "gzip");
+}
+
+TEST_CASE("read_obj: a line is counted once, however it ends") {
+  const std::string bad = "v 1\n";
+  check_refused("\n\r\n\r# x\n\n" + bad, "line 6:");
+  check_refused("\r\r\n\n\r" + bad, "line 5:");
+}
+
+TEST_CASE("read_obj: what is after the numbers is passed over, a lone v or f is nothing") {
+  const PolygonMesh mesh =
+      read(square + "v 1 2 3 0.5 0.5 nan\nv\nf\nf \nf 1/a 2/9999999999/ 5//\n");
+  CHECK(mesh.vertices.size() == 5);
+  CHECK(mesh.corners == std::vector<int>{0, 1, 4});
+  CHECK(read(square + "f 001 +2 -0002").corners == std::vector<int>{0, 1, 2});
+}
+
+TEST_CASE("read_obj: blocks of a few bytes are the whole") {
+  const std::string text =
+      "\xEF\xBB\xBFv 0 0 0\r\nv 1 0 0\rv 0 1 0\n\n# a long comment, longer than a block\r\n"
+      "f 1 2 3\r\nv 1 2\r\n";
+  for (std::size_t size = 1; size < 120; ++size) {
+    CAPTURE(size);
+    std::istringstream stream(text);
+    std::optional<detail::ObjReader> reader;
+    std::string joined;
+    const auto visit = [&](std::string_view block) {
+      joined += block;
+      if (reader)
+        reader->read(block);
+      else
+        reader.emplace(block, "blocks");
+    };
+    CHECK_THROWS_WITH_AS(detail::for_each_block_of_lines(stream, size, visit),
+                         "blocks, line 7: a vertex has 3 coordinates, not 2",
+                         std::invalid_argument);
+    CHECK(joined == text);
+  }
+}
+
+TEST_CASE("read_obj: a stream that fails is not half a mesh") {
+  struct Failing : std::stringbuf {
+    int_type underflow() override { throw std::runtime_error("torn out"); }
+  } buffer;
+  std::istream stream(&buffer);
+  CHECK_THROWS_WITH_AS(read_obj(stream, "stick.obj"),
+                       doctest::Contains("stick.obj: cannot be read"), std::runtime_error);
 }
 
 TEST_CASE("read_obj: refuses a text without faces, whatever it is") {

@@ -191,6 +191,29 @@ TEST_CASE("mass: a tetrahedron, in words and as JSON") {
   CHECK(mass["findings"].empty());
 }
 
+TEST_CASE("mass, simulate: the same tetrahedron as STL and PLY, whatever the name") {
+  std::string stl = "solid tetrahedron\n";
+  for (const char* facet : {"0 0 0 vertex 0 1 0 vertex 1 0 0", "0 0 0 vertex 1 0 0 vertex 0 0 1",
+                            "0 0 0 vertex 0 0 1 vertex 0 1 0", "1 0 0 vertex 0 1 0 vertex 0 0 1"})
+    stl += std::string("facet normal 0 0 0 outer loop vertex ") + facet + " endloop endfacet\n";
+  write("tetrahedron.stl", stl + "endsolid\n");
+  write("tetrahedron.mesh",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+        "float z\n"
+        "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  for (const std::string file : {"tetrahedron.stl", "tetrahedron.mesh"}) {
+    const CommandResult result = scenes("mass " + file + " --json");
+    REQUIRE(result.status == 0);
+    CHECK(std::abs(json::parse(result.output)["volume"].get<double>() - 1.0 / 6) < 1e-16);
+    const json body = {{"shape", {{"mesh", file}}}, {"mass", 3}, {"velocity", {0, 0, 1}}};
+    const json end = simulated({{"bodies", {body}}, {"duration", 1}})["end"];
+    CHECK(distance(end["bodies"][0]["linear_momentum"], {0, 0, 3}) < 1e-15);
+  }
+  write("torn.stl", stl);
+  CHECK(mentions(scenes("mass torn.stl").output, "torn.stl, line 6", "endsolid"));
+}
+
 TEST_CASE("mass: a mesh that is not closed gives findings, no numbers, and exit status 1") {
   write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n");
   const std::string program = std::getenv("TUMBLE_SCENES");

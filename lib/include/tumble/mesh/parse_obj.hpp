@@ -1,0 +1,165 @@
+#pragma once
+/// @file
+/// The positions and the faces of a Wavefront OBJ text in memory.
+///
+/// Source: Alias Wavefront, Advanced Visualizer manual, appendix B1, Object files (.obj): `v x y
+/// z`, and `f` with the indices v, v/vt, v//vn or v/vt/vn, from 1 or, negative, from the last so
+/// far.
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tumble/mesh/foreign_format.hpp"
+#include "tumble/mesh/parse_number.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/mesh/text_scanner.hpp"
+
+namespace tumble {
+namespace detail {
+
+/// Reads line by line; lines that are neither vertices nor faces are passed over.
+class ObjReader {
+ public:
+  /// @param text the file, or its beginning up to the end of a line
+  ObjReader(std::string_view text, std::string_view name)
+      : text_(text, name), name_(name), beginning_(about_foreign_format(text)) {
+    read_lines();
+  }
+
+  /// Reads on: in what follows, up to the end of a line.
+  void read(std::string_view text) {
+    text_.take(text);
+    read_lines();
+  }
+
+  /// @throws std::invalid_argument if there were no faces
+  PolygonMesh mesh() {
+    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)",
+            beginning_);
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_lines() {
+    for (; !text_.at_end(); text_.next_line()) {
+      text_.skip_blanks();
+      if (begins_with('v')) read_vertex();
+      if (begins_with('f')) read_face();
+    }
+  }
+
+  bool begins_with(char keyword) const {
+    return text_.bytes_left() > 1 && text_.at()[0] == keyword && is_blank(text_.at()[1]);
+  }
+
+  /// Where there are no more words: at the end of the line, or at a comment.
+  bool at_last_word() const { return text_.at_line_end() || *text_.at() == '#'; }
+
+  /// Colours or a weight after the three coordinates are passed over.
+  void read_vertex() {
+    text_.move_to(text_.at() + 1);
+    Vec3 p;
+    for (int k = 0; k < 3; ++k) {
+      text_.skip_blanks();
+      const Parsed<double> x = parse_double(text_.at(), text_.end());
+      if (x.end == text_.at() || !text_.ends_word(x.end) || !std::isfinite(x.value))
+        refuse_coordinate(k);
+      p[k] = x.value;
+      text_.move_to(x.end);
+    }
+    mesh_.vertices.push_back(p);
+  }
+
+  [[noreturn]] void refuse_coordinate(int k) const {
+    if (at_last_word()) text_.refuse("a vertex has 3 coordinates, not ", k);
+    text_.refuse("the coordinate '", shown(text_.peek_word()), "' of vertex #",
+                 mesh_.vertices.size() + 1, " is not a finite number", about_continuation());
+  }
+
+  void read_face() {
+    text_.move_to(text_.at() + 1);
+    text_.skip_blanks();
+    if (text_.at_line_end()) return;  // a word without anything after it means nothing
+    const std::size_t first = mesh_.corners.size();
+    for (; !at_last_word(); text_.skip_blanks()) mesh_.corners.push_back(read_corner());
+    const std::size_t count = mesh_.corners.size() - first;
+    if (count < 3) refuse_face("has ", count, " corners, and needs 3");
+    if (mesh_.corners.size() > std::numeric_limits<int>::max())
+      refuse_face("is one too many: a mesh has at most 2147483647 corners");
+    mesh_.first_corner.push_back(static_cast<int>(mesh_.corners.size()));
+  }
+
+  /// The vertex that a corner means: #1 is the first of the file, −1 the last one so far.
+  int read_corner() {
+    const Parsed<std::int64_t> index = parse_integer(text_.at(), text_.end());
+    const char* const end = end_of_corner(index.end);
+    if (index.end == text_.at() || !text_.ends_word(end))
+      refuse_face("has the vertex '", shown(text_.peek_word()), "', which is not an index",
+                  about_continuation());
+    const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
+    const std::int64_t v = index.value > 0 ? index.value - 1 : count + index.value;
+    if (index.value == 0 || v < 0 || v >= count) refuse_index(index.value);
+    text_.move_to(end);
+    return static_cast<int>(v);
+  }
+
+  /// Passes over the indices of texture and normal. What they are does not matter, but there are no
+  /// more than two.
+  /// @return the end of the word, or what should not be in it
+  const char* end_of_corner(const char* at) const {
+    if (at == text_.end() || *at != '/') return at;
+    for (int slashes = 0; !text_.ends_word(at); ++at) {
+      slashes += *at == '/';
+      if (slashes > 2 || *at == '\0') break;
+    }
+    return at;
+  }
+
+  [[noreturn]] void refuse_index(std::int64_t index) const {
+    if (std::abs(index) > std::numeric_limits<int>::max())
+      refuse_face("has the vertex '", shown(text_.peek_word()),
+                  "', which is not an index: it is too large");
+    const std::size_t count = mesh_.vertices.size();
+    if (count == 0) refuse_face("has vertex ", index, ", but there are 0 vertices so far");
+    refuse_face("has vertex ", index, ", but there are ", count, " vertices so far: #1 to #", count,
+                ", or -1 to -", count);
+  }
+
+  template <class... Parts>
+  [[noreturn]] void refuse_face(const Parts&... message) const {
+    text_.refuse("face #", mesh_.face_count() + 1, ' ', message...);
+  }
+
+  /// What helps where a line goes on in the next one.
+  std::string_view about_continuation() const {
+    return text_.peek_word() == "\\"
+               ? ": a line that goes on in the next one has to be joined with it"
+               : "";
+  }
+
+  TextScanner text_;
+  std::string_view name_;
+  std::string beginning_;
+  PolygonMesh mesh_;
+};
+
+}  // namespace detail
+
+/// Reads an OBJ text. Polygons stay polygons, of any size; vertices that no face uses, and equal
+/// ones, stay. Coordinates [m] are the doubles nearest to what is written. Texture, normals,
+/// colours, groups and materials are passed over.
+/// @param text the bytes of the file
+/// @param name what the text is called in messages
+/// @throws std::invalid_argument naming the line, and the face or vertex, for: a vertex before the
+///         faces that is not there, an index 0, a face of fewer than 3 corners, a coordinate that
+///         is missing or not a finite number, a text without faces
+inline PolygonMesh parse_obj(std::string_view text, std::string_view name) {
+  return detail::ObjReader(text, name).mesh();
+}
+
+}  // namespace tumble

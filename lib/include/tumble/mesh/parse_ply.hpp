@@ -1,0 +1,183 @@
+#pragma once
+/// @file
+/// The vertices and faces of a PLY file in memory, ASCII or binary.
+///
+/// Source: G. Turk, The PLY polygon file format, Stanford 1994.
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tumble/mesh/ply_bytes.hpp"
+#include "tumble/mesh/ply_header.hpp"
+#include "tumble/mesh/ply_text.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
+
+namespace tumble {
+namespace detail {
+
+/// Reads all elements, and makes a mesh of those called vertex and face.
+/// @tparam Values PlyText or PlyBytes
+template <class Values>
+class PlyBodyReader {
+ public:
+  PlyBodyReader(const PlyHeader& header, Values values, std::string_view name)
+      : header_(header), values_(std::move(values)), name_(name) {}
+
+  PolygonMesh read() {
+    for (const PlyElement& element : header_.elements) {
+      require(element.count == 0 || !element.properties.empty(), name_, ": the element '",
+              shown(element.name), "' has no properties");
+      if (element.count > 0) read_all(element);
+    }
+    values_.require_end();
+    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)");
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_all(const PlyElement& element) {
+    values_.require_room(element);
+    if (element.name == "vertex")
+      read_vertices(element);
+    else if (element.name == "face")
+      read_faces(element);
+    else
+      for_each(element, [&] {
+        for (const PlyProperty& property : element.properties) skip(property);
+      });
+  }
+
+  template <class Read>
+  void for_each(const PlyElement& element, const Read& read) {
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      values_.begin(element, i);
+      read();
+      values_.end();
+    }
+  }
+
+  void read_vertices(const PlyElement& element) {
+    require(element.count <= std::numeric_limits<int>::max(), name_, ": ", element.count,
+            " vertices are more than a mesh holds");
+    const std::vector<int> axes = axes_of(element);
+    mesh_.vertices.reserve(static_cast<std::size_t>(element.count));
+    for_each(element, [&] {
+      Vec3 p = Vec3::Zero();
+      for (std::size_t i = 0; i < axes.size(); ++i)
+        if (axes[i] < 0)
+          skip(element.properties[i]);
+        else
+          p[axes[i]] = read_coordinate(element.properties[i]);
+      mesh_.vertices.push_back(p);
+    });
+  }
+
+  /// For each property 0, 1 or 2, or −1 if it is not a coordinate.
+  std::vector<int> axes_of(const PlyElement& element) const {
+    std::vector<int> axes(element.properties.size(), -1);
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view axis = std::string_view("xyz").substr(static_cast<std::size_t>(k), 1);
+      const std::size_t i = find(element, axis);
+      require(i < axes.size() && !element.properties[i].count, name_,
+              ": a vertex has no coordinate '", axis, "'");
+      axes[i] = k;
+    }
+    return axes;
+  }
+
+  static std::size_t find(const PlyElement& element, std::string_view name) {
+    std::size_t i = 0;
+    while (i < element.properties.size() && element.properties[i].name != name) ++i;
+    return i;
+  }
+
+  double read_coordinate(const PlyProperty& property) {
+    const double x = values_.next(property, property.type);
+    if (!std::isfinite(x))
+      values_.refuse("has ", x, " for '", property.name, "', which is not a finite number");
+    return x;
+  }
+
+  void read_faces(const PlyElement& element) {
+    const std::size_t count = element.properties.size();
+    const std::size_t list =
+        std::min(find(element, "vertex_indices"), find(element, "vertex_index"));
+    require(
+        list < count && element.properties[list].count && is_integer(element.properties[list].type),
+        name_, ": a face has no list of integers 'vertex_indices'");
+    mesh_.corners.reserve(3 * static_cast<std::size_t>(element.count));
+    mesh_.first_corner.reserve(static_cast<std::size_t>(element.count) + 1);
+    for_each(element, [&] {
+      for (std::size_t i = 0; i < count; ++i)
+        if (i == list)
+          read_face(element.properties[i]);
+        else
+          skip(element.properties[i]);
+    });
+  }
+
+  void read_face(const PlyProperty& property) {
+    const std::int64_t count = read_length(property);
+    if (count < 3) values_.refuse("has ", count, " corners, and needs 3");
+    for (std::int64_t k = 0; k < count; ++k) {
+      const auto v = static_cast<std::int64_t>(values_.next(property, property.type));
+      if (v < 0 || v >= vertex_count_)
+        values_.refuse("has vertex ", v, ", but there are ", vertex_count_, " vertices, from 0");
+      mesh_.corners.push_back(static_cast<int>(v));
+    }
+    if (mesh_.corners.size() > std::numeric_limits<int>::max())
+      values_.refuse("is one too many: a mesh has at most 2147483647 corners");
+    mesh_.first_corner.push_back(static_cast<int>(mesh_.corners.size()));
+  }
+
+  std::int64_t read_length(const PlyProperty& property) {
+    const auto count = static_cast<std::int64_t>(values_.next(property, *property.count));
+    if (count < 0) values_.refuse("has a list '", shown(property.name), "' of ", count, " values");
+    return count;
+  }
+
+  void skip(const PlyProperty& property) {
+    values_.skip(property, property.type, property.count ? read_length(property) : 1);
+  }
+
+  std::int64_t count_of_vertices() const {
+    for (const PlyElement& element : header_.elements)
+      if (element.name == "vertex") return element.count;
+    return 0;
+  }
+
+  const PlyHeader& header_;
+  Values values_;
+  std::string_view name_;
+  std::int64_t vertex_count_ = count_of_vertices();
+  PolygonMesh mesh_;
+};
+
+}  // namespace detail
+
+/// Reads a PLY file. Polygons stay polygons; vertices that no face uses, and equal ones, stay.
+/// Elements and properties other than the vertices' x, y, z [m] and the faces' vertex_indices (or
+/// vertex_index) are passed over, in any order and of any type.
+/// @param bytes of the file: ascii, binary_little_endian or binary_big_endian 1.0
+/// @param name  what the file is called in messages
+/// @throws std::invalid_argument naming the line or the byte, and the element, for: a header that
+/// is
+///         not one of PLY, a file that is shorter or longer than its elements, a coordinate that is
+///         not a finite number, a face of fewer than 3 corners, a vertex that is not there, no
+///         faces
+inline PolygonMesh parse_ply(std::string_view bytes, std::string_view name) {
+  detail::TextScanner text(bytes, name);
+  const detail::PlyHeader header = detail::PlyHeaderReader(text).read();
+  if (header.format == detail::PlyFormat::ascii)
+    return detail::PlyBodyReader(header, detail::PlyText(text), name).read();
+  const bool little = header.format == detail::PlyFormat::little_endian;
+  const auto order = little ? detail::ByteOrder::little : detail::ByteOrder::big;
+  const std::size_t begin = bytes.size() - text.bytes_left();
+  return detail::PlyBodyReader(header, detail::PlyBytes(bytes, begin, order, name), name).read();
+}
+
+}  // namespace tumble

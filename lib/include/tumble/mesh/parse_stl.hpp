@@ -1,0 +1,39 @@
+#pragma once
+/// @file
+/// The facets of an STL file in memory, binary or ASCII.
+
+#include <string_view>
+
+#include "tumble/mesh/parse_binary_stl.hpp"
+#include "tumble/mesh/parse_text_stl.hpp"
+
+namespace tumble {
+namespace detail {
+
+/// Whether the first word is `solid` and no byte is 0, as in no text.
+/// @param head the first bytes of the file, or all
+inline bool is_text_stl(std::string_view head) {
+  TextScanner text(head, "");
+  text.skip_to_word();
+  return is_keyword(text.peek_word(), "solid") && head.find('\0') == std::string_view::npos;
+}
+
+}  // namespace detail
+
+/// Reads an STL file. Vertices at equal positions become one (0 and −0 are equal, nothing else is
+/// moved); normals, names and colours are passed over. STL states no unit: coordinates are taken
+/// for metres.
+/// @param bytes of the file. It is binary where its size is that of the facets that its header
+/// names,
+///              also if it begins with "solid"
+/// @param name  what the file is called in messages
+/// @throws std::invalid_argument naming the facet, and the line or the byte, for: a file that is
+///         shorter or longer than its facets, a facet without three vertices, a coordinate that is
+///         not a finite number, a word that does not belong there, a file without facets
+inline PolygonMesh parse_stl(std::string_view bytes, std::string_view name) {
+  if (!detail::is_binary_stl(bytes, bytes.size()) && detail::is_text_stl(bytes))
+    return detail::StlTextReader(bytes, name).read();
+  return detail::parse_binary_stl(bytes, name);
+}
+
+}  // namespace tumble

@@ -1,0 +1,115 @@
+#pragma once
+/// @file
+/// ASCII STL in memory.
+///
+/// Source: 3D Systems, StereoLithography Interface Specification (1988), as in M. Burns, Automated
+/// Fabrication (1993), section 6.5. Words are separated by any blanks and line ends; the name after
+/// `solid` and `endsolid` is the rest of the line. Files with several solids are one mesh.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "tumble/mesh/parse_number.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/mesh/text_scanner.hpp"
+#include "tumble/mesh/vertex_welder.hpp"
+
+namespace tumble::detail {
+
+/// Whether a word is this keyword; capitals do not matter.
+inline bool is_keyword(std::string_view word, std::string_view keyword) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  if (word == keyword) return true;
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [&](char a, char b) { return lower(a) == b; });
+}
+
+class StlTextReader {
+ public:
+  StlTextReader(std::string_view text, std::string_view name) : text_(text, name), name_(name) {}
+
+  PolygonMesh read() {
+    for (text_.skip_to_word(); !text_.at_end(); text_.skip_to_word()) read_solid();
+    require(mesh_.face_count() > 0, name_, ": no faces");
+    mesh_.vertices = welder_.take_positions();
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_solid() {
+    expect("solid");
+    text_.rest_of_line();
+    for (text_.skip_to_word(); next_is("facet"); text_.skip_to_word()) read_facet();
+    expect("endsolid");
+    text_.rest_of_line();
+  }
+
+  void read_facet() {
+    expect("facet");
+    expect("normal");
+    for (int k = 0; k < 3; ++k) skip_normal();
+    expect("outer");
+    expect("loop");
+    for (int k = 0; k < 3; ++k) mesh_.corners.push_back(read_vertex(k));
+    text_.skip_to_word();
+    if (next_is("vertex")) refuse("has more than 3 vertices");
+    expect("endloop");
+    expect("endfacet");
+    if (mesh_.corners.size() > std::numeric_limits<int>::max())
+      refuse("is one too many: a mesh has at most 2147483647 corners");
+    mesh_.first_corner.push_back(static_cast<int>(mesh_.corners.size()));
+  }
+
+  int read_vertex(int number) {
+    text_.skip_to_word();
+    if (!next_is("vertex") && next_is("endloop")) refuse("has ", number, " vertices, and needs 3");
+    expect("vertex");
+    Vec3 p;
+    for (int k = 0; k < 3; ++k) p[k] = read_coordinate();
+    return welder_.number_of(p);
+  }
+
+  double read_coordinate() {
+    text_.skip_to_word();
+    const Parsed<double> x = parse_double(text_.at(), text_.end());
+    if (x.end == text_.at() || !text_.ends_word(x.end) || !std::isfinite(x.value))
+      refuse("has the coordinate '", shown(text_.peek_word()), "', which is not a finite number");
+    text_.move_to(x.end);
+    return x.value;
+  }
+
+  /// The normal is not used. Of a facet without an area some programs write nan.
+  void skip_normal() {
+    text_.skip_to_word();
+    const std::string_view word = text_.peek_word();
+    if (word.empty() ||
+        std::string_view("0123456789+-.nNiI").find(word[0]) == std::string_view::npos)
+      refuse("has '", shown(word), "' where a number of its normal should be");
+    text_.move_to(text_.at() + word.size());
+  }
+
+  bool next_is(std::string_view keyword) const { return is_keyword(text_.peek_word(), keyword); }
+
+  void expect(std::string_view keyword) {
+    text_.skip_to_word();
+    if (text_.at_end()) text_.refuse("the text ends where '", keyword, "' should be");
+    if (!next_is(keyword))
+      refuse("'", shown(text_.peek_word()), "' where '", keyword, "' should be");
+    text_.move_to(text_.at() + keyword.size());
+  }
+
+  template <class... Parts>
+  [[noreturn]] void refuse(const Parts&... message) const {
+    text_.refuse("facet #", mesh_.face_count() + 1, ' ', message...);
+  }
+
+  TextScanner text_;
+  std::string_view name_;
+  VertexWelder welder_;
+  PolygonMesh mesh_;
+};
+
+}  // namespace tumble::detail

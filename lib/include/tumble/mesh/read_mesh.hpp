@@ -1,0 +1,48 @@
+#pragma once
+/// @file
+/// Mesh files: OBJ, STL and PLY. What is read and refused: see parse_obj.hpp, parse_stl.hpp and
+/// parse_ply.hpp.
+
+#include <fstream>
+#include <string>
+
+#include "tumble/mesh/parse_mesh.hpp"
+#include "tumble/mesh/read_file.hpp"
+#include "tumble/mesh/read_obj.hpp"
+
+namespace tumble {
+
+/// Reads a mesh from an STL file.
+/// @throws std::runtime_error when the file cannot be read
+/// @throws std::invalid_argument as parse_stl() does
+inline PolygonMesh read_stl(const std::string& path) {
+  return parse_stl(detail::read_file(path), path);
+}
+
+/// Reads a mesh from a PLY file.
+/// @throws std::runtime_error when the file cannot be read
+/// @throws std::invalid_argument as parse_ply() does
+inline PolygonMesh read_ply(const std::string& path) {
+  return parse_ply(detail::read_file(path), path);
+}
+
+/// Reads a mesh from an OBJ, STL or PLY file, whichever it is by its content.
+/// @param path its ending counts only where the content says nothing
+/// @throws std::runtime_error when the file cannot be read
+/// @throws std::invalid_argument as parse_obj(), parse_stl() and parse_ply() do
+inline PolygonMesh read_mesh(const std::string& path) {
+  std::ifstream file = detail::open_file(path);
+  const std::size_t size = detail::size_of(file);
+  std::string head(512, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  file.clear();
+  if (size > 0 && detail::format_of(head, size, path) == detail::MeshFormat::obj) {
+    file.seekg(0);
+    return read_obj(file, path);
+  }
+  // A pipe cannot go back to its beginning.
+  return parse_mesh(head + detail::read_all(file, size, path), path);
+}
+
+}  // namespace tumble

@@ -1,0 +1,124 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "project/library/mesh/mesh_files.hpp"
+#include "project/library/mesh/shapes.hpp"
+#include "tumble/mesh/diagnose.hpp"
+#include "tumble/mesh/parse_stl.hpp"
+
+using namespace tumble;
+
+namespace {
+
+const std::string facet_begin = "facet normal 0 0 1\nouter loop\n";
+const std::string three_vertices = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
+const std::string facet_end = "endloop\nendfacet\n";
+
+std::string solid_of(const std::string& facets) { return "solid x\n" + facets + "endsolid x\n"; }
+
+void stl_refused(const std::string& bytes, const char* what) {
+  CAPTURE(bytes.substr(0, 200));
+  CHECK_THROWS_WITH_AS(parse_stl(bytes, "test.stl"), doctest::Contains(what),
+                       std::invalid_argument);
+}
+
+/// A file with other bytes at some place.
+std::string with_bytes(std::string file, std::size_t at, const std::string& bytes) {
+  return file.replace(at, bytes.size(), bytes);
+}
+
+}  // namespace
+
+TEST_CASE("parse_stl: facets that meet share their vertices") {
+  const PolygonMesh cube = test::triangulated(test::cube());
+  for (const std::string& file : {test::text_stl(cube), test::binary_stl(cube)}) {
+    const PolygonMesh mesh = parse_stl(file, "cube.stl");
+    CHECK(mesh.face_count() == 12);
+    CHECK(mesh.vertices.size() == 8);
+    CHECK(diagnose(mesh).empty());
+    CHECK(mesh.vertex(0) == Vec3(0, 0, 0));  // in the order of the file
+    CHECK(mesh.vertex(1) == Vec3(0, 1, 0));
+  }
+}
+
+TEST_CASE("parse_stl: −0 is 0, and nothing else is moved") {
+  const std::string near = "vertex -0 1e-300 0\nvertex 0 -0 -0.0\nvertex 0 1 0\n";
+  const PolygonMesh mesh = parse_stl(
+      solid_of(facet_begin + three_vertices + facet_end + facet_begin + near + facet_end), "x");
+  CHECK(mesh.vertices.size() == 4);
+  CHECK(mesh.corners == std::vector<int>{0, 1, 2, 3, 0, 2});
+  CHECK_FALSE(std::signbit(mesh.vertex(3).x()));
+}
+
+TEST_CASE("parse_stl: thousands of vertices are found again") {
+  const PolygonMesh torus = test::triangulated(test::torus(90, 60));
+  const PolygonMesh mesh = parse_stl(test::binary_stl(torus), "torus.stl");
+  CHECK(mesh.face_count() == torus.face_count());
+  CHECK(mesh.vertices.size() == torus.vertices.size());
+  for (int f = 0; f < mesh.face_count(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(mesh.vertex(mesh.face(f)[k]) ==
+            torus.vertex(torus.face(f)[k]).cast<float>().cast<double>());
+}
+
+TEST_CASE("parse_stl: a binary file may begin with 'solid'") {
+  const PolygonMesh cube = test::triangulated(test::cube());
+  CHECK(parse_stl(test::binary_stl(cube, "solid made by a program"), "x").face_count() == 12);
+  stl_refused(
+      test::binary_stl(cube, "solid").substr(0, 683),
+      "test.stl, byte 80: the header names 12 facets, which take 684 bytes, but the file has 683");
+}
+
+TEST_CASE("parse_stl: refuses a binary file that is not as long as its facets") {
+  const std::string file = test::binary_stl(test::triangulated(test::cube()));
+  for (const std::size_t size : {84u, 85u, 133u, 134u, 600u})
+    stl_refused(file.substr(0, size), "byte 80: the header names 12 facets");
+  stl_refused(file + "x", "but the file has 685");
+  stl_refused(with_bytes(file, 80, "\xFF\xFF\xFF\xFF"),
+              "names 4294967295 facets, which take 214748364834 bytes");
+  stl_refused(file.substr(0, 83), "a header of 84 bytes, and this has 83 bytes");
+  stl_refused("", "this has 0 bytes");
+  stl_refused(with_bytes(file.substr(0, 84), 80, std::string(4, '\0')), "no faces");
+}
+
+TEST_CASE("parse_stl: refuses a vertex that is not finite, and says which") {
+  const std::string file = test::binary_stl(test::triangulated(test::cube()));
+  const float inf = std::numeric_limits<float>::infinity();
+  stl_refused(with_bytes(file, 84 + 3 * 50 + 12 + 12, test::bytes_of(inf)),
+              "test.stl, byte 258: facet #4 has the vertex (inf");
+  stl_refused(solid_of(facet_begin + "vertex 0 0 nan\n"),
+              "line 4: facet #1 has the coordinate 'nan'");
+  stl_refused(solid_of(facet_begin + "vertex 0 1e999 0\n"), "'1e999'");
+  stl_refused(solid_of(facet_begin + "vertex 0 1,5 0\n"), "'1,5'");
+}
+
+TEST_CASE("parse_stl: words are separated by anything, capitals do not matter") {
+  CHECK(
+      parse_stl(
+          "\r\n SOLID\rFacet Normal 0 0\tnan Outer Loop Vertex 0 0 0 vertex 1 0\r\n0 vertex 0 1 0 "
+          "endLoop endfacet\rEndSolid",
+          "x")
+          .face_count() == 1);
+  const std::string one = solid_of(facet_begin + three_vertices + facet_end);
+  CHECK(parse_stl("\xEF\xBB\xBF" + one + "\n\n" + one, "x").face_count() == 2);
+}
+
+TEST_CASE("parse_stl: refuses a facet without three vertices, and words in the wrong place") {
+  const std::string two = "vertex 0 0 0\nvertex 1 0 0\n";
+  stl_refused(solid_of(facet_begin + two + facet_end),
+              "test.stl, line 6: facet #1 has 2 vertices, and needs 3");
+  stl_refused(solid_of(facet_begin + three_vertices + "vertex 1 1 0\n" + facet_end),
+              "line 7: facet #1 has more than 3 vertices");
+  stl_refused("solid x\n" + facet_begin + three_vertices,
+              "the text ends where 'endloop' should be");
+  stl_refused("solid x\n" + facet_begin + three_vertices + facet_end,
+              "the text ends where 'endsolid' should be");
+  stl_refused(solid_of(facet_begin + three_vertices + facet_end) + "more\n",
+              "line 10: facet #2 'more' where 'solid' should be");
+  stl_refused(solid_of("facet normal 0 outer loop\n"),
+              "line 2: facet #1 has 'outer' where a number of its normal should be");
+  stl_refused("solid x\n", "the text ends where 'endsolid' should be");
+  stl_refused(solid_of(""), "no faces");
+}
