@@ -1,6 +1,8 @@
 #include "judge/build/confined_compiler.hpp"
 
 #include <unistd.h>
+#include <algorithm>
+#include <array>
 
 #include <stdexcept>
 #include <utility>
@@ -69,10 +71,11 @@ Finished ConfinedCompiler::run(const Arguments& arguments) const {
 
 bool ran_into_limits(const Finished& step) {
   if (step.timed_out || step.ending.by_signal) return true;
-  for (const char* complaint : {"out of memory", "cannot allocate", "memory exhausted", "Killed",
-                                "CPU time limit", "File size limit"})
-    if (step.output.find(complaint) != std::string::npos) return true;
-  return false;
+  constexpr std::array complaints = {"out of memory", "cannot allocate", "memory exhausted",
+                                     "Killed",        "CPU time limit",  "File size limit"};
+  return std::any_of(complaints.begin(), complaints.end(), [&](const char* complaint) {
+    return step.output.find(complaint) != std::string::npos;
+  });
 }
 
 WorkerProgram confined_worker(const fs::path& folder, const fs::path& worker) {

@@ -1,6 +1,7 @@
 #include "judge/build/diagnostics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <string_view>
 
@@ -12,9 +13,9 @@ constexpr int most_shown = 30;
 
 /// Does a message start here? "path:line:column: error: …"
 bool starts_message(std::string_view line) {
-  for (const char* kind : {": error: ", ": warning: ", ": note: ", ": fatal error: "})
-    if (line.find(kind) != std::string_view::npos && line.find(kind) < line.size()) return true;
-  return false;
+  constexpr std::array kinds = {": error: ", ": warning: ", ": note: ", ": fatal error: "};
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [&](const char* kind) { return line.find(kind) != std::string_view::npos; });
 }
 
 bool is_error(std::string_view line) { return line.find("error: ") != std::string_view::npos; }

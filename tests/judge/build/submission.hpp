@@ -18,6 +18,6 @@ inline constexpr std::size_t largest_submission = 256 << 10;
 
 /// The text of a regular file (no link, no pipe, no device), UTF-8 without NUL.
 /// @throws Refused if it is missing, empty, too large, or anything else
-std::string read_submission(const std::filesystem::path& file);
+std::string read_submission(const std::filesystem::path& path);
 
 }  // namespace tumble::judge

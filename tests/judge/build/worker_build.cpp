@@ -41,7 +41,7 @@ class Builder {
       compiler_.hand_over({object()});
       return *known;
     }
-    const WorkerBuild result = compiled(text);
+    WorkerBuild result = compiled(text);
     cache.keep(unit_, text, result);
     return result;
   }

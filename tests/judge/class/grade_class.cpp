@@ -56,6 +56,7 @@ std::vector<StudentRecord> read_records(const GradesFolder& folder) {
   require(!files.empty(), folder.path.string(), " holds no grades: ./tumble grade makes them");
   std::sort(files.begin(), files.end());
   std::vector<StudentRecord> records;
+  records.reserve(files.size());
   for (const fs::path& file : files) records.push_back(*read_record(file));
   return records;
 }

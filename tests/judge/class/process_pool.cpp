@@ -68,6 +68,7 @@ bool has_succeeded(pid_t pid) {
 /// Waits until a child ticks or ends.
 void wait_for_news(const std::vector<Child>& running) {
   std::vector<pollfd> files;
+  files.reserve(running.size());
   for (const Child& child : running) files.push_back({child.ticks.number(), POLLIN, 0});
   poll(files.data(), static_cast<nfds_t>(files.size()), -1);
 }

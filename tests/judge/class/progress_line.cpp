@@ -45,7 +45,7 @@ void ProgressLine::clear() const {
 std::string duration_text(double seconds) {
   const auto whole = static_cast<long>(std::lround(seconds));
   if (whole < 100) return std::to_string(whole) + " s";
-  if (whole < 100 * 60) return std::to_string((whole + 30) / 60) + " min";
+  if (whole < 100L * 60) return std::to_string((whole + 30) / 60) + " min";
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 

@@ -144,7 +144,7 @@ class Page {
   }
 
   void add_bar(const UnitStatistics& unit) {
-    out_ << "<div class=\"bar\" title=\"" << unit.passed << " passed, " << unit.failed
+    out_ << R"(<div class="bar" title=")" << unit.passed << " passed, " << unit.failed
          << " not yet, " << unit.not_started << " not started\">";
     for (const auto& [kind, n] :
          {std::pair{"passed", unit.passed}, std::pair{"failed", unit.failed},

@@ -25,7 +25,7 @@ std::vector<Unit> units_in(const Course& course, const Place& list) {
     });
   std::vector<Unit> units;
   for (const Unit& unit : course.units)
-    if (meant.count(unit.id()) > 0) units.push_back(unit);
+    if (meant.contains(unit.id())) units.push_back(unit);
   require(!units.empty(), list.name(), " is empty: leave it out for all units");
   return units;
 }
@@ -44,14 +44,14 @@ void read_weights(const Course& course, const Place& weights, CourseSettings& se
           place.refused_here([&, w = what] { return course.select(w); });
       if ((units.size() == 1) != of_units) continue;
       for (const Unit& unit : units)
-        if (settings.weights.count(unit.id()) > 0) settings.weights[unit.id()] = weight(place);
+        if (settings.weights.contains(unit.id())) settings.weights[unit.id()] = weight(place);
     }
 }
 
 Credit read_credit(const Place& place) {
   const std::string credit = place.text();
   require(credit == "unit" || credit == "laws", place.name(), " is \"", credit,
-          "\", not \"unit\" (all laws or nothing) or \"laws\" (in proportion)");
+          R"(", not "unit" (all laws or nothing) or "laws" (in proportion))");
   return credit == "unit" ? Credit::unit : Credit::laws;
 }
 
@@ -59,7 +59,7 @@ std::string read_time(const Place& place) {
   static const std::regex iso(
       R"(\d{4}-\d{2}-\d{2}T\d{2}:\d{2}(:\d{2}(\.\d+)?)?(Z|[+-]\d{2}:\d{2}))");
   require(std::regex_match(place.text(), iso), place.name(), " is \"", place.text(),
-          "\", not a time such as \"2026-12-01T23:59:00Z\" or \"2026-12-01T23:59:00+01:00\"");
+          R"(", not a time such as "2026-12-01T23:59:00Z" or "2026-12-01T23:59:00+01:00")");
   return place.text();
 }
 

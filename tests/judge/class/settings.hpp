@@ -45,7 +45,7 @@ struct CourseSettings {
   /// Of all units.
   double most() const;
   bool wants_curve(const Course& course) const;
-  bool is_hidden(const UnitRecord& record) const { return hidden.count(record.unit) > 0; }
+  bool is_hidden(const UnitRecord& record) const { return hidden.contains(record.unit); }
   /// What a verdict earns, of points(unit).
   double earned(const UnitRecord& record) const;
 };

@@ -52,7 +52,8 @@ std::string title_of(const std::string& chapter) { return chapter.substr(chapter
 std::vector<std::vector<Unit>> chapters_of(const Course& course) {
   std::vector<std::vector<Unit>> chapters;
   for (const Unit& unit : course.units) {
-    if (chapters.empty() || chapters.back().front().chapter != unit.chapter) chapters.push_back({});
+    if (chapters.empty() || chapters.back().front().chapter != unit.chapter)
+      chapters.emplace_back();
     chapters.back().push_back(unit);
   }
   return chapters;

@@ -85,6 +85,6 @@ std::string numbers_of(const std::vector<Unit>& units);
 
 /// Reads what the build has written.
 /// @throws std::runtime_error if the file is missing or is no course
-Course read_course(const fs::path& json);
+Course read_course(const fs::path& file);
 
 }  // namespace tumble::judge

@@ -31,7 +31,7 @@ bool is_chapter(const std::string& folder) {
 /// the chosen chapters is handed out.
 bool is_kept_back(const fs::path& path, const TreeParts& parts) {
   const auto [tree, folder] = upper_folders(path);
-  if (is_chapter(folder) && parts.chapters.count(folder) == 0)  // contracts speak of each other
+  if (is_chapter(folder) && !parts.chapters.contains(folder))  // contracts speak of each other
     return path.filename() != "contract.hpp";
   if (tree == "solutions") return !parts.solutions;
   if (tree == "exercises")  // whatever has been tried in this tree: stubs are written anew
@@ -48,8 +48,8 @@ bool belongs(const fs::path& path, const TreeParts& parts) {
   static const std::set<std::string> trees = {"chapters",  "lib",   "exercises",
                                               "solutions", "tests", ".devcontainer"};
   const std::string top = path.begin()->string();
-  if (std::next(path.begin()) == path.end()) return files.count(top) > 0;
-  return trees.count(top) > 0 && !is_kept_back(path, parts);
+  if (std::next(path.begin()) == path.end()) return files.contains(top);
+  return trees.contains(top) && !is_kept_back(path, parts);
 }
 
 /// All files of the tree to be made, from the root.
@@ -70,7 +70,8 @@ std::string readme(const Course& course, const std::set<std::string>& chapters) 
   for (const std::string& chapter : chapters) {
     const std::string page = support::read_text(course.root / "chapters" / chapter / "README.md");
     const std::string title = page.substr(2, page.find('\n') - 2);  // "# 4 Quaternions"
-    list += "- [" + title + "](chapters/" + chapter + "/README.md): exercises/" + chapter + "\n";
+    list.append("- [" + title + "](chapters/").append(chapter);
+    list.append("/README.md): exercises/").append(chapter).append("\n");
   }
   std::string text =
       support::read_text(course.root / "tests" / "judge" / "handout" / "students.md");
@@ -153,7 +154,7 @@ void make_tree(const Course& course, const TreeParts& parts, const fs::path& to)
   }
   support::write_text_and_folders(to / "README.md", readme(course, parts.chapters));
   for (const Unit& unit : course.units)
-    if (parts.chapters.count(unit.chapter) > 0)
+    if (parts.chapters.contains(unit.chapter))
       support::write_text_and_folders(to / "exercises" / unit.chapter / (unit.name + ".cpp"),
                                       stub_of(course, unit));
 }

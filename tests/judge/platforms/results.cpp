@@ -16,7 +16,7 @@ namespace {
 std::string title(const Unit& unit) { return unit.number + " " + unit.name; }
 
 bool is_hidden(const CourseSettings& settings, const Unit& unit) {
-  return settings.hidden.count(unit.id()) > 0;
+  return settings.hidden.contains(unit.id());
 }
 
 /// What a student reads about a unit, judged or not.

@@ -58,7 +58,7 @@ struct Finding {
 
 /// Thrown through a spec when no answer came: it ends the test case.
 struct NoAnswer : std::runtime_error {
-  NoAnswer(Outcome why, std::string what) : std::runtime_error(std::move(what)), outcome(why) {}
+  NoAnswer(Outcome why, const std::string& what) : std::runtime_error(what), outcome(why) {}
   Outcome outcome;
 };
 

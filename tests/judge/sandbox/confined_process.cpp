@@ -46,6 +46,7 @@ struct Plan {
 
 std::vector<const char*> pointers(const std::vector<std::string>& strings) {
   std::vector<const char*> list;
+  list.reserve(strings.size());
   for (const std::string& text : strings) list.push_back(text.c_str());
   list.push_back(nullptr);
   return list;

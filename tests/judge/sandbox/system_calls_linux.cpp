@@ -31,7 +31,9 @@ constexpr std::size_t path_capacity = 4096;
 
 char* path_page() {
   static char* const page = [] {
-    void* const wanted = reinterpret_cast<void*>(path_address);
+    // An address that the filter can name beforehand.
+    void* const wanted =
+        reinterpret_cast<void*>(path_address);  // NOLINT(performance-no-int-to-ptr)
     void* const got = mmap(wanted, path_capacity, PROT_READ | PROT_WRITE,
                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
     if (got != wanted) throw std::runtime_error("no page at the address for paths");

@@ -13,7 +13,7 @@ void load_spec(const Unit& unit) {
   static std::mutex mutex;
   static std::map<fs::path, support::Module> loaded;
   const std::lock_guard lock(mutex);
-  if (loaded.count(unit.spec) > 0) return;
+  if (loaded.contains(unit.spec)) return;
   for (const fs::path& file : {unit.spec, unit.worker})
     if (!fs::exists(file))
       throw std::runtime_error(unit.number + " " + unit.name +

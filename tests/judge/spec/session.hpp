@@ -68,16 +68,16 @@ class Session {
   /// @throws NoAnswer
   std::size_t ask(Call call);
   const Call& call(std::size_t number) const { return calls_[number]; }
-  /// Does the answer of `call` come close enough? Files a finding if not.
-  bool demand(std::size_t call, const CloseTo& demand);
-  bool demand(std::size_t call, const Obeys& demand);
-  /// Files that the answer of `call` has the wrong shape.
-  void malformed(std::size_t call, const std::string& why);
+  /// Does the answer of call `number` come close enough? Files a finding if not.
+  bool demand(std::size_t number, const CloseTo& demand);
+  bool demand(std::size_t number, const Obeys& demand);
+  /// Files that the answer of call `number` has the wrong shape.
+  void malformed(std::size_t number, const std::string& why);
 
  private:
-  Finding wrong_answer(std::size_t call, const CloseTo* unmet = nullptr) const;
+  Finding wrong_answer(std::size_t number, const CloseTo* unmet = nullptr) const;
   /// The misconceptions that give the same numbers everywhere, and do not meet `unmet`.
-  std::vector<NamedMistake> matching_mistakes(std::size_t call, const CloseTo* unmet) const;
+  std::vector<NamedMistake> matching_mistakes(std::size_t number, const CloseTo* unmet) const;
   bool gives_the_same(std::size_t misconception) const;
 
   std::string unit_;

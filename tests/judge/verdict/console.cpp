@@ -225,8 +225,8 @@ class Printer {
     if (!finding.detail.empty()) out_ << label("Demanded") << one_line(finding.detail) << "\n";
   }
 
-  std::string sentence_about(const Finding& finding) const {
-    const std::string detail = one_line(finding.detail);
+  static std::string sentence_about(const Finding& finding) {
+    std::string detail = one_line(finding.detail);
     switch (finding.outcome) {
       case Outcome::not_implemented:
         return "      Your code throws NotImplemented here.";

@@ -43,7 +43,7 @@ std::string name_in(const std::string& report) {
 std::string line_in(const std::string& report, const std::string& file) {
   for (auto at = report.find(file + ":"); at != std::string::npos;
        at = report.find(file + ":", at + 1))
-    if (const std::string line = run_of(report, at + file.size() + 1, 7, is_digit); !line.empty())
+    if (std::string line = run_of(report, at + file.size() + 1, 7, is_digit); !line.empty())
       return line;
   return {};
 }

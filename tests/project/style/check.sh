@@ -1,0 +1,62 @@
+#!/bin/sh
+# The tree keeps its style: clang-format over every C++ file, shellcheck over every script, and clang-tidy
+# over one translation unit per part (.clang-tidy says which checks are off, and why). Each finding is an
+# error. What is not installed is left out, and said; exit status 77 if that is everything.
+#
+# usage: check.sh [BUILD]    the folder of a configured preset (default: build/dev), for the compiler's flags
+set -eu
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/../../.." && pwd)
+build=${1:-$root/build/dev}
+cd "$root"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+checked=0 failed=0
+
+# check NAME COMMAND...: runs it; of a failure, what it says.
+check() {
+  name=$1
+  shift
+  checked=$((checked + 1))
+  if "$@" >"$work/$name" 2>&1; then echo "passed  $name"; return; fi
+  failed=$((failed + 1))
+  echo "FAILED  $name"
+  grep -v 'warnings generated\|Suppressed\|Use -header-filter' "$work/$name" | head -n 60
+}
+
+have() { command -v "$1" >/dev/null 2>&1 || { echo "left out: $1 is not installed"; return 1; }; }
+
+# Submissions that attack the judge are as their authors would write them.
+formatted() { git ls-files '*.hpp' '*.cpp' | grep -v '^tests/project/attacks/' | xargs clang-format --dry-run -Werror; }
+
+scripts() { git ls-files | xargs grep -lE '^#!/bin/(ba)?sh' -- | xargs shellcheck; }
+
+# tidy NAME FILE...: these files as one translation unit.
+tidy() {
+  part=$1
+  shift
+  for file in "$@"; do echo "#include \"$root/$file\""; done >"$work/$part.cpp"
+  # Warnings are the compiler's own business: here is what it sees, without what only gcc knows.
+  clang-tidy --quiet --config-file="$root/.clang-tidy" --warnings-as-errors='*' "$work/$part.cpp" -- -std=gnu++20 -Wno-everything \
+    -DEIGEN_DONT_VECTORIZE -DTUMBLE_CMAKE='""' -DTUMBLE_UNPACK='""' -DTUMBLE_COURSE='""' \
+    -I"$root/tests" -I"$root/exercises" -I"$root/chapters" -I"$root/lib" -I"$root/lib/include" \
+    -isystem "$eigen"
+}
+
+have clang-format && check clang-format formatted
+have shellcheck && check shellcheck scripts
+if have clang-tidy; then
+  eigen=$(sed -n 's/^Eigen3_DIR:PATH=\(.*\)\/share\/eigen3\/cmake$/\1\/include\/eigen3/p' "$build/CMakeCache.txt")
+  sources() { git ls-files "$@" | grep '\.cpp$' | grep -v '_none\.cpp$\|spec/doctest\.cpp$\|class/unpack\.cpp$\|mine/engine\.cpp$'; }
+  check library tidy library lib/include/tumble/tumble.hpp
+  # shellcheck disable=SC2046  # one word a file: their names have no spaces
+  {
+    check judge tidy judge $(sources tests/judge | grep -v 'judge/\(commands\|mine\|worker\)/')
+    check commands tidy commands $(sources tests/judge/commands)
+    check worker tidy worker $(sources tests/judge/worker)
+    check programs tidy programs $(sources chapters/scenes chapters/tour)
+    check book tidy book $(sources chapters/book/tool)
+  }
+fi
+echo "$checked checked, $failed failed"
+[ "$failed" = 0 ] || exit 1
+[ "$checked" != 0 ] || exit 77
