@@ -1,17 +1,23 @@
-#pragma once
 /// @file
 /// What the steps take on this machine.
 
 #include <string>
 #include <vector>
 
-#include "net.hpp"
-#include "orbit.hpp"
+#include "hanging_net.hpp"
+#include "methods.hpp"
+#include "parts.hpp"
+#include "satellite.hpp"
 #include "support/stopwatch.hpp"
+#include "thrown_ball.hpp"
 
 namespace particles_chapter {
 
-inline constexpr double short_step = 1e-9;  // [s], so that nothing moves far
+using support::number;
+
+namespace {
+
+constexpr double short_step = 1e-9;  // [s], so that nothing moves far
 
 /// What a step takes: Euler's as a time, the others as a multiple of it.
 template <class State, class F>
@@ -32,7 +38,9 @@ void add_times(Table& table, const std::string& what, const F& f, const State& s
   table.add(row);
 }
 
-inline Table times_table() {
+}  // namespace
+
+Table times_table() {
   Table table({"one step", "Euler", "midpoint", "RK4"});
   const Net net{23, 16, 0.02};
   add_times(table, "satellite, 4 numbers", rhs_from_c(satellite), at_perigee(), 20000);

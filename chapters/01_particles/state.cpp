@@ -1,20 +1,19 @@
-#pragma once
 /// @file
 /// Two particles as one column of numbers.
 
 #include <string>
 #include <vector>
 
-#include "support/table.hpp"
+#include "hanging_net.hpp"
+#include "parts.hpp"
 #include "tumble/particles.hpp"
 
 namespace particles_chapter {
 
 using namespace tumble;
 using support::number;
-using support::Table;
 
-inline Table state_table() {
+Table state_table() {
   const std::vector<Particle<double>> particles{{0.5, Vec3(1, 2, 3), Vec3(-4, 0, 9)},
                                                 {2.0, Vec3(0, 7, 1), Vec3(5, -6, 0)}};
   const Eigen::VectorXd y = flatten(particles);

@@ -1,59 +1,35 @@
-#pragma once
 /// @file
 /// A satellite on an ellipse about the Earth: after each revolution it has to be where it was.
-///
-/// Source of the constants: IERS Conventions (2010), table 1.1: GM and equatorial radius of the
-/// Earth.
 
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "methods.hpp"
+#include "parts.hpp"
+#include "satellite.hpp"
 #include "support/plot.hpp"
 #include "support/sketch.hpp"
-#include "support/table.hpp"
 
 namespace particles_chapter {
 
 using support::error_number;
 using support::number;
-using support::Table;
 using support::Vec2;
 
-constexpr double GM = 3.986004418e14;               // of the Earth [m³/s²]
-constexpr double earth_radius = 6.3781e6;           // [m]
-constexpr double perigee = 7.0e6, apogee = 21.0e6;  // from the Earth's centre [m]
-constexpr double km = 1000, hour = 3600;
+namespace {
 
-/// y = (x, y, vx, vy), in the plane of the orbit [m, m/s].
-inline void satellite(double, const double y[], double ydot[]) {
-  const double r = std::sqrt(y[0] * y[0] + y[1] * y[1]);
-  ydot[0] = y[2];
-  ydot[1] = y[3];
-  ydot[2] = -GM * y[0] / (r * r * r);
-  ydot[3] = -GM * y[1] / (r * r * r);
-}
+constexpr double earth_radius = 6.3781e6;  // [m]
+constexpr double km = 1000;
 
-using Orbit = Eigen::Vector4d;
-
-constexpr double semi_major_axis = (perigee + apogee) / 2;
-
-inline double period() {
+double period() {
   return 2 * std::numbers::pi * std::sqrt(semi_major_axis * semi_major_axis * semi_major_axis / GM);
 }
 
-/// At the perigee, across the line to the Earth, as fast as the ellipse asks for.
-inline Orbit at_perigee() {
-  return {perigee, 0, 0, std::sqrt(GM * (2 / perigee - 1 / semi_major_axis))};
-}
-
-inline double distance(const Orbit& a, const Orbit& b) { return (a - b).head<2>().norm(); }
+double distance(const Orbit& a, const Orbit& b) { return (a - b).head<2>().norm(); }
 
 /// Kinetic and potential energy of each kilogram [J/kg].
-inline double energy(const Orbit& y) {
-  return y.tail<2>().squaredNorm() / 2 - GM / y.head<2>().norm();
-}
+double energy(const Orbit& y) { return y.tail<2>().squaredNorm() / 2 - GM / y.head<2>().norm(); }
 
 /// After so many whole revolutions the satellite is where it was at the start.
 template <class Method>
@@ -77,7 +53,15 @@ std::vector<Vec2> path(int revolutions, int steps, int every) {
   return points;
 }
 
-inline std::string orbit_figure() {
+/// A number to so many digits, a large one filled with zeros.
+std::string count(double value, int digits) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
+  return number(unit < 1 ? value : std::round(value / unit) * unit, unit < 1 ? digits : 7);
+}
+
+}  // namespace
+
+std::string orbit_figure() {
   constexpr int turns = 5;
   const int euler_steps = turns * evaluations_a_turn, rk4_steps = euler_steps / 4;
   support::Sketch sketch(612, 480, "five revolutions of a satellite");
@@ -95,13 +79,7 @@ inline std::string orbit_figure() {
   return sketch.svg();
 }
 
-/// A number to so many digits, a large one filled with zeros.
-inline std::string count(double value, int digits) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
-  return number(unit < 1 ? value : std::round(value / unit) * unit, unit < 1 ? digits : 7);
-}
-
-inline Table orbit_table() {
+Table orbit_table() {
   Table table({"method", "step", "off after 1 turn", "off after 5", "energy gained"});
   for_each_method([&](const std::string& name, auto method, int evaluations) {
     using Method = decltype(method);
@@ -117,13 +95,17 @@ inline Table orbit_table() {
 
 // ── The C interface ──
 
-inline std::vector<double> half_a_turn(double relative_tolerance) {
+namespace {
+
+std::vector<double> half_a_turn(double relative_tolerance) {
   const Orbit y = at_perigee();
   const std::vector<double> y0(y.begin(), y.end());
   return ode(y0, 0.0, period() / 2, satellite, {relative_tolerance, 1e-3});
 }
 
-inline Table ode_table() {
+}  // namespace
+
+Table ode_table() {
   Table table({"tolerance", "apogee missed by", "evaluations"});
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
     int evaluations = 0;
@@ -142,8 +124,10 @@ inline Table ode_table() {
 
 // ── Order ──
 
+namespace {
+
 /// The state a tenth of a revolution on, where nothing is symmetrical.
-inline Orbit on_the_way(const Orbit& from, double time) {
+Orbit on_the_way(const Orbit& from, double time) {
   return integrate_adaptive<Dop853>(rhs_from_c(satellite), from, 0, time, {1e-14, 1e-9}).y;
 }
 
@@ -169,47 +153,14 @@ std::vector<std::string> local_and_global(const std::string& name) {
           number(observed_order(steps, global), 3)};
 }
 
-inline Table order_table() {
-  Table table({"method", "a step of 1/64 turn", "of 1/128", "order", "a turn in 1024 steps",
-               "in 2048", "order"});
-  for_each_method([&](const std::string& name, auto method, int) {
-    table.add(local_and_global<decltype(method)>(name));
-  });
-  return table;
-}
-
-inline support::Series error_curve(const std::string& name, auto method,
-                                   double (*abscissa)(int, int), int evaluations) {
+support::Series error_curve(const std::string& name, auto method, double (*abscissa)(int, int),
+                            int evaluations) {
   support::Series series{name, {}, {}};
   for (int steps = 1 << 17; steps >= 64; steps /= 2) {
     series.x.push_back(abscissa(steps, evaluations));
     series.y.push_back(distance(after<decltype(method)>(1, steps), at_perigee()));
   }
   return series;
-}
-
-inline std::string error_figure() {
-  support::Plot plot{"error after one revolution",
-                     {"step h [s]", support::Scale::log},
-                     {"distance from where it should be [m]", support::Scale::log},
-                     {}};
-  for_each_method([&](const std::string& name, auto method, int evaluations) {
-    const auto step = [](int steps, int) { return period() / steps; };
-    plot.series.push_back(error_curve(name, method, step, evaluations));
-  });
-  return support::to_svg(plot);
-}
-
-inline std::string price_figure() {
-  support::Plot plot{"error against cost, one revolution",
-                     {"evaluations of the right-hand side", support::Scale::log},
-                     {"distance from where it should be [m]", support::Scale::log},
-                     {}};
-  for_each_method([&](const std::string& name, auto method, int evaluations) {
-    const auto cost = [](int steps, int each) { return 1. * steps * each; };
-    plot.series.push_back(error_curve(name, method, cost, evaluations));
-  });
-  return support::to_svg(plot);
 }
 
 /// The evaluations that bring the error of a revolution down to `allowed` [m]: between two runs,
@@ -223,7 +174,42 @@ double price(double allowed, int evaluations) {
   return evaluations * steps * std::pow(error / allowed, 1.0 / Method::order);
 }
 
-inline Table price_table() {
+}  // namespace
+
+Table order_table() {
+  Table table({"method", "a step of 1/64 turn", "of 1/128", "order", "a turn in 1024 steps",
+               "in 2048", "order"});
+  for_each_method([&](const std::string& name, auto method, int) {
+    table.add(local_and_global<decltype(method)>(name));
+  });
+  return table;
+}
+
+std::string error_figure() {
+  support::Plot plot{"error after one revolution",
+                     {"step h [s]", support::Scale::log},
+                     {"distance from where it should be [m]", support::Scale::log},
+                     {}};
+  for_each_method([&](const std::string& name, auto method, int evaluations) {
+    const auto step = [](int steps, int) { return period() / steps; };
+    plot.series.push_back(error_curve(name, method, step, evaluations));
+  });
+  return support::to_svg(plot);
+}
+
+std::string price_figure() {
+  support::Plot plot{"error against cost, one revolution",
+                     {"evaluations of the right-hand side", support::Scale::log},
+                     {"distance from where it should be [m]", support::Scale::log},
+                     {}};
+  for_each_method([&](const std::string& name, auto method, int evaluations) {
+    const auto cost = [](int steps, int each) { return 1. * steps * each; };
+    plot.series.push_back(error_curve(name, method, cost, evaluations));
+  });
+  return support::to_svg(plot);
+}
+
+Table price_table() {
   Table table({"error of one revolution", "Euler", "midpoint", "RK4"});
   for (const double allowed : {1e5, 1e4, 1e3, 1e2, 1e1, 1e0}) {
     std::vector<std::string> row{

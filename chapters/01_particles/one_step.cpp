@@ -1,4 +1,3 @@
-#pragma once
 /// @file
 /// One step of each method as a picture, and the conditions that make a method's order.
 
@@ -6,18 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "hanging_net.hpp"
 #include "methods.hpp"
+#include "parts.hpp"
 #include "support/sketch.hpp"
-#include "support/table.hpp"
 #include "tumble/ode/explicit_runge_kutta.hpp"
 
 namespace particles_chapter {
 
 using support::number;
-using support::Table;
 using support::Vec2;
 
 // ── The methods as tableaux ──
+
+namespace {
 
 /// One slope, at the start.
 struct EulerTableau {
@@ -70,7 +71,9 @@ std::array<double, 8> condition_sums() {
           b.dot(A * cc), b.dot(A * Ac)};
 }
 
-inline Table conditions_table() {
+}  // namespace
+
+Table conditions_table() {
   const std::array<std::string, 8> sums{"Σ bᵢ",         "Σ bᵢ cᵢ",        "Σ bᵢ cᵢ²",
                                         "Σ bᵢ aᵢⱼ cⱼ",  "Σ bᵢ cᵢ³",       "Σ bᵢ cᵢ aᵢⱼ cⱼ",
                                         "Σ bᵢ aᵢⱼ cⱼ²", "Σ bᵢ aᵢⱼ aⱼₖ cₖ"};
@@ -90,16 +93,18 @@ inline Table conditions_table() {
 
 // ── One step, with its slopes ──
 
+namespace {
+
 using Scalar = Eigen::Matrix<double, 1, 1>;
 
 /// Growth that meets a limit: a curve that bends both ways.
-inline Scalar logistic(double, const Scalar& y) { return 3 * y.cwiseProduct(Scalar(1) - y); }
+Scalar logistic(double, const Scalar& y) { return 3 * y.cwiseProduct(Scalar(1) - y); }
 
 constexpr double logistic_start = 0.08, long_step = 0.8;
 constexpr double stretch = 1.9;  // of the drawing, upwards
 
 /// Where (t, y) is drawn.
-inline Vec2 drawn(double t, double y) { return {t, stretch * y}; }
+Vec2 drawn(double t, double y) { return {t, stretch * y}; }
 
 constexpr std::array<const char*, 4> subscripts{"₁", "₂", "₃", "₄"};
 
@@ -115,7 +120,7 @@ std::vector<Vec2> places_of() {
   return places;
 }
 
-inline std::vector<Vec2> exact_curve() {
+std::vector<Vec2> exact_curve() {
   std::vector<Vec2> points{drawn(0, logistic_start)};
   integrate_fixed<Rk4>(logistic, Scalar(logistic_start), 0, long_step, 40,
                        [&](double t, const Scalar& y) { points.push_back(drawn(t, y[0])); });
@@ -123,7 +128,7 @@ inline std::vector<Vec2> exact_curve() {
 }
 
 /// A place, the way to it from the start of the step, and the slope that is found there.
-inline void draw_slope(support::Sketch& sketch, const Vec2& place, const std::string& name) {
+void draw_slope(support::Sketch& sketch, const Vec2& place, const std::string& name) {
   const Vec2 at = drawn(place.x(), place.y());
   const Vec2 along = drawn(1, logistic(0, Scalar(place.y()))[0]).normalized() * 0.08;
   sketch.curve({drawn(0, logistic_start), at}, {"c0", 1, 0.5});
@@ -145,7 +150,9 @@ void draw_step(support::Sketch& sketch, const std::string& name) {
   sketch.words({long_step / 2, 0}, {0, 26}, name, "ink", "middle");
 }
 
-inline std::string one_step_figure() {
+}  // namespace
+
+std::string one_step_figure() {
   constexpr double panel = 212;
   support::Sketch sketch(3 * panel, 290, "one step of Euler, midpoint and RK4");
   double x = 22;

@@ -1,21 +1,23 @@
-#pragma once
 /// @file
 /// Where the methods fail, and by how much.
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "balls.hpp"
 #include "methods.hpp"
+#include "parts.hpp"
 #include "support/plot.hpp"
-#include "support/table.hpp"
+#include "thrown_ball.hpp"
 #include "tumble/particles.hpp"
 
 namespace particles_chapter {
+
+using support::error_number;
+using support::number;
+
+namespace {
 
 using support::error_number;
 using Pair = Eigen::Vector2d;
@@ -23,10 +25,10 @@ using Pair = Eigen::Vector2d;
 // ── Too long a step ──
 
 /// A mass on a spring, y = (ω x, v), with ω = 1: the exact motion keeps the length of y.
-inline Pair oscillator(double, const Pair& y) { return {y[1], -y[0]}; }
+Pair oscillator(double, const Pair& y) { return {y[1], -y[0]}; }
 
 /// A speed that drag takes away at the rate 1; the second number is not used.
-inline Pair decay(double, const Pair& y) { return {-y[0], 0}; }
+Pair decay(double, const Pair& y) { return {-y[0], 0}; }
 
 /// By which factor a step of length h changes the size of the state.
 template <class Method>
@@ -46,7 +48,9 @@ double longest_step(Pair (*f)(double, const Pair&)) {
   return holds;
 }
 
-inline Table limits_table() {
+}  // namespace
+
+Table limits_table() {
   Table table({"method", "mass on a spring", "drag"});
   const auto limit = [](double h, const char* unit) {
     return h == 0 ? std::string("grows at any h") : "h < " + number(h, 4) + unit;
@@ -59,7 +63,7 @@ inline Table limits_table() {
   return table;
 }
 
-inline std::string growth_figure() {
+std::string growth_figure() {
   support::Plot plot{"a mass on a spring",
                      {"step times frequency, h ω"},
                      {"amplitude after one step, exact: 1"},
@@ -77,8 +81,7 @@ inline std::string growth_figure() {
   return support::to_svg(plot);
 }
 
-/// A table-tennis ball at 30 m/s, and nothing but drag.
-inline Table smash_table() {
+Table smash_table() {
   Table table({"step", "h k |v|/m", "v after 1 step", "2 steps", "3 steps", "4 steps"});
   const ThrownBall& ball = balls.back();
   const ParticleSystem system(thrown(ball.mass, 30), QuadraticDrag{ball.k()});
@@ -97,7 +100,7 @@ inline Table smash_table() {
 
 // ── Ends at the same place ──
 
-inline Table same_place_table() {
+Table same_place_table() {
   Table table({"from end j to i", "force by the law", "by the library"});
   for (const double x : {2., 1e-3, 1e-100, 0., -1e-100}) {
     const std::array<Particle<double>, 2> ends{
@@ -112,6 +115,8 @@ inline Table same_place_table() {
 
 // ── Time ──
 
+namespace {
+
 /// A method whose right-hand side is told the time of the step's start, whatever the stage.
 template <class Method>
 struct Frozen {
@@ -123,7 +128,7 @@ struct Frozen {
 };
 
 /// ẍ = −x + cos 2t, from rest: x = (cos t − cos 2t)/3.
-inline Pair pushed(double t, const Pair& y) { return {y[1], -y[0] + std::cos(2 * t)}; }
+Pair pushed(double t, const Pair& y) { return {y[1], -y[0] + std::cos(2 * t)}; }
 
 template <class Method>
 double pushed_error(int steps) {
@@ -132,7 +137,7 @@ double pushed_error(int steps) {
 }
 
 /// Errors with 64, 128 and 256 steps, and the order that they show.
-inline std::vector<std::string> order_row(const std::string& name, double (*error)(int)) {
+std::vector<std::string> order_row(const std::string& name, double (*error)(int)) {
   std::vector<std::string> row{name};
   std::vector<double> h, errors;
   for (const int steps : {64, 128, 256}) {
@@ -144,7 +149,9 @@ inline std::vector<std::string> order_row(const std::string& name, double (*erro
   return row;
 }
 
-inline Table time_table() {
+}  // namespace
+
+Table time_table() {
   Table table({"f is told", "64 steps", "128 steps", "256 steps", "order"});
   table.add(order_row("midpoint: t, t + h/2", pushed_error<Midpoint>));
   table.add(order_row("midpoint: always t", pushed_error<Frozen<Midpoint>>));
@@ -154,6 +161,8 @@ inline Table time_table() {
 }
 
 // ── A force that jumps ──
+
+namespace {
 
 /// Upwards in the air, with a motor that burns for the first of three seconds. y = (height, speed).
 struct Rocket {
@@ -165,9 +174,9 @@ struct Rocket {
   }
 };
 
-inline Pair burnt_out(double t, const Pair& y) { return Rocket{t < 1}(t, y); }
+Pair burnt_out(double t, const Pair& y) { return Rocket{t < 1}(t, y); }
 
-inline double exact_height() {
+double exact_height() {
   const Tolerances tight{1e-14, 1e-14};
   const Pair burnt = integrate_adaptive<Dop853>(Rocket{true}, Pair(0, 0), 0, 1, tight).y;
   return integrate_adaptive<Dop853>(Rocket{false}, burnt, 1, 3, tight).y[0];
@@ -185,7 +194,9 @@ double stopping_at_the_jump(int steps) {
   return std::abs(end[0] - exact_height());
 }
 
-inline Table jump_table() {
+}  // namespace
+
+Table jump_table() {
   Table table({"method", "64 steps", "128 steps", "256 steps", "order"});
   table.add(order_row("midpoint, across the jump", through_the_jump<Midpoint>));
   table.add(order_row("midpoint, a step ends there", stopping_at_the_jump<Midpoint>));
