@@ -1,27 +1,26 @@
-#pragma once
 /// @file
 /// A stiff problem, and the step that does not care.
 
 #include <cmath>
 
-#include "adaptive.hpp"
 #include "drawing.hpp"
+#include "parts.hpp"
 #include "problems.hpp"
 #include "support/plot.hpp"
-#include "support/table.hpp"
 #include "tumble/ode.hpp"
 
 namespace solvers_chapter {
 
 using support::error_number;
 using support::number;
-using support::Table;
+
+namespace {
 
 constexpr Tolerances dust_tolerances{1e-6, 1e-6};
 
-inline const std::vector<double> radii{100e-6, 30e-6, 10e-6, 3e-6, 1e-6};
+const std::vector<double> radii{100e-6, 30e-6, 10e-6, 3e-6, 1e-6};
 
-inline std::string micrometres(double radius) { return number(1e6 * radius) + " µm"; }
+std::string micrometres(double radius) { return number(1e6 * radius) + " µm"; }
 
 template <class Method>
 OdeSolution<Vec4> fly(double radius, const Tolerances& tolerances = dust_tolerances) {
@@ -29,7 +28,18 @@ OdeSolution<Vec4> fly(double radius, const Tolerances& tolerances = dust_toleran
                                     tolerances);
 }
 
-inline Table dust_table() {
+/// Where the air itself goes.
+Path streamline(const Vec2& from, double seconds) {
+  Path path{from};
+  integrate_fixed<Rk4>([](double, const Vec2& x) -> Vec2 { return wind(x); }, from, 0.0, seconds,
+                       static_cast<int>(10 * seconds),
+                       [&](double, const Vec2& x) { path.push_back(x); });
+  return path;
+}
+
+}  // namespace
+
+Table dust_table() {
   const auto steps = [](const OdeSolution<Vec4>& s) {
     return std::to_string(s.steps) + " + " + std::to_string(s.rejected);
   };
@@ -47,8 +57,7 @@ inline Table dust_table() {
   return table;
 }
 
-/// The same speck at other tolerances.
-inline Table indifferent_table() {
+Table indifferent_table() {
   Table table({"tolerance", "DP 5(4): kept", "rejected", "evaluations", "Radau5: kept", "rejected",
                "evaluations"});
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
@@ -62,16 +71,7 @@ inline Table indifferent_table() {
   return table;
 }
 
-/// Where the air itself goes.
-inline Path streamline(const Vec2& from, double seconds) {
-  Path path{from};
-  integrate_fixed<Rk4>([](double, const Vec2& x) -> Vec2 { return wind(x); }, from, 0.0, seconds,
-                       static_cast<int>(10 * seconds),
-                       [&](double, const Vec2& x) { path.push_back(x); });
-  return path;
-}
-
-inline std::string dust_figure() {
+std::string dust_figure() {
   support::Sketch sketch(760, 452, "specks of dust in the wind");
   look_at(sketch, {{-1.03, -0.02}, {2.03, 2.02}, 10, 10, 210});
   for (const double x : {-0.5, 0.5, 1.5})
@@ -95,7 +95,7 @@ inline std::string dust_figure() {
   return sketch.svg();
 }
 
-inline std::string stiffness_figure() {
+std::string stiffness_figure() {
   support::Plot plot{"ten seconds of dust",
                      {"1/τ [1/s]", support::Scale::log},
                      {"evaluations of dydt", support::Scale::log},
@@ -114,8 +114,7 @@ inline std::string stiffness_figure() {
 
 // ── Implicit steps ──
 
-/// The rounds in which the equation of a backward Euler step is solved, or not.
-inline Table newton_table() {
+Table newton_table() {
   const Dust dust = dust_of_radius(3e-6);
   const Vec4 y = fly<Radau5>(3e-6).y;
   constexpr double h = 0.1;

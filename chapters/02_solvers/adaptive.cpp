@@ -1,49 +1,46 @@
-#pragma once
 /// @file
 /// A comet: how the error of a step is seen, and steps that suit the motion.
 
-#include <algorithm>
 #include <cmath>
 
 #include "drawing.hpp"
+#include "parts.hpp"
 #include "problems.hpp"
 #include "support/plot.hpp"
-#include "support/table.hpp"
 #include "tumble/ode.hpp"
 
 namespace solvers_chapter {
 
 using support::error_number;
 using support::number;
-using support::Table;
 
 // ── A comet ──
 
+namespace {
+
 constexpr double days = 365.25;  // in a year
 constexpr Tolerances comet_tolerances{1e-6, 1e-6};
-inline const double period = comet.period();
-
-/// The places after all the steps of an integration, and the lengths of the steps.
-struct Track {
-  Path places;
-  std::vector<double> times, steps;
-
-  void operator()(double t, const Vec4& y) {
-    steps.push_back(t - (times.empty() ? 0 : times.back()));
-    times.push_back(t);
-    places.push_back(y.head<2>());
-  }
-  double shortest() const { return *std::min_element(steps.begin(), steps.end()); }
-  double longest() const { return *std::max_element(steps.begin(), steps.end()); }
-};
+const double period = comet.period();
 
 /// One round of the comet.
-inline OdeSolution<Vec4> one_round(const Tolerances& tolerances, Track& track) {
+OdeSolution<Vec4> one_round(const Tolerances& tolerances, Track& track) {
   return integrate_adaptive<DormandPrince54>(SunsPull{}, comet.at(0), 0.0, period, tolerances,
                                              track);
 }
 
-inline Table comet_table() {
+Path ellipse(const Orbit& orbit) {
+  Path path;
+  for (int i = 0; i <= 240; ++i) {
+    const double E = 2 * pi * i / 240;
+    path.emplace_back(orbit.a * (std::cos(E) - orbit.e),
+                      orbit.a * std::sqrt(1 - orbit.e * orbit.e) * std::sin(E));
+  }
+  return path;
+}
+
+}  // namespace
+
+Table comet_table() {
   Table table({"steps", "how many", "evaluations", "shortest", "longest", "ends off by"});
   const auto add = [&](const std::string& name, const Track& track, int evaluations) {
     const double error = (track.places.back() - comet.at(period).head<2>()).norm();
@@ -63,17 +60,7 @@ inline Table comet_table() {
   return table;
 }
 
-inline Path ellipse(const Orbit& orbit) {
-  Path path;
-  for (int i = 0; i <= 240; ++i) {
-    const double E = 2 * pi * i / 240;
-    path.emplace_back(orbit.a * (std::cos(E) - orbit.e),
-                      orbit.a * std::sqrt(1 - orbit.e * orbit.e) * std::sin(E));
-  }
-  return path;
-}
-
-inline std::string comet_figure() {
+std::string comet_figure() {
   Track fixed, adaptive;
   const int steps = one_round(comet_tolerances, adaptive).evaluations / 4;
   integrate_fixed<Rk4>(SunsPull{}, comet.at(0), 0.0, period, steps, fixed);
@@ -98,8 +85,7 @@ inline std::string comet_figure() {
 
 // ── The error of a step ──
 
-/// The example of the page: four numbers of a satellite, their errors, and the norm.
-inline Table norm_table() {
+Table norm_table() {
   const Vec4 y(7e6, 7500, 0.001, 0), error(2, -1e-3, 2e-9, 1.5e-9);
   const Tolerances tolerances{1e-6, 1e-9};
   const std::vector<std::string> names{"distance from the earth's centre", "speed", "turning rate",
@@ -116,8 +102,7 @@ inline Table norm_table() {
   return table;
 }
 
-/// Estimated and true errors of steps from the same place, in units of what is allowed.
-inline Table estimate_table() {
+Table estimate_table() {
   constexpr double t = 20;
   const Vec4 y = comet.at(t), dydt = SunsPull{}(t, y);
   Table table(
@@ -138,7 +123,7 @@ inline Table estimate_table() {
 
 // ── Adaptive steps ──
 
-inline std::string steps_figure() {
+std::string steps_figure() {
   support::Plot plot{"steps of the comet's solver",
                      {"time since the farthest point [a]"},
                      {"length of the step [d]", support::Scale::log},
@@ -167,7 +152,7 @@ inline std::string steps_figure() {
   return support::to_svg(plot);
 }
 
-inline Table tolerance_table() {
+Table tolerance_table() {
   Table table({"method", "tolerance", "kept", "rejected", "evaluations", "ends off by",
                "error / tolerance"});
   const auto add = [&]<class Method>(const std::string& name, Method) {

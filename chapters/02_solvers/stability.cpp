@@ -1,4 +1,3 @@
-#pragma once
 /// @file
 /// Where each method is stable, seen by asking the method itself.
 
@@ -6,15 +5,16 @@
 #include <complex>
 
 #include "drawing.hpp"
+#include "parts.hpp"
 #include "problems.hpp"
-#include "support/table.hpp"
 #include "tumble/ode.hpp"
 
 namespace solvers_chapter {
 
 using support::error_number;
 using support::number;
-using support::Table;
+
+namespace {
 
 using Complex = std::complex<double>;
 
@@ -51,22 +51,6 @@ std::string stable_length(Complex direction) {
   return number(stable, 4);
 }
 
-inline Table stability_table() {
-  Table table({"method", "evaluations a step", "stable from 0 to −…", "to ±… i", "|R(−1000)|"});
-  const auto add = [&]<class Method>(const std::string& name, const std::string& cost, Method) {
-    table.add({name, cost, stable_length<Method>(-1), stable_length<Method>(Complex(0, 1)),
-               error_number(std::abs(stability_function<Method>(-1000)))});
-  };
-  add("Euler", "1", Euler{});
-  add("midpoint", "2", Midpoint{});
-  add("RK4", "4", Rk4{});
-  add("DP 5(4)", "6", DormandPrince54{});
-  add("DOP853", "12", Dop853{});
-  add("backward Euler", "a few, and ∂f/∂y", BackwardEuler{});
-  add("Radau5", "some ten, and ∂f/∂y", Radau5{});
-  return table;
-}
-
 /// The curve |R| = 1 through 0: R runs round the unit circle, z after it, by Newton's method.
 template <class Method>
 Path stability_boundary() {
@@ -85,7 +69,25 @@ Path stability_boundary() {
   return path;
 }
 
-inline std::string regions_figure() {
+}  // namespace
+
+Table stability_table() {
+  Table table({"method", "evaluations a step", "stable from 0 to −…", "to ±… i", "|R(−1000)|"});
+  const auto add = [&]<class Method>(const std::string& name, const std::string& cost, Method) {
+    table.add({name, cost, stable_length<Method>(-1), stable_length<Method>(Complex(0, 1)),
+               error_number(std::abs(stability_function<Method>(-1000)))});
+  };
+  add("Euler", "1", Euler{});
+  add("midpoint", "2", Midpoint{});
+  add("RK4", "4", Rk4{});
+  add("DP 5(4)", "6", DormandPrince54{});
+  add("DOP853", "12", Dop853{});
+  add("backward Euler", "a few, and ∂f/∂y", BackwardEuler{});
+  add("Radau5", "some ten, and ∂f/∂y", Radau5{});
+  return table;
+}
+
+std::string regions_figure() {
   support::Sketch sketch(760, 600, "where a step makes y smaller");
   look_at(sketch, {{-8, -6.5}, {8, 6.5}, 12, 8, 45});
   sketch.curves({{{-8, 0}, {8, 0}}, {{0, -6.5}, {0, 6.5}}}, {"faint", 1});

@@ -1,42 +1,36 @@
-#pragma once
 /// @file
 /// The order that a method is seen to have.
 
 #include <cmath>
 
+#include "mild_orbit.hpp"
+#include "parts.hpp"
 #include "problems.hpp"
 #include "support/plot.hpp"
-#include "support/table.hpp"
 #include "tumble/ode.hpp"
 
 namespace solvers_chapter {
 
 using support::error_number;
 using support::number;
-using support::Table;
 
 // ── Observed order ──
 
-inline const double order_time = 0.4 * mild.period();
-
-template <class Method>
-Vec4 mild_end(int steps) {
-  return integrate_fixed<Method>(SunsPull{}, mild.at(0), 0.0, order_time, steps);
-}
-
-double mild_error(const Vec4& y) { return (y - mild.at(order_time)).norm(); }
+namespace {
 
 /// What Richardson makes of the ends after n and 2n steps.
-inline Vec4 extrapolated(const Vec4& coarse, const Vec4& fine, int order) {
+Vec4 extrapolated(const Vec4& coarse, const Vec4& fine, int order) {
   return fine + (fine - coarse) / (std::pow(2.0, order) - 1);
 }
 
-inline double order_of(double coarse, double fine) {
+double order_of(double coarse, double fine) {
   const std::array<double, 2> h{2, 1}, errors{coarse, fine};
   return observed_order(h, errors);
 }
 
-inline Table order_table() {
+}  // namespace
+
+Table order_table() {
   Table table(
       {"method", "order", "steps", "error", "with exact", "without", "Richardson", "its order"});
   const auto add = [&]<class Method>(const std::string& name, int n, Method) {
@@ -59,7 +53,7 @@ inline Table order_table() {
   return table;
 }
 
-inline std::string order_figure() {
+std::string order_figure() {
   support::Plot plot{"four tenths of a mild orbit",
                      {"step [a]", support::Scale::log},
                      {"error at the end", support::Scale::log},

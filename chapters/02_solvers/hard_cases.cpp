@@ -1,19 +1,46 @@
-#pragma once
 /// @file
 /// What breaks adaptive, implicit and observed.
 
 #include <cmath>
-#include <functional>
 
-#include "order.hpp"
-#include "stiff.hpp"
+#include "mild_orbit.hpp"
+#include "parts.hpp"
+#include "problems.hpp"
 
 namespace solvers_chapter {
 
+using support::error_number;
+using support::number;
+
 // ── What breaks ──
 
-/// y' = 1 + sin 9t until an engine stops at t = 1/3, then 0. Solved as it is, and in two pieces.
-inline Table kink_table() {
+namespace {
+
+/// The order seen from three runs.
+template <class Error>
+double order_from(const std::array<int, 3>& steps, Error&& error) {
+  std::array<double, 3> h{}, errors{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    h[i] = 1.0 / steps[i];
+    errors[i] = error(steps[i]);
+  }
+  return observed_order(h, errors);
+}
+
+/// The error of Radau5 on y' = −stiffness (y − cos t) − sin t, which cos t solves.
+double driven_error(double stiffness, int steps) {
+  using Vec1 = Eigen::Matrix<double, 1, 1>;
+  const auto driven = [&](double t, const Vec1& y) {
+    return Vec1(-stiffness * (y[0] - std::cos(t)) - std::sin(t));
+  };
+  const auto dfdy = [&](double, const Vec1&) { return Vec1(-stiffness); };
+  const Vec1 end = integrate_fixed<Radau5>(with_jacobian(driven, dfdy), Vec1(1.0), 0.0, 2.0, steps);
+  return std::abs(end[0] - std::cos(2.0));
+}
+
+}  // namespace
+
+Table kink_table() {
   using Vec1 = Eigen::Matrix<double, 1, 1>;
   constexpr double stop = 1.0 / 3;
   const auto burning = [](double t, const Vec1&) { return Vec1(1 + std::sin(9 * t)); };
@@ -37,8 +64,7 @@ inline Table kink_table() {
   return table;
 }
 
-/// A pulse of area 1 and a hundredth of a second. Solved in one go, and in two parts.
-inline Table pulse_table() {
+Table pulse_table() {
   using Vec1 = Eigen::Matrix<double, 1, 1>;
   constexpr double middle = 5, width = 0.01;
   const auto pulse = [](double t, const Vec1&) {
@@ -57,8 +83,7 @@ inline Table pulse_table() {
   return table;
 }
 
-/// A weight that comes to rest on its spring, until its speed is nothing but rounding.
-inline Table rest_table() {
+Table rest_table() {
   const auto spring = [](double, const Vec2& y) -> Vec2 {
     return {y[1], gravity - 49 * y[0] - 3 * y[1]};
   };
@@ -73,8 +98,7 @@ inline Table rest_table() {
   return table;
 }
 
-/// Tolerances beyond what a double holds.
-inline Table floor_table() {
+Table floor_table() {
   Table table({"tolerance", "evaluations", "ends off by"});
   for (const double tolerance : {1e-11, 1e-12, 1e-13, 1e-15, 1e-17}) {
     const auto s = integrate_adaptive<DormandPrince54>(SunsPull{}, mild.at(0), 0.0, mild.period(),
@@ -86,8 +110,7 @@ inline Table floor_table() {
   return table;
 }
 
-/// y' = y² from y = 1 in one backward Euler step, whose equation is z = 1 + h z².
-inline Table no_solution_table() {
+Table no_solution_table() {
   using Vec1 = Eigen::Matrix<double, 1, 1>;
   Table table({"h", "rounds", "y₁ found", "(1 − √(1 − 4h)) / 2h"});
   for (const double h : {0.1, 0.2, 0.24, 0.2499, 0.26, 0.5}) {
@@ -108,8 +131,7 @@ inline Table no_solution_table() {
   return table;
 }
 
-/// The stiff rod by place and by angle.
-inline Table rod_table() {
+Table rod_table() {
   constexpr double angle = pi / 3, seconds = 10;
   Table table({"stiffness", "DP 5(4), x and y", "Radau5, x and y", "Radau5, angle and stretch",
                "apart by"});
@@ -126,30 +148,7 @@ inline Table rod_table() {
   return table;
 }
 
-/// The order seen from three runs.
-template <class Error>
-double order_from(const std::array<int, 3>& steps, Error&& error) {
-  std::array<double, 3> h{}, errors{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    h[i] = 1.0 / steps[i];
-    errors[i] = error(steps[i]);
-  }
-  return observed_order(h, errors);
-}
-
-/// The error of Radau5 on y' = −stiffness (y − cos t) − sin t, which cos t solves.
-inline double driven_error(double stiffness, int steps) {
-  using Vec1 = Eigen::Matrix<double, 1, 1>;
-  const auto driven = [&](double t, const Vec1& y) {
-    return Vec1(-stiffness * (y[0] - std::cos(t)) - std::sin(t));
-  };
-  const auto dfdy = [&](double, const Vec1&) { return Vec1(-stiffness); };
-  const Vec1 end = integrate_fixed<Radau5>(with_jacobian(driven, dfdy), Vec1(1.0), 0.0, 2.0, steps);
-  return std::abs(end[0] - std::cos(2.0));
-}
-
-/// Orders seen where they cannot be seen.
-inline Table unseen_table() {
+Table unseen_table() {
   Table table({"method", "order", "problem", "steps", "order seen"});
   const auto add = [&](const std::string& method, int order, const std::string& problem,
                        const std::array<int, 3>& steps, auto&& error) {

@@ -1,4 +1,3 @@
-#pragma once
 /// @file
 /// Work and precision: one problem, many methods, each at many steps or tolerances.
 
@@ -8,16 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "parts.hpp"
 #include "problems.hpp"
 #include "support/plot.hpp"
 #include "support/stopwatch.hpp"
-#include "support/table.hpp"
 #include "tumble/ode.hpp"
 
 namespace solvers_chapter {
 
 using support::number;
-using support::Table;
+
+namespace {
 
 /// What all methods have to solve, and the place where it ends.
 template <class F>
@@ -98,14 +98,14 @@ std::vector<Runner> all_runners(const Race<F>& race) {
           adaptive_steps<Radau5>("Radau5", race, 11)};
 }
 
-inline const std::vector<Runner>& comet_runners() {
+const std::vector<Runner>& comet_runners() {
   static const std::vector<Runner> runners = all_runners(
       Race<SunsPull>{{}, comet.at(0), comet.period(), comet.at(comet.period()).head<2>()});
   return runners;
 }
 
 /// The end is where the most exact method goes with the tightest tolerance.
-inline const std::vector<Runner>& dust_runners() {
+const std::vector<Runner>& dust_runners() {
   static const std::vector<Runner> runners = [] {
     const Dust dust = dust_of_radius(3e-6);
     const Vec4 end =
@@ -115,8 +115,8 @@ inline const std::vector<Runner>& dust_runners() {
   return runners;
 }
 
-inline std::string work_figure(const std::string& title, const std::string& error,
-                               const std::vector<Runner>& runners) {
+std::string work_figure(const std::string& title, const std::string& error,
+                        const std::vector<Runner>& runners) {
   support::Plot plot{
       title, {"evaluations of dydt", support::Scale::log}, {error, support::Scale::log}, {}};
   for (const Runner& runner : runners) {
@@ -131,8 +131,27 @@ inline std::string work_figure(const std::string& title, const std::string& erro
   return support::to_svg(plot);
 }
 
-/// The evaluations of each method's cheapest run for each error; a dash where there is none.
-inline Table reach_table() {
+/// The least time [s] of each method's cheapest run for an error, or ∞; the methods take turns.
+std::vector<double> times_to(const std::vector<Runner>& runners, double goal) {
+  std::vector<double> times(runners.size(), std::numeric_limits<double>::infinity());
+  for (int turn = 0; turn < 3; ++turn)
+    for (std::size_t i = 0; i < runners.size(); ++i)
+      if (const Sample* sample = runners[i].reaching(goal))
+        times[i] = std::min(times[i], support::shortest_run(0.006, sample->again));
+  return times;
+}
+
+}  // namespace
+
+std::string comet_work_figure() {
+  return work_figure("one round of the comet", "distance from the start [AU]", comet_runners());
+}
+
+std::string dust_work_figure() {
+  return work_figure("ten seconds of dust", "distance from the true end [m]", dust_runners());
+}
+
+Table reach_table() {
   Table table(
       {"method", "comet: 1e-3 AU", "1e-6 AU", "1e-9 AU", "dust: 1e-3 m", "1e-6 m", "1e-9 m"});
   for (std::size_t i = 0; i < comet_runners().size(); ++i) {
@@ -147,18 +166,7 @@ inline Table reach_table() {
   return table;
 }
 
-/// The least time [s] of each method's cheapest run for an error, or ∞; the methods take turns.
-inline std::vector<double> times_to(const std::vector<Runner>& runners, double goal) {
-  std::vector<double> times(runners.size(), std::numeric_limits<double>::infinity());
-  for (int turn = 0; turn < 3; ++turn)
-    for (std::size_t i = 0; i < runners.size(); ++i)
-      if (const Sample* sample = runners[i].reaching(goal))
-        times[i] = std::min(times[i], support::shortest_run(0.006, sample->again));
-  return times;
-}
-
-/// Times, and how many times that of a method of reference.
-inline Table times_table() {
+Table times_table() {
   constexpr std::size_t dp54 = 3, radau5 = 6;
   Table table({"method", "comet, 1e-6", "of DP 5(4)", "comet, 1e-9", "of DP 5(4)", "dust, 1e-6",
                "of Radau5"});
@@ -180,8 +188,7 @@ inline Table times_table() {
   return table;
 }
 
-/// The fewest evaluations, in steps of a quarter more, to come round within 1e-6 of the start.
-inline Table eccentricity_table() {
+Table eccentricity_table() {
   Table table({"eccentricity", "closest : farthest", "steps all alike", "adaptive", "ratio"});
   for (const double e : {0.0, 0.5, 0.9, 0.967, 0.99}) {
     const Orbit orbit{1, e};

@@ -1,16 +1,16 @@
-#pragma once
 /// @file
 /// An oscillator that is stiff now and then.
 
 #include <cmath>
 
+#include "parts.hpp"
 #include "problems.hpp"
 #include "support/plot.hpp"
 #include "tumble/ode.hpp"
 
 namespace solvers_chapter {
 
-using support::number;
+namespace {
 
 constexpr VanDerPol oscillator{100};
 constexpr double oscillator_time = 200;
@@ -34,7 +34,9 @@ std::vector<Step> oscillator_steps() {
   return steps;
 }
 
-inline std::string relaxation_figure() {
+}  // namespace
+
+std::string relaxation_figure() {
   const std::vector<Step> steps = oscillator_steps<Radau5>();
   support::Plot plot{"an oscillator that waits and jumps", {"time"}, {"y"}, {}};
   support::Series dense{"y", {0}, {2}};
@@ -54,7 +56,7 @@ inline std::string relaxation_figure() {
   return support::to_svg(plot);
 }
 
-inline std::string ridden_figure() {
+std::string ridden_figure() {
   support::Plot plot{
       "two solvers of the oscillator", {"time"}, {"length of the step", support::Scale::log}, {}};
   support::Series limit{"3.3 / |λ|", {}, {}}, dp54{"DP 5(4)", {}, {}}, radau{"Radau5", {}, {}};
