@@ -1,13 +1,26 @@
-#pragma once
 /// @file
 /// Places where a formula loses its digits.
 
 #include "common.hpp"
-#include "ways.hpp"
+#include "parts.hpp"
 
 namespace quaternions_chapter {
 
-inline Table small_angles_table() {
+namespace {
+
+/// The formula with sines, as it stands in books; `straight` mixes linearly above that cosine.
+Quat by_sines(const Quat& a, const Quat& b, double t, double straight) {
+  const double cosine = a.dot(b);
+  if (cosine > straight) return mix_four(a, b, t).normalized();
+  const double angle = std::acos(std::min(cosine, 1.0));
+  return Quat(
+      Eigen::Vector4d((std::sin((1 - t) * angle) * a.coeffs() + std::sin(t * angle) * b.coeffs()) /
+                      std::sin(angle)));
+}
+
+}  // namespace
+
+Table small_angles_table() {
   Table table({"turn [rad]", "2 acos w: relative error", "2 atan2(|v|, w)"});
   for (const double angle : {1.0, 1e-2, 1e-4, 1e-6, 1e-7, 1e-8}) {
     const Quat q = from_axis_angle({2, -1, 2}, angle);
@@ -18,17 +31,7 @@ inline Table small_angles_table() {
   return table;
 }
 
-/// The formula with sines, as it stands in books; `straight` mixes linearly above that cosine.
-inline Quat by_sines(const Quat& a, const Quat& b, double t, double straight) {
-  const double cosine = a.dot(b);
-  if (cosine > straight) return mix_four(a, b, t).normalized();
-  const double angle = std::acos(std::min(cosine, 1.0));
-  return Quat(
-      Eigen::Vector4d((std::sin((1 - t) * angle) * a.coeffs() + std::sin(t * angle) * b.coeffs()) /
-                      std::sin(angle)));
-}
-
-inline Table near_table() {
+Table near_table() {
   Table table(
       {"apart [rad]", "sines and acos: off by", "straight above cos = 0.9995", "a (a⁻¹ b)ᵗ"});
   const Vec3 axis = Vec3(2, -1, 2).normalized();

@@ -1,23 +1,25 @@
-#pragma once
 /// @file
 /// What a step costs, in operations and in time, and what error it buys.
 
 #include "common.hpp"
-#include "drift.hpp"
+#include "parts.hpp"
+#include "rates.hpp"
 #include "support/counted.hpp"
 #include "support/plot.hpp"
 #include "support/stopwatch.hpp"
-#include "ways.hpp"
+#include "tumble/ode.hpp"
 
 namespace quaternions_chapter {
-
-// ── What a step costs ──
 
 using support::Counted;
 using support::text_of;
 
-inline const Quaternion<Counted> counted_q(0.5, 0.5, 0.5, 0.5);
-inline const Vector3<Counted> counted_v(0.1, 0.2, 0.3);
+// ── What a step costs ──
+
+namespace {
+
+const Quaternion<Counted> counted_q(0.5, 0.5, 0.5, 0.5);
+const Vector3<Counted> counted_v(0.1, 0.2, 0.3);
 
 Vector3<Counted> counted_spin(const Counted&) { return counted_v; }
 
@@ -35,7 +37,9 @@ support::Operations step_of_nine() {
   return support::count([&] { Method::step(rate, Counted(0), y, Counted(0.1)); });
 }
 
-inline Table counts_table() {
+}  // namespace
+
+Table counts_table() {
   Table table({"what", "four numbers", "nine numbers"});
   const Quaternion<Counted>& q = counted_q;
   const Vector3<Counted>& v = counted_v;
@@ -60,17 +64,19 @@ inline Table counts_table() {
 
 // ── Error against cost ──
 
-/// A body that spins about an axis of its own, which goes round the vertical: a top.
-inline constexpr double lean = 0.6, precession = 2, own = 5;  // [rad], [rad/s], [rad/s]
-inline constexpr double span = 10;                            // [s]
+namespace {
 
-inline Quat top_orientation(double t) {
+/// A body that spins about an axis of its own, which goes round the vertical: a top.
+constexpr double lean = 0.6, precession = 2, own = 5;  // [rad], [rad/s], [rad/s]
+constexpr double span = 10;                            // [s]
+
+Quat top_orientation(double t) {
   return from_axis_angle(Vec3::UnitZ(), precession * t) * from_axis_angle(Vec3::UnitX(), lean) *
          from_axis_angle(Vec3::UnitZ(), own * t);
 }
 
 /// ω(t) of the top, in world axes.
-inline Vec3 top_spin(double t) {
+Vec3 top_spin(double t) {
   const double s = std::sin(lean), c = std::cos(lean);
   return {own * s * std::sin(precession * t), -own * s * std::cos(precession * t),
           precession + own * c};
@@ -93,18 +99,46 @@ double error_of_nine(int steps) {
 }
 
 /// One turn about the ω in the middle of the step.
-inline Quat turn_step(const Quat& q, const Vec3& middle, double step) {
+Quat turn_step(const Quat& q, const Vec3& middle, double step) {
   return exp_quaternion<double>(step * middle) * q;
 }
 
-inline double error_of_turns(int steps) {
+double error_of_turns(int steps) {
   Quat q = top_orientation(0);
   const double step = span / steps;
   for (int i = 0; i < steps; ++i) q = turn_step(q, top_spin((i + 0.5) * step), step);
   return angle_between(top_orientation(span), q);
 }
 
-inline std::string work_figure() {
+/// How many steps an error takes; 0 for more than 200,000.
+double steps_for(double target, const std::function<double(int)>& error) {
+  double before = error(32);
+  for (int steps = 64; steps <= 1 << 18; steps *= 2) {
+    const double now = error(steps);
+    if (now < target)
+      return 0.5 * steps * std::pow(2, std::log(before / target) / std::log(before / now));
+    before = now;
+  }
+  return 0;
+}
+
+/// A large number, rounded to two digits and written in full.
+std::string two_digits(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return number(std::round(value / unit) * unit, 9);
+}
+
+template <class Method, class State, class Rate>
+auto steps_of(const Rate& rate, State y) {
+  return [rate, y]() mutable {
+    y = Method::step(rate, 0.0, y, 1e-3);
+    support::keep(y);
+  };
+}
+
+}  // namespace
+
+std::string work_figure() {
   support::Plot plot{"error against work",
                      {"multiplications for 10 s", support::Scale::log},
                      {"orientation off by [rad]", support::Scale::log},
@@ -128,33 +162,7 @@ inline std::string work_figure() {
   return support::to_svg(plot);
 }
 
-/// How many steps an error takes; 0 for more than 200,000.
-inline double steps_for(double target, const std::function<double(int)>& error) {
-  double before = error(32);
-  for (int steps = 64; steps <= 1 << 18; steps *= 2) {
-    const double now = error(steps);
-    if (now < target)
-      return 0.5 * steps * std::pow(2, std::log(before / target) / std::log(before / now));
-    before = now;
-  }
-  return 0;
-}
-
-/// A large number, rounded to two digits and written in full.
-inline std::string two_digits(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
-  return number(std::round(value / unit) * unit, 9);
-}
-
-template <class Method, class State, class Rate>
-auto steps_of(const Rate& rate, State y) {
-  return [rate, y]() mutable {
-    y = Method::step(rate, 0.0, y, 1e-3);
-    support::keep(y);
-  };
-}
-
-inline Table reach_table() {
+Table reach_table() {
   const auto four = rate_of_four<double>(steady);
   const auto nine = rate_of_nine<double>(steady);
   support::Stopwatch stopwatch;
@@ -188,7 +196,7 @@ inline Table reach_table() {
   return table;
 }
 
-inline Table times_table() {
+Table times_table() {
   support::Stopwatch stopwatch;
   const auto add = [&](const std::string& name, auto&& action) {
     stopwatch.add(name, [action] { support::keep(action()); });

@@ -1,8 +1,8 @@
-#pragma once
 /// @file
 /// Turns as quaternions, a length that is not 1, and the way back from a matrix.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "plane.hpp"
 #include "support/plot.hpp"
 #include "support/sketch.hpp"
@@ -11,7 +11,7 @@ namespace quaternions_chapter {
 
 // ── Turns as quaternions ──
 
-inline Table turns_table() {
+Table turns_table() {
   Table table({"turn", "(w, x, y, z)"});
   const auto add = [&](const std::string& name, const Vec3& axis, double angle) {
     table.add({name, four_numbers(from_axis_angle(axis, angle * degree))});
@@ -25,7 +25,7 @@ inline Table turns_table() {
   return table;
 }
 
-inline Table order_table() {
+Table order_table() {
   Table table({"first", "then", "product (w, x, y, z)", "the angle", "about"});
   const Quat x = from_axis_angle(Vec3::UnitX(), 90 * degree);
   const Quat y = from_axis_angle(Vec3::UnitY(), 90 * degree);
@@ -40,9 +40,7 @@ inline Table order_table() {
   return table;
 }
 
-/// The plane at eight moments of a turn about the vertical that goes round twice; the quaternion
-/// goes round once.
-inline std::string circle_figure() {
+std::string circle_figure() {
   support::Sketch sketch(520, 520, "The same orientation at opposite points of the circle", 14);
   sketch.look({260, 260, 110});
   std::vector<Vec2> ring;
@@ -69,7 +67,7 @@ inline std::string circle_figure() {
 
 // ── A length that is not 1 ──
 
-inline Table length_table() {
+Table length_table() {
   Table table({"|q|", "formula", "across the axis: length", "turned by", "along it: length"});
   const Vec3 across = Vec3::UnitX(), along = Vec3::UnitZ();
   const auto add = [&](double size, const std::string& formula, auto&& rotate) {
@@ -90,14 +88,18 @@ inline Table length_table() {
 
 // ── From a matrix, close to a half turn ──
 
+namespace {
+
 /// Everything divided by w, as if w were never small.
-inline Quat through_w(const Mat3& R) {
+Quat through_w(const Mat3& R) {
   const double w = std::sqrt(std::max(0.0, 1 + R.trace())) / 2;
   const Vec3 v = Vec3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)) / (4 * w);
   return {w, v.x(), v.y(), v.z()};
 }
 
-inline std::string half_turn_figure() {
+}  // namespace
+
+std::string half_turn_figure() {
   support::Plot plot{"quaternion of a matrix",
                      {"180° − angle [rad]", support::Scale::log},
                      {"error of the four numbers, at worst", support::Scale::log},

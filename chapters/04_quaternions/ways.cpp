@@ -1,4 +1,3 @@
-#pragma once
 /// @file
 /// Ways from one orientation to another: matrices, angles and quaternions mixed, and slerp.
 
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "plane.hpp"
 #include "support/plot.hpp"
 #include "support/sketch.hpp"
@@ -15,9 +15,11 @@ namespace quaternions_chapter {
 
 // ── From one orientation to another ──
 
-inline const Mat3 start = Mat3::Identity();
-inline constexpr double whole_turn = 150 * degree;
-inline const Mat3 goal = exp_rotation(Vec3(whole_turn * Vec3(0.3, -1, 0.25).normalized()));
+namespace {
+
+const Mat3 start = Mat3::Identity();
+constexpr double whole_turn = 150 * degree;
+const Mat3 goal = exp_rotation(Vec3(whole_turn * Vec3(0.3, -1, 0.25).normalized()));
 
 /// A way from `start` at t = 0 to `goal` at t = 1. Not every step of it need be a rotation.
 struct Way {
@@ -25,22 +27,17 @@ struct Way {
   std::function<Mat3(double)> at;
 };
 
-inline Mat3 mix_nine(double t) { return (1 - t) * start + t * goal; }
+Mat3 mix_nine(double t) { return (1 - t) * start + t * goal; }
 
 /// Each angle the short way round.
-inline Mat3 mix_angles(double t) {
+Mat3 mix_angles(double t) {
   const Vec3 a = matrix_to_euler_angles(start, EulerSequence::zyx);
   Vec3 way = matrix_to_euler_angles(goal, EulerSequence::zyx) - a;
   for (double& angle : way) angle = std::remainder(angle, 2 * pi);
   return euler_angles_to_matrix(a + t * way, EulerSequence::zyx);
 }
 
-inline Quat mix_four(const Quat& a, const Quat& b, double t) {
-  const double side = a.dot(b) < 0 ? -1 : 1;
-  return Quat(Eigen::Vector4d((1 - t) * a.coeffs() + t * side * b.coeffs()));
-}
-
-inline const std::vector<Way> ways{
+const std::vector<Way> ways{
     {"nine numbers mixed", mix_nine},
     {"… and repaired", [](double t) { return nearest_rotation(mix_nine(t)); }},
     {"three angles mixed", mix_angles},
@@ -49,12 +46,14 @@ inline const std::vector<Way> ways{
     {"slerp", [](double t) { return to_matrix(slerp(from_matrix(start), from_matrix(goal), t)); }}};
 
 /// Angular speed along a way [rad per unit of t].
-inline double speed(const Way& way, double t) {
+double speed(const Way& way, double t) {
   constexpr double d = 1e-4;
   return angle_apart(nearest_rotation(way.at(t - d)), nearest_rotation(way.at(t + d))) / (2 * d);
 }
 
-inline Table ways_table() {
+}  // namespace
+
+Table ways_table() {
   Table table({"way", "turns in all", "fastest / slowest", "smallest volume"});
   constexpr int parts = 400;
   for (const Way& way : ways) {
@@ -71,7 +70,7 @@ inline Table ways_table() {
   return table;
 }
 
-inline std::string between_figure() {
+std::string between_figure() {
   constexpr double cell = 104, row = 150;
   support::Sketch sketch(5 * cell, 3 * row, "From one orientation to another", 14);
   std::string planes;
@@ -94,6 +93,8 @@ inline std::string between_figure() {
 
 // ── Tracks of the nose on a globe ──
 
+namespace {
+
 /// The part of a curve in space that is in front of the globe's middle plane, or behind it.
 std::vector<std::vector<Vec2>> seen(const std::vector<Vec3>& curve, bool front) {
   std::vector<std::vector<Vec2>> pieces;
@@ -108,9 +109,9 @@ std::vector<std::vector<Vec2>> seen(const std::vector<Vec3>& curve, bool front) 
   return pieces;
 }
 
-inline const Mat3 globe = axis_rotation(0, -60 * degree) * axis_rotation(2, 20 * degree);
+const Mat3 globe = axis_rotation(0, -60 * degree) * axis_rotation(2, 20 * degree);
 
-inline void draw_globe(support::Sketch& sketch) {
+void draw_globe(support::Sketch& sketch) {
   const auto ring = [&](auto&& point) {
     std::vector<Vec3> curve;
     for (int i = 0; i <= 90; ++i) curve.emplace_back(globe * point(4 * i * degree));
@@ -130,7 +131,9 @@ inline void draw_globe(support::Sketch& sketch) {
   sketch.curve(rim, {"faint", 1.2});
 }
 
-inline std::string tracks_figure() {
+}  // namespace
+
+std::string tracks_figure() {
   support::Sketch sketch(520, 520, "Where the nose points on the way", 14);
   sketch.look({260, 215, 200});
   draw_globe(sketch);
@@ -150,8 +153,10 @@ inline std::string tracks_figure() {
 
 // ── Why the pace differs ──
 
+namespace {
+
 /// A circle with the arc and the chord between two orientations, each in eight equal parts.
-inline void arc_and_chord(support::Sketch& sketch, double angle, const std::string& title) {
+void arc_and_chord(support::Sketch& sketch, double angle, const std::string& title) {
   const auto on_circle = [](double a) { return Vec2(std::sin(a), std::cos(a)); };
   std::vector<Vec2> arc;
   for (int i = 0; i <= 90; ++i) arc.push_back(on_circle(angle * (i / 90.0 - 0.5)));
@@ -174,7 +179,9 @@ inline void arc_and_chord(support::Sketch& sketch, double angle, const std::stri
   sketch.words({0, 0}, {0, 24}, title, "ink", "middle");
 }
 
-inline std::string chord_figure() {
+}  // namespace
+
+std::string chord_figure() {
   support::Sketch sketch(520, 250, "Equal parts of the chord, unequal parts of the arc", 14);
   sketch.look({130, 200, 122});
   arc_and_chord(sketch, whole_turn / 2, "four numbers: 75° apart");
@@ -185,7 +192,7 @@ inline std::string chord_figure() {
   return sketch.svg();
 }
 
-inline std::string pace_figure() {
+std::string pace_figure() {
   support::Plot plot{"pace on the way", {"t"}, {"angular speed [150° per unit of t]"}, {}};
   // In the colours of the tracks on the globe.
   const std::vector<std::pair<std::size_t, std::string>> shown{
@@ -201,8 +208,7 @@ inline std::string pace_figure() {
   return support::to_svg(plot);
 }
 
-/// How uneven the pace of a mixture is, and how far it is from where slerp is, at worst.
-inline Table pace_table() {
+Table pace_table() {
   Table table({"turn", "four: fastest / slowest", "off by", "nine: fastest / slowest", "off by"});
   const Quat a = Quat::Identity();
   for (const double angle : {5., 30., 90., 150., 179.}) {

@@ -1,59 +1,20 @@
-#pragma once
 /// @file
 /// Four numbers and nine under the same steps.
 
 #include "common.hpp"
+#include "parts.hpp"
+#include "rates.hpp"
 #include "support/plot.hpp"
 #include "tumble/ode.hpp"
 
 namespace quaternions_chapter {
 
-/// The same steady turn as in chapter 3, whose exact orientation is known.
-inline const Vec3 omega = 2 * Vec3(2, -1, 2).normalized();  // [rad/s]
-inline constexpr double h = 1.0 / 60;                       // a frame of a game [s]
-
-template <class T>
-using Four = Eigen::Matrix<T, 4, 1>;
-template <class T>
-using Nine = Eigen::Matrix<T, 9, 1>;
-
-/// q̇ = ½ ⟨0, ω⟩ q as a right-hand side, for an angular velocity ω(t).
-template <class T, class Spin>
-auto rate_of_four(Spin spin) {
-  return [spin](const T& t, const Four<T>& y) -> Four<T> {
-    return coefficients(quaternion_dot<T>(from_coefficients<T>(y), spin(t)));
-  };
-}
-
-/// Ṙ = [ω]× R.
-template <class T, class Spin>
-auto rate_of_nine(Spin spin) {
-  return [spin](const T& t, const Nine<T>& y) -> Nine<T> {
-    return rotation_dot<T>(y.reshaped(3, 3), spin(t)).reshaped();
-  };
-}
-
-inline const auto as_it_is = [](const auto& y) { return y; };
-inline const auto normalised = [](const Four<double>& y) {
-  return coefficients(normalize(from_coefficients(y)));
-};
-
-/// The state after so many steps, repaired by `repair` after each.
-template <class Method, class State, class Rate, class Repair>
-State stepped(const Rate& rate, State y, double step, int steps, Repair&& repair) {
-  for (int i = 0; i < steps; ++i) y = repair(Method::step(rate, i * step, y, step));
-  return y;
-}
-
-inline const Four<double> four_start = coefficients(Quat::Identity());
-inline const Nine<double> nine_start = Mat3(Mat3::Identity()).reshaped();
+namespace {
 
 /// What of a rotation q p q̄ is not: ‖RᵀR − 1‖ of the matrix |q|² R.
-inline double shape_error(const Quat& q) {
+double shape_error(const Quat& q) {
   return std::sqrt(3.0) * std::abs(std::pow(q.squaredNorm(), 2) - 1);
 }
-
-inline Vec3 steady(double) { return omega; }
 
 template <class Method>
 void add_drift(Table& table, const std::string& name, int seconds) {
@@ -73,14 +34,6 @@ void add_drift(Table& table, const std::string& name, int seconds) {
   add("four, normalised", shape_error(r), angle_between(exact, r));
 }
 
-inline Table drift_table() {
-  Table table({"method", "after", "orientation as", "‖RᵀR − 1‖", "orientation off by"});
-  add_drift<Euler>(table, "Euler", 10);
-  add_drift<Midpoint>(table, "midpoint", 600);
-  add_drift<Rk4>(table, "RK4", 600);
-  return table;
-}
-
 /// ‖RᵀR − 1‖ at moments evenly spread over a log axis.
 template <class Method, class State, class Rate, class Shape>
 support::Series drift_series(const std::string& name, const Rate& rate, State y, Shape&& shape) {
@@ -96,7 +49,17 @@ support::Series drift_series(const std::string& name, const Rate& rate, State y,
   return series;
 }
 
-inline std::string drift_figure() {
+}  // namespace
+
+Table drift_table() {
+  Table table({"method", "after", "orientation as", "‖RᵀR − 1‖", "orientation off by"});
+  add_drift<Euler>(table, "Euler", 10);
+  add_drift<Midpoint>(table, "midpoint", 600);
+  add_drift<Rk4>(table, "RK4", 600);
+  return table;
+}
+
+std::string drift_figure() {
   support::Plot plot{"drift of four and of nine numbers",
                      {"time [s]", support::Scale::log},
                      {"‖RᵀR − 1‖", support::Scale::log},
@@ -114,8 +77,7 @@ inline std::string drift_figure() {
   return support::to_svg(plot);
 }
 
-/// One step of a turn that is large for it.
-inline Table big_steps_table() {
+Table big_steps_table() {
   Table table({"asked for", "Euler turns by", "midpoint", "RK4", "|q|: Euler", "midpoint", "RK4"});
   const auto four = rate_of_four<double>([](double) { return Vec3(0, 0, 1); });
   for (const double angle : {0.1, 0.5, 1.0, 2.0, 3.0, 6.0}) {
