@@ -1,4 +1,3 @@
-#pragma once
 /// @file
 /// Angular momentum and angular velocity: how far apart they point, and what each has of a motion.
 
@@ -6,17 +5,19 @@
 #include <cmath>
 
 #include "common.hpp"
-#include "flight.hpp"
-#include "frames.hpp"
+#include "parts.hpp"
+#include "thrown_objects.hpp"
 
 namespace momentum_chapter {
 
 // ── Two masses on a rod ──
 
+namespace {
+
 /// At the angle from the axle that it is welded to, in the plane of the picture.
 constexpr double lean = 50 * degree;
 
-inline void draw_arrow_mark(support::Sketch& sketch, const Vec2& p, bool towards_viewer) {
+void draw_arrow_mark(support::Sketch& sketch, const Vec2& p, bool towards_viewer) {
   sketch.curve(circle(p, 0.12), {"c2", 2});
   if (towards_viewer) {
     sketch.dot(p, "c2", 3);
@@ -28,7 +29,7 @@ inline void draw_arrow_mark(support::Sketch& sketch, const Vec2& p, bool towards
 }
 
 /// Seen from the side, the axle upright; `side` is +1 or, half a turn later, −1.
-inline void draw_dumbbell(support::Sketch& sketch, double side, const std::string& caption) {
+void draw_dumbbell(support::Sketch& sketch, double side, const std::string& caption) {
   const Vec2 along(side * std::sin(lean), std::cos(lean));
   const Vec2 L(-side * std::cos(lean), std::sin(lean));
   sketch.curve({{0, -1.45}, {0, 1.15}}, {"faint", 6});
@@ -44,7 +45,9 @@ inline void draw_dumbbell(support::Sketch& sketch, double side, const std::strin
   sketch.words({0, -1.45}, {0, 26}, caption, "ink", "middle");
 }
 
-inline std::string askew_figure() {
+}  // namespace
+
+std::string askew_figure() {
   support::Sketch sketch(640, 390, "Two masses on a leaning rod: L is not along ω");
   sketch.look({160, 178, 112});
   draw_dumbbell(sketch, 1, "now");
@@ -55,7 +58,7 @@ inline std::string askew_figure() {
 
 // ── How far apart they can point ──
 
-inline Table apart_table() {
+Table apart_table() {
   Table table({"object", "principal moments [kg m²]", "as a ratio", "L and ω apart, at worst"});
   for (std::size_t i = 0; i < object_names.size(); ++i) {
     const Vec3 moments = principal_axes(properties_of(objects::all[i]).inertia).moments;
@@ -72,6 +75,8 @@ inline Table apart_table() {
 
 // ── Of the centre, and about it ──
 
+namespace {
+
 /// Something that goes round on a circle, and spins.
 struct Circling {
   std::string name;
@@ -79,7 +84,9 @@ struct Circling {
   double inertia, day;          ///< about its own axis [kg m²], and the time of a turn [s]
 };
 
-inline Table split_table() {
+}  // namespace
+
+Table split_table() {
   constexpr double earth = 5.972e24, earth_radius = 6.378e6, moon = 7.346e22, moon_radius = 1.737e6;
   constexpr double sidereal_day = 86164, year = 365.256 * 86400, month = 27.3217 * 86400;
   const std::array<Circling, 3> list{

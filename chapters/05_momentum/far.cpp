@@ -1,4 +1,3 @@
-#pragma once
 /// @file
 /// A body far from the origin of the world: which digits of an arm survive.
 
@@ -7,10 +6,13 @@
 #include <limits>
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/plot.hpp"
 #include "tumble/simd/double_double.hpp"
 
 namespace momentum_chapter {
+
+namespace {
 
 /// The gap between a number and the next one of its type.
 template <class T>
@@ -19,27 +21,13 @@ double gap(double x) {
   return static_cast<double>(std::nextafter(value, std::numeric_limits<T>::max()) - value);
 }
 
-inline Table gaps_table() {
-  Table table({"from the origin", "distance [m]", "next double [m]", "next float [m]"});
-  const auto add = [&](const std::string& name, double x) {
-    table.add({name, number(x), number(gap<double>(x), 2), number(gap<float>(x), 2)});
-  };
-  add("on the table", 1);
-  add("at the end of the village", 1e3);
-  add("at the end of the country", 1e6);
-  add("four Earth radii from its centre", 2.55e7);
-  add("at the Moon", 3.844e8);
-  add("at the Sun", 1.496e11);
-  return table;
-}
-
 /// A force at a point of a body.
 struct Lever {
   Vec3 p_body, force, direction;
   Mat3 R;
 };
 
-inline std::vector<Lever> levers() {
+std::vector<Lever> levers() {
   Random random(5);
   std::vector<Lever> list;
   for (int i = 0; i < 60; ++i) {
@@ -52,12 +40,12 @@ inline std::vector<Lever> levers() {
 
 using Long = Vector3<DoubleDouble>;
 
-inline Vec3 rounded(const Long& v) {
+Vec3 rounded(const Long& v) {
   return v.unaryExpr([](const DoubleDouble& x) { return double(x); });
 }
 
 /// r × F in 32 digits.
-inline Vec3 exact_torque(const Long& r, const Vec3& F) {
+Vec3 exact_torque(const Long& r, const Vec3& F) {
   Long tau;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -67,7 +55,7 @@ inline Vec3 exact_torque(const Long& r, const Vec3& F) {
 }
 
 /// R p_body in 32 digits.
-inline Long exact_arm(const Lever& lever) {
+Long exact_arm(const Lever& lever) {
   Long r;
   for (int i = 0; i < 3; ++i)
     r[i] = DoubleDouble(lever.R(i, 0)) * lever.p_body[0] +
@@ -103,14 +91,14 @@ Compared through_the_world(const Lever& lever, const Vec3& centre) {
 }
 
 /// The same, and the arm is only turned.
-inline Compared only_turned(const Lever& lever, const Vec3&) {
+Compared only_turned(const Lever& lever, const Vec3&) {
   const Vec3 arm = lever.R * lever.p_body;
   return {force_at_point<double>(lever.force, arm, Vec3::Zero()).torque,
           exact_torque(exact_arm(lever), lever.force)};
 }
 
 /// The point is given in the world, as it is: then p − x is known to all digits.
-inline Compared given_in_the_world(const Lever& lever, const Vec3& x, bool subtract_first) {
+Compared given_in_the_world(const Lever& lever, const Vec3& x, bool subtract_first) {
   const Vec3 p = x + lever.R * lever.p_body;
   const Long arm = p.cast<DoubleDouble>() - x.cast<DoubleDouble>();
   const Vec3 late = p.cross(lever.force) - x.cross(lever.force);
@@ -118,7 +106,23 @@ inline Compared given_in_the_world(const Lever& lever, const Vec3& x, bool subtr
           exact_torque(arm, lever.force)};
 }
 
-inline std::string far_figure() {
+}  // namespace
+
+Table gaps_table() {
+  Table table({"from the origin", "distance [m]", "next double [m]", "next float [m]"});
+  const auto add = [&](const std::string& name, double x) {
+    table.add({name, number(x), number(gap<double>(x), 2), number(gap<float>(x), 2)});
+  };
+  add("on the table", 1);
+  add("at the end of the village", 1e3);
+  add("at the end of the country", 1e6);
+  add("four Earth radii from its centre", 2.55e7);
+  add("at the Moon", 3.844e8);
+  add("at the Sun", 1.496e11);
+  return table;
+}
+
+std::string far_figure() {
   support::Plot plot{"torque of a force, arm of 1 m",
                      {"distance from the origin [m]", support::Scale::log},
                      {"error, relative to arm × force, at worst", support::Scale::log},

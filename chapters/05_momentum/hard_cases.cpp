@@ -1,12 +1,13 @@
-#pragma once
 /// @file
 /// Where it goes wrong: a needle, a force in the wrong axes, an arm of yesterday, sums that cancel.
 
 #include <algorithm>
 #include <cmath>
 
-#include "cost.hpp"
-#include "push.hpp"
+#include "common.hpp"
+#include "omega_from_L.hpp"
+#include "parts.hpp"
+#include "plank.hpp"
 #include "support/plot.hpp"
 #include "tumble/mass/transform.hpp"
 #include "tumble/simd/double_double.hpp"
@@ -15,14 +16,16 @@ namespace momentum_chapter {
 
 // ── A needle ──
 
+namespace {
+
 /// A body with moments 1/κ, 1, 1 in an orientation of its own.
-inline Task<double> needle(double condition, const Mat3& R) {
+Task<double> needle(double condition, const Mat3& R) {
   const Vec3 moments(1 / condition, 1, 1);
   return {RigidBody<>(1, moments.asDiagonal()), from_matrix(R), R, Vec3::Zero(), moments};
 }
 
 /// The same with its tensor in other body axes, turned by S.
-inline Task<double> in_other_axes(const Task<double>& task, const Mat3& S) {
+Task<double> in_other_axes(const Task<double>& task, const Mat3& S) {
   Task<double> other = task;
   other.body = RigidBody<>(1, rotate_inertia(S, task.body.I_body()));
   other.R = task.R * S.transpose();
@@ -30,7 +33,7 @@ inline Task<double> in_other_axes(const Task<double>& task, const Mat3& S) {
 }
 
 /// ω in 32 digits: Σ n (n · L) / A over the three axes.
-inline Vec3 exact_omega(const Task<double>& task) {
+Vec3 exact_omega(const Task<double>& task) {
   Vector3<DoubleDouble> omega = Vector3<DoubleDouble>::Constant(0.0);
   for (int i = 0; i < 3; ++i) {
     DoubleDouble along = 0.0;
@@ -56,7 +59,7 @@ double worst_of_any_L(double condition, const Way& way) {
 }
 
 /// The same for a needle that only tumbles: its L lies across it, as nearly as doubles can say.
-inline double worst_of_tumbling(double condition) {
+double worst_of_tumbling(double condition) {
   Random random(5);
   double worst = 0;
   for (int i = 0; i < 40; ++i) {
@@ -69,7 +72,9 @@ inline double worst_of_tumbling(double condition) {
   return worst;
 }
 
-inline std::string needle_figure() {
+}  // namespace
+
+std::string needle_figure() {
   support::Plot plot{"ω of a needle",
                      {"largest moment / smallest moment", support::Scale::log},
                      {"relative error of ω, at worst", support::Scale::log},
@@ -99,17 +104,19 @@ inline std::string needle_figure() {
 
 // ── A force in the axes of the body ──
 
+namespace {
+
 constexpr double thrust = 10, satellite_mass = 100, satellite_spin = 0.5;  // [N], [kg], [rad/s]
 
 /// A nozzle that is fixed in the body: its force turns with it.
-inline auto nozzle() {
+auto nozzle() {
   return [](double, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
     return {now.R * Vec3(thrust, 0, 0), Vec3::Zero()};
   };
 }
 
 /// The same without R: it pushes along the world's x axis for ever.
-inline auto nozzle_not_turned() {
+auto nozzle_not_turned() {
   return [](double, const RigidBody<>&, const Derived<>&) -> Wrench<> {
     return {Vec3(thrust, 0, 0), Vec3::Zero()};
   };
@@ -126,7 +133,9 @@ std::string distance_after(double t, const Force& force) {
   return number(y.head<3>().norm()) + " m";
 }
 
-inline Table nozzle_table() {
+}  // namespace
+
+Table nozzle_table() {
   Table table({"after", "F = R F_body", "F = F_body"});
   for (const double t : {1., 10., 60., 600.})
     table.add(
@@ -136,7 +145,9 @@ inline Table nozzle_table() {
 
 // ── A point that has moved ──
 
-inline SpringToWorld rope_to(const Vec3& p_body) { return {p_body, Vec3(0.5, 0, 0.5), 60, 0.4}; }
+namespace {
+
+SpringToWorld rope_to(const Vec3& p_body) { return {p_body, Vec3(0.5, 0, 0.5), 60, 0.4}; }
 
 /// The torque with an arm that was right when the step began.
 struct ArmOfTheStart {
@@ -151,16 +162,16 @@ struct ArmOfTheStart {
 
 const Vec3 hook(0.5, 0, 0);
 
-inline PackedState<double> at_the_hook() { return pack(RigidBodyState<>{}); }
+PackedState<double> at_the_hook() { return pack(RigidBodyState<>{}); }
 
 constexpr double swing_time = 1;
 
-inline PackedState<double> exact_swing() {
+PackedState<double> exact_swing() {
   const RigidBodyMotion motion(plank(), Weight{}, rope_to(hook));
   return integrate_adaptive<Dop853>(motion, at_the_hook(), 0, swing_time, {1e-13, 1e-13}).y;
 }
 
-inline Vec3 free_end(const PackedState<double>& y) {
+Vec3 free_end(const PackedState<double>& y) {
   return point_position<double>(derived(plank(), unpack<double>(y)), -hook);
 }
 
@@ -182,7 +193,9 @@ double old_arm_error(int steps) {
   return (free_end(y) - free_end(exact_swing())).norm();
 }
 
-inline Table arm_table() {
+}  // namespace
+
+Table arm_table() {
   Table table({"the arm is taken", "64 steps", "128 steps", "256 steps", "order"});
   const auto add = [&](const std::string& name, double (*error)(int)) {
     std::vector<std::string> row{name};
@@ -204,8 +217,10 @@ inline Table arm_table() {
 
 // ── Forces that cancel ──
 
+namespace {
+
 /// Forces of up to 1000 N along an axis, each with its opposite somewhere else in the list.
-inline std::vector<double> cancelling(int pairs) {
+std::vector<double> cancelling(int pairs) {
   Random random(5);
   std::vector<double> list;
   for (int i = 0; i < pairs; ++i) {
@@ -219,12 +234,14 @@ inline std::vector<double> cancelling(int pairs) {
 }
 
 /// The power of ten above a number: where rounding decides, its digits mean nothing.
-inline std::string below(double value, const std::string& unit) {
+std::string below(double value, const std::string& unit) {
   if (value == 0) return "0";
   return "< 1e" + number(std::ceil(std::log10(std::abs(value)))) + unit;
 }
 
-inline Table cancel_table() {
+}  // namespace
+
+Table cancel_table() {
   Table table({"pairs", "Σ |F|", "what is left of Σ F", "in double-double"});
   for (const int pairs : {100, 10000, 1000000}) {
     double sum = 0, size = 0;

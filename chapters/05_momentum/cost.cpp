@@ -1,65 +1,16 @@
-#pragma once
 /// @file
 /// From L to ω: what each way costs, and what is left of the digits for a long thin body.
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 #include "common.hpp"
+#include "omega_from_L.hpp"
+#include "parts.hpp"
 #include "support/counted.hpp"
 #include "support/stopwatch.hpp"
 #include "tumble/mass/points.hpp"
 
 namespace momentum_chapter {
 
-/// Everything that the ways from L to ω start from.
-template <class T>
-struct Task {
-  RigidBody<T> body;
-  Quaternion<T> q;
-  Matrix3<T> R;
-  Vector3<T> L;
-  Vector3<T> moments;  ///< along the body's axes, if these are principal
-};
-
-// Flattened: whether the compiler happens to inline what they call is not what is measured.
-
-/// The three products of the library.
-template <class T>
-[[gnu::flatten]] Vector3<T> by_three_products(const Task<T>& task) {
-  return angular_velocity(task.body, task.R, task.L);
-}
-
-/// The same in principal axes, where the tensor is three numbers.
-template <class T>
-[[gnu::flatten]] Vector3<T> in_principal_axes(const Task<T>& task) {
-  Vector3<T> v = task.R.transpose() * task.L;
-  for (int i = 0; i < 3; ++i) v[i] = v[i] / task.moments[i];
-  return task.R * v;
-}
-
-/// The world's inverse tensor first, then its product with L.
-template <class T>
-[[gnu::flatten]] Vector3<T> by_inverse_in_world(const Task<T>& task) {
-  const Matrix3<T> half = task.R * task.body.I_body_inv();
-  const Matrix3<T> I_inv = half * task.R.transpose();
-  return I_inv * task.L;
-}
-
-/// The world's tensor, inverted anew, by cofactors.
-template <class T>
-[[gnu::flatten]] Vector3<T> by_inverting_in_world(const Task<T>& task) {
-  const Matrix3<T> half = task.R * task.body.I_body();
-  const Matrix3<T> I = half * task.R.transpose();
-  Matrix3<T> cofactors;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    cofactors.col(i) = I.col(j).cross(I.col(k));
-  }
-  const T scale = T(1) / I.col(0).dot(cofactors.col(0));
-  return scale * (cofactors * task.L);
-}
+namespace {
 
 // ── Counts and times ──
 
@@ -75,7 +26,7 @@ Task<T> ordinary_task() {
 
 constexpr int samples = 1000;
 
-inline std::vector<PointMass> thousand_points() {
+std::vector<PointMass> thousand_points() {
   Random random(5);
   std::vector<PointMass> points;
   for (int i = 0; i < samples; ++i) points.push_back({1.0 / samples, random.vector(1)});
@@ -109,13 +60,15 @@ struct WayToOmega {
   Vector3<support::Counted> (*counted)(const Task<support::Counted>&);
 };
 
-inline const std::vector<WayToOmega> ways_to_omega{
+const std::vector<WayToOmega> ways_to_omega{
     {"R (I_body⁻¹ (Rᵀ L))", by_three_products, by_three_products},
     {"the same in principal axes", in_principal_axes, in_principal_axes},
     {"(R I_body⁻¹ Rᵀ) L", by_inverse_in_world, by_inverse_in_world},
     {"(R I_body Rᵀ)⁻¹ L", by_inverting_in_world, by_inverting_in_world}};
 
-inline Table counts_table() {
+}  // namespace
+
+Table counts_table() {
   Table table({"from L to ω", "operations"});
   const auto task = ordinary_task<support::Counted>();
   for (const WayToOmega& way : ways_to_omega)
@@ -130,7 +83,7 @@ inline Table counts_table() {
   return table;
 }
 
-inline Table times_table() {
+Table times_table() {
   static Task<double> task = ordinary_task<double>();
   static const std::vector<PointMass> points = thousand_points();
   support::Stopwatch stopwatch;

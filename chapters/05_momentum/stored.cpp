@@ -1,15 +1,18 @@
-#pragma once
 /// @file
 /// A free body, integrated with L in the state or with ω in it; and where ω goes meanwhile.
 
 #include <cmath>
-#include <functional>
 
-#include "angular.hpp"
-#include "cost.hpp"
+#include "common.hpp"
+#include "parts.hpp"
+#include "support/counted.hpp"
 #include "support/plot.hpp"
+#include "support/stopwatch.hpp"
+#include "thrown_objects.hpp"
 
 namespace momentum_chapter {
+
+namespace {
 
 /// q and three more numbers: L, or ω in world axes, or ω in body axes.
 template <class T>
@@ -80,9 +83,9 @@ struct Storage {
   Vec3 (*to_omega)(const Mat3& R, const Vec3& stored);
 };
 
-inline Vec3 same(const Mat3&, const Vec3& omega) { return omega; }
+Vec3 same(const Mat3&, const Vec3& omega) { return omega; }
 
-inline const std::array<Storage, 4> storages{
+const std::array<Storage, 4> storages{
     Storage{"L", "0", rate_of_L<double>, rate_of_L<Counted>,
             [](const Mat3& R, const Vec3& omega) {
               return angular_momentum(subject<double>(), R, omega);
@@ -113,14 +116,14 @@ Spinning spun(const Storage& storage, double seconds, int steps) {
   return {q, storage.to_omega(to_matrix(q), y.tail<3>())};
 }
 
-inline Vec3 L_of(const Spinning& s) {
+Vec3 L_of(const Spinning& s) {
   return angular_momentum<double>(subject<double>(), to_matrix(s.q), s.omega);
 }
 
-inline double energy_of(const Spinning& s) { return L_of(s).dot(s.omega) / 2; }
+double energy_of(const Spinning& s) { return L_of(s).dot(s.omega) / 2; }
 
 /// The orientation in the end, to 12 digits.
-inline const Quat& exact_end() {
+const Quat& exact_end() {
   static const Quat q = [] {
     const Vec3 L = storages[0].from_omega(Mat3::Identity(), spin_start);
     const Seven<double> y =
@@ -147,7 +150,23 @@ void add_kept(Table& table, const std::string& method, double rate, double secon
   }
 }
 
-inline Table kept_table() {
+template <class Method>
+void add_work(support::Plot& plot, const std::string& method, int stages) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    support::Series series{method + ", " + storages[i].name, {}, {}};
+    for (int steps = 100; steps * stages <= 40000; steps = steps * 3 / 2) {
+      const double off = angle_between(exact_end(), spun<Method>(storages[i], spin_time, steps).q);
+      if (!(off < 1)) continue;
+      series.x.push_back(steps * stages);
+      series.y.push_back(off);
+    }
+    plot.series.push_back(series);
+  }
+}
+
+}  // namespace
+
+Table kept_table() {
   Table table({"method", "steps a second", "stored", "L off by", "energy off by"});
   constexpr double ten_minutes = 600;
   add_kept<Euler>(table, "Euler", 60, ten_minutes);
@@ -157,7 +176,7 @@ inline Table kept_table() {
   return table;
 }
 
-inline Table stored_table() {
+Table stored_table() {
   Table table({"stored", "its rate", "one evaluation", "60 steps a second", "240", "960"});
   const Seven<Counted> y =
       seven<Counted>(Quaternion<Counted>(1, 0, 0, 0), spin_start.cast<Counted>());
@@ -174,21 +193,7 @@ inline Table stored_table() {
   return table;
 }
 
-template <class Method>
-void add_work(support::Plot& plot, const std::string& method, int stages) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    support::Series series{method + ", " + storages[i].name, {}, {}};
-    for (int steps = 100; steps * stages <= 40000; steps = steps * 3 / 2) {
-      const double off = angle_between(exact_end(), spun<Method>(storages[i], spin_time, steps).q);
-      if (!(off < 1)) continue;
-      series.x.push_back(steps * stages);
-      series.y.push_back(off);
-    }
-    plot.series.push_back(series);
-  }
-}
-
-inline std::string stored_figure() {
+std::string stored_figure() {
   support::Plot plot{"ten seconds of a free handle",
                      {"evaluations", support::Scale::log},
                      {"orientation off by [rad]", support::Scale::log},
@@ -200,20 +205,23 @@ inline std::string stored_figure() {
 
 // ── Where ω goes ──
 
+namespace {
+
 /// A body with three different moments, spinning askew.
-inline const RigidBody<>& wanderer() {
+const RigidBody<>& wanderer() {
   static const RigidBody<> body(1, Vec3(1, 1.6, 2.2).asDiagonal());
   return body;
 }
 
-inline std::vector<Moment> wandering(double duration, int count) {
+std::vector<Moment> wandering(double duration, int count) {
   const RigidBodyState<> start = state_of_motion<double>(wanderer(), Vec3::Zero(), Quat::Identity(),
                                                          Vec3::Zero(), Vec3(0.3, 1, 0.55));
   return followed(RigidBodyMotion(wanderer()), start, duration, count);
 }
 
-/// The way of the tip of ω, with L upright, seen from a little above.
-inline std::string wander_figure() {
+}  // namespace
+
+std::string wander_figure() {
   const std::vector<Moment> moments = wandering(92, 1200);
   const Vec3 L = angular_momentum(wanderer(), moments[0].now.R, moments[0].now.omega);
   const Vec3 up = L.normalized(), right = up.unitOrthogonal(), away = up.cross(right);

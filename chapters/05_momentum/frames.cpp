@@ -1,16 +1,14 @@
-#pragma once
 /// @file
 /// A point of a body: what is in whose axes, and how fast which point moves.
 
 #include <cmath>
 
 #include "common.hpp"
+#include "parts.hpp"
 
 namespace momentum_chapter {
 
-/// A body that has turned, and the velocity of a point of it with ω × r, where r has been turned
-/// with the body or forgotten to be.
-inline Table forgotten_table() {
+Table forgotten_table() {
   Table table({"body turned by", "v + ω × (R p_body)", "v + ω × p_body", "off by"});
   const Vec3 p_body(0.5, 0, 0), v(1, 0, 0), omega(0, 0, 4);
   for (const double turned : {0., 10., 90., 180.}) {
@@ -27,16 +25,22 @@ inline Table forgotten_table() {
 
 // ── A wheel of a train ──
 
+namespace {
+
 constexpr double tread = 0.46, flange = 0.028;  // radius of the wheel, height of its flange [m]
 constexpr double train = 300 / 3.6;             // [m/s]
 
 /// x forward, z up: a wheel that rolls turns clockwise, about y.
-inline Derived<> rolling(double radius, double speed, double t = 0) {
+Derived<> rolling(double radius, double speed, double t = 0) {
   const Vec3 v(speed, 0, 0), omega(0, speed / radius, 0);
   return {t * v, exp_rotation(Vec3(t * omega)), v, omega};
 }
 
-inline Table wheel_table() {
+Vec2 forward_and_up(const Vec3& p) { return {p.x(), p.z()}; }
+
+}  // namespace
+
+Table wheel_table() {
   Table table({"point of the wheel", "forward [km/h]", "upward [km/h]"});
   const Derived<> wheel = rolling(tread, train);
   const auto add = [&](const std::string& name, const Vec3& p) {
@@ -51,17 +55,7 @@ inline Table wheel_table() {
   return table;
 }
 
-inline Vec2 forward_and_up(const Vec3& p) { return {p.x(), p.z()}; }
-
-inline std::vector<Vec2> circle(const Vec2& centre, double radius) {
-  std::vector<Vec2> points;
-  for (int i = 0; i <= 72; ++i)
-    points.emplace_back(centre + radius * Vec2(std::cos(5 * i * degree), std::sin(5 * i * degree)));
-  return points;
-}
-
-/// A wheel of radius 1 with a flange of 0.2, its velocities, and the way of a point of the flange.
-inline std::string wheel_figure() {
+std::string wheel_figure() {
   support::Sketch sketch(760, 380, "How the points of a rolling wheel move");
   sketch.look({380, 190, 112});
   const double far = 3.3, outer = 1.2;

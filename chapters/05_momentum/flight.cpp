@@ -1,29 +1,21 @@
-#pragma once
 /// @file
 /// A tennis racket that is thrown: what its points do, and what its centre of mass does; and where
 /// the centres of mass of things are.
 
-#include <array>
 #include <cmath>
 
 #include "common.hpp"
 #include "objects/objects.hpp"
+#include "parts.hpp"
+#include "thrown_objects.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 
 namespace momentum_chapter {
 
-inline MassProperties properties_of(const objects::Object& object) {
-  return mesh_mass_properties(object.mesh(object.for_drawings), object.density);
-}
-
-inline const objects::Object& free_handle = objects::all[0];
-inline const objects::Object& racket = objects::all[2];
-
-/// The object_names of the objects, as one says them.
-inline constexpr std::array object_names{"T-handle", "wing nut", "tennis racket", "mug", "gear"};
+namespace {
 
 /// From the hand: upwards and away, end over end, and not quite about a principal axis.
-inline auto thrown_racket(int count) {
+auto thrown_racket(int count) {
   const RigidBody<> body(properties_of(racket));
   const Quat q = exp_quaternion<double>(Vec3(0, -0.6, 0)) * exp_quaternion<double>(Vec3(0.5, 0, 0));
   const Vec3 v(3.3, 0, 4.6), omega(0.6, 14, 0.4);
@@ -36,7 +28,7 @@ struct RacketLines {
   std::vector<std::vector<Vec3>> frame, strings, throat, handle{{{-0.25, 0, 0}, {-0.52, 0, 0}}};
 };
 
-inline RacketLines racket_lines() {
+RacketLines racket_lines() {
   using objects::head_length, objects::head_width;
   RacketLines lines;
   lines.frame.emplace_back();
@@ -55,9 +47,9 @@ inline RacketLines racket_lines() {
 }
 
 /// What is seen from the side: x to the right, z up.
-inline Vec2 from_the_side(const Vec3& p) { return {p.x(), p.z()}; }
+Vec2 from_the_side(const Vec3& p) { return {p.x(), p.z()}; }
 
-inline void draw_racket(support::Sketch& sketch, const Derived<>& now, const Vec3& centre) {
+void draw_racket(support::Sketch& sketch, const Derived<>& now, const Vec3& centre) {
   static const RacketLines lines = racket_lines();
   const auto draw = [&](const std::vector<std::vector<Vec3>>& part, const support::Pen& pen) {
     std::vector<std::vector<Vec2>> seen;
@@ -74,7 +66,9 @@ inline void draw_racket(support::Sketch& sketch, const Derived<>& now, const Vec
   draw(lines.handle, {"ink", 5});
 }
 
-inline std::string flight_figure() {
+}  // namespace
+
+std::string flight_figure() {
   const Vec3 centre = properties_of(racket).centre;
   const Vec3 handle_end = Vec3(-0.52, 0, 0) - centre;
   support::Sketch sketch(760, 360, "A racket in flight: the end of its handle, its centre of mass");
@@ -97,8 +91,7 @@ inline std::string flight_figure() {
   return sketch.svg();
 }
 
-/// How far the centre of mass and the middle of the bounding box are apart.
-inline Table centres_table() {
+Table centres_table() {
   Table table({"object", "mass", "longest side", "off the box's middle"});
   for (std::size_t i = 0; i < object_names.size(); ++i) {
     const objects::Object& object = objects::all[i];
