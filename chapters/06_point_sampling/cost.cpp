@@ -1,16 +1,19 @@
-#pragma once
 /// @file
 /// What it takes: a question whether a point is inside, and the mug's inertia by all methods.
 
-#include "csg.hpp"
-#include "orders.hpp"
+#include "common.hpp"
+#include "die.hpp"
+#include "mug_methods.hpp"
+#include "parts.hpp"
 #include "support/stopwatch.hpp"
 
 namespace point_sampling_chapter {
 
+namespace {
+
 /// The solid angle of the mesh seen from p, in whole turns. Source: Van Oosterom & Strackee, "The
 /// solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30 (1983), eq. 8.
-inline double turns_around(const PolygonMesh& mesh, const Vec3& p) {
+double turns_around(const PolygonMesh& mesh, const Vec3& p) {
   double sum = 0;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     const Vec3 a = mesh.vertex(t[0]) - p, b = mesh.vertex(t[1]) - p, c = mesh.vertex(t[2]) - p;
@@ -23,7 +26,7 @@ inline double turns_around(const PolygonMesh& mesh, const Vec3& p) {
 
 /// Whether the upward ray meets more triangles that it leaves through than others: all are looked
 /// at.
-inline bool inside_by_looking_at_all(const PolygonMesh& mesh, const Vec3& p) {
+bool inside_by_looking_at_all(const PolygonMesh& mesh, const Vec3& p) {
   int winding = 0;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     const Vec3 &a = mesh.vertex(t[0]), &b = mesh.vertex(t[1]), &c = mesh.vertex(t[2]);
@@ -50,7 +53,9 @@ class Places {
   std::size_t i_ = 0;
 };
 
-inline Table inside_table() {
+}  // namespace
+
+Table inside_table() {
   support::Stopwatch stopwatch;
   const auto add = [&](const std::string& name, auto&& inside, int times) {
     stopwatch.add(
@@ -78,7 +83,7 @@ inline Table inside_table() {
 
 // ── All methods ──
 
-inline Table times_table() {
+Table times_table() {
   support::Stopwatch stopwatch;
   std::vector<std::string> errors;
   const std::vector<Placement> at = placements(16);

@@ -1,17 +1,19 @@
-#pragma once
 /// @file
 /// The mug as it is seen by points that are thrown at its box.
 
 #include "common.hpp"
+#include "parts.hpp"
 
 namespace point_sampling_chapter {
 
+namespace {
+
 /// Mug upright, seen from a little above.
-inline Mat3 upright() {
+Mat3 upright() {
   return axis_rotation(0, 0.42) * axis_rotation(0, -pi / 2) * axis_rotation(2, -0.5);
 }
 
-inline std::vector<Vec3> points_inside(const MeshSolid& solid, int tried) {
+std::vector<Vec3> points_inside(const MeshSolid& solid, int tried) {
   std::vector<Vec3> inside;
   R3Points points(tried);
   const Eigen::AlignedBox3d& box = solid.bounds();
@@ -23,12 +25,10 @@ inline std::vector<Vec3> points_inside(const MeshSolid& solid, int tried) {
 }
 
 /// What the viewer sees of a place in the mug's coordinates, the middle of its box as the origin.
-inline Vec2 seen(const Vec3& p) {
-  return (upright() * (p - mug_solid().bounds().center())).head<2>();
-}
+Vec2 seen(const Vec3& p) { return (upright() * (p - mug_solid().bounds().center())).head<2>(); }
 
 /// The points in five colours, by their distance from the upright axis through the centre of mass.
-inline void draw_cloud(support::Sketch& sketch, int tried, double pixels) {
+void draw_cloud(support::Sketch& sketch, int tried, double pixels) {
   const std::array<std::string, 5> colours{"c0", "c7", "c2", "c4", "c1"};
   constexpr std::array<double, 4> borders{0.022, 0.036, 0.041, 0.05};  // [m]
   std::array<std::vector<Vec2>, 5> bands;
@@ -40,7 +40,7 @@ inline void draw_cloud(support::Sketch& sketch, int tried, double pixels) {
   for (std::size_t i = 0; i < bands.size(); ++i) sketch.specks(bands[i], colours[i], pixels);
 }
 
-inline void draw_box(support::Sketch& sketch) {
+void draw_box(support::Sketch& sketch) {
   const Eigen::AlignedBox3d box = mug_solid().bounds();
   std::vector<std::vector<Vec2>> edges;
   for (int i = 0; i < 8; ++i)
@@ -54,7 +54,9 @@ inline void draw_box(support::Sketch& sketch) {
   sketch.curves(edges, {"faint", 0.8});
 }
 
-inline std::string cloud_figure() {
+}  // namespace
+
+std::string cloud_figure() {
   support::Sketch sketch(760, 312, "A mug filled with points", 22);
   const std::array<int, 3> tried{1000, 4000, 16000};
   const std::array<double, 3> pixels{2.2, 1.6, 1.1};

@@ -1,13 +1,21 @@
-#pragma once
 /// @file
 /// A box that is cut into cells, each cell a point.
 
 #include "common.hpp"
+#include "parts.hpp"
 
 namespace point_sampling_chapter {
 
-/// A box that its cells fill exactly: what is missing is the cells' own inertia.
-inline Table cells_table() {
+namespace {
+
+/// A cube of 1 m whose bounds are a little too wide.
+struct LooseCube : Box {
+  static Eigen::AlignedBox3d bounds() { return {Vec3::Constant(-0.515), Vec3::Constant(0.515)}; }
+};
+
+}  // namespace
+
+Table cells_table() {
   Table table({"cells", "mass", "I_zz", "missing", "1/n²"});
   const Box plank{Vec3(1, 0.2, 0.05)};
   const MassProperties truth = mass_properties(plank, 500);
@@ -20,8 +28,7 @@ inline Table cells_table() {
   return table;
 }
 
-/// How much of their boxes the objects fill, and what that means for random points.
-inline Table fill_table() {
+Table fill_table() {
   Table table({"object", "share of its box", "1000 random points leave", "for 1 %"});
   constexpr std::array names{"T-handle", "wing nut", "tennis racket", "mug", "gear"};
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -33,13 +40,7 @@ inline Table fill_table() {
   return table;
 }
 
-/// A cube of 1 m whose bounds are a little too wide.
-struct LooseCube : Box {
-  static Eigen::AlignedBox3d bounds() { return {Vec3::Constant(-0.515), Vec3::Constant(0.515)}; }
-};
-
-/// Flat faces along the planes of the grid.
-inline Table loose_table() {
+Table loose_table() {
   Table table({"32768 points", "mass", "off by", "the standard error says"});
   const auto add = [&table](const std::string& name, auto points) {
     const SampledMassProperties body = sample_mass_properties(LooseCube{}, 1, points);

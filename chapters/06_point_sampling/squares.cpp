@@ -1,20 +1,23 @@
-#pragma once
 /// @file
 /// In the plane, where it can be seen: how points are spread, and which cells leave something to
 /// chance.
 
 #include "common.hpp"
+#include "die.hpp"
+#include "parts.hpp"
 
 namespace point_sampling_chapter {
 
+namespace {
+
 /// A shape of the unit square, with a curved outline.
-inline bool in_shape(const Vec2& p) {
+bool in_shape(const Vec2& p) {
   const Vec2 d = p - Vec2(0.5, 0.49);
   const double angle = std::atan2(d.y(), d.x());
   return d.norm() <= 0.36 + 0.05 * std::cos(3 * angle + 0.4);
 }
 
-inline std::vector<Vec2> shape_outline() {
+std::vector<Vec2> shape_outline() {
   std::vector<Vec2> line;
   for (int i = 0; i <= 120; ++i) {
     const double angle = 3 * i * degree;
@@ -24,7 +27,7 @@ inline std::vector<Vec2> shape_outline() {
   return line;
 }
 
-inline void draw_points(support::Sketch& sketch, const std::vector<Vec2>& points) {
+void draw_points(support::Sketch& sketch, const std::vector<Vec2>& points) {
   std::vector<Vec2> inside, outside;
   for (const Vec2& p : points) (in_shape(p) ? inside : outside).push_back(p);
   sketch.specks(outside, "faint", 2.2);
@@ -40,7 +43,20 @@ std::vector<Vec2> first_two(P points, int count) {
   return list;
 }
 
-inline std::string squares_figure() {
+/// Whether a cell of n × n is neither wholly inside nor wholly outside.
+bool is_cut(int i, int j, int n) {
+  constexpr int fine = 12;
+  int inside = 0;
+  for (int a = 0; a <= fine; ++a)
+    for (int b = 0; b <= fine; ++b)
+      inside +=
+          in_shape(Vec2(i + static_cast<double>(a) / fine, j + static_cast<double>(b) / fine) / n);
+  return inside > 0 && inside < (fine + 1) * (fine + 1);
+}
+
+}  // namespace
+
+std::string squares_figure() {
   constexpr int n = 16, all = n * n;
   support::Sketch sketch(760, 236, "256 points of the unit square, spread in four ways", 22);
   const std::array<std::string, 4> names{"random", "stratified", "grid", "R3"};
@@ -62,18 +78,7 @@ inline std::string squares_figure() {
   return sketch.svg();
 }
 
-/// Whether a cell of n × n is neither wholly inside nor wholly outside.
-inline bool is_cut(int i, int j, int n) {
-  constexpr int fine = 12;
-  int inside = 0;
-  for (int a = 0; a <= fine; ++a)
-    for (int b = 0; b <= fine; ++b)
-      inside +=
-          in_shape(Vec2(i + static_cast<double>(a) / fine, j + static_cast<double>(b) / fine) / n);
-  return inside > 0 && inside < (fine + 1) * (fine + 1);
-}
-
-inline std::string cells_figure() {
+std::string cells_figure() {
   support::Sketch sketch(700, 276, "The cells that the outline cuts", 21);
   const std::array<int, 3> sizes{8, 16, 32};
   for (std::size_t k = 0; k < 3; ++k) {

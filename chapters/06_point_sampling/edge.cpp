@@ -1,16 +1,19 @@
-#pragma once
 /// @file
 /// A ray that meets an edge: what becomes of a cube when it counts twice, never, or once.
 
 #include "common.hpp"
+#include "die.hpp"
+#include "parts.hpp"
 
 namespace point_sampling_chapter {
+
+namespace {
 
 /// What is done with a ray that passes exactly through an edge of a triangle.
 enum class EdgeRule { both, none, one };
 
 /// Whether the vertical line through p meets the triangle, by the rule.
-inline bool meets(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, EdgeRule rule) {
+bool meets(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, EdgeRule rule) {
   if (rule == EdgeRule::one) return line_crossing(a, b, c, p.x(), p.y()) != 0;
   const auto side = [&p](const Vec3& from, const Vec3& to) {
     return orientation(from.x(), from.y(), to.x(), to.y(), p.x(), p.y());
@@ -23,7 +26,7 @@ inline bool meets(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, Ed
 
 /// Whether the ray up from p meets an odd number of triangles. (The faces above or below p are
 /// level in this table's bodies.)
-inline bool odd_hits_above(const PolygonMesh& mesh, const Vec3& p, EdgeRule rule) {
+bool odd_hits_above(const PolygonMesh& mesh, const Vec3& p, EdgeRule rule) {
   bool odd = false;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     const Vec3 &a = mesh.vertex(t[0]), &b = mesh.vertex(t[1]), &c = mesh.vertex(t[2]);
@@ -33,7 +36,7 @@ inline bool odd_hits_above(const PolygonMesh& mesh, const Vec3& p, EdgeRule rule
 }
 
 /// A box from the origin, of triangles.
-inline PolygonMesh box_of_triangles(const Vec3& size) {
+PolygonMesh box_of_triangles(const Vec3& size) {
   PolygonMesh mesh;
   for (int i = 0; i < 8; ++i)
     mesh.vertices.emplace_back(size.cwiseProduct(Vec3(i & 1, i >> 1 & 1, i >> 2 & 1)));
@@ -46,7 +49,7 @@ inline PolygonMesh box_of_triangles(const Vec3& size) {
 }
 
 /// The points of a grid of n³ cells in the box.
-inline std::vector<Vec3> grid_in(const Vec3& size, int n) {
+std::vector<Vec3> grid_in(const Vec3& size, int n) {
   std::vector<Vec3> list;
   GridPoints points(n);
   for (std::int64_t i = 0; i < points.count(); ++i)
@@ -54,7 +57,9 @@ inline std::vector<Vec3> grid_in(const Vec3& size, int n) {
   return list;
 }
 
-inline Table edge_table() {
+}  // namespace
+
+Table edge_table() {
   constexpr int n = 32;
   Table table({"a ray through an edge", "points inside", "cube of 1 kg", "box of 6 kg", "off by"});
   const auto add = [&](const std::string& name, EdgeRule rule) {
@@ -77,8 +82,7 @@ inline Table edge_table() {
   return table;
 }
 
-/// The cube from above: where columns of points have gone.
-inline std::string edge_figure() {
+std::string edge_figure() {
   constexpr int n = 32;
   support::Sketch sketch(640, 372,
                          "The cube from above: columns of points that a careless rule loses", 20);

@@ -1,28 +1,31 @@
-#pragma once
 /// @file
 /// The same body about other points, and far from the origin of the world.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/plot.hpp"
 
 namespace point_sampling_chapter {
 
 // ── Parallel axes ──
 
-inline const objects::Object& racket_object = objects::all[2];
+namespace {
+
+const objects::Object& racket_object = objects::all[2];
 
 /// The racket of chapter 5, its handle along −x.
-inline PolygonMesh racket_mesh() { return racket_object.mesh(racket_object.for_drawings); }
+PolygonMesh racket_mesh() { return racket_object.mesh(racket_object.for_drawings); }
 
-inline const MassProperties& racket() {
+const MassProperties& racket() {
   static const MassProperties body = mesh_mass_properties(racket_mesh(), racket_object.density);
   return body;
 }
 
-inline std::string gram_square_metres(double I) { return number(1000 * I, 4) + " g m²"; }
+std::string gram_square_metres(double I) { return number(1000 * I, 4) + " g m²"; }
 
-/// How hard a racket is to swing about an axis across its handle, in the plane of the strings.
-inline Table racket_table() {
+}  // namespace
+
+Table racket_table() {
   Table table({"about an axis through", "off the centre of mass", "I_yy", "added"});
   const Eigen::AlignedBox3d box = bounds(racket_mesh());
   const double end = box.min().x(), hand = end + 0.1, tip = box.max().x();  // [m]
@@ -43,8 +46,10 @@ inline Table racket_table() {
 
 // ── Far from the origin ──
 
+namespace {
+
 /// Points on a grid of 2⁻²⁰ m: they can be moved by 2²⁰ m or 2³⁰ m without being rounded.
-inline std::vector<PointMass> points_of_mug() {
+std::vector<PointMass> points_of_mug() {
   std::vector<PointMass> points;
   RandomPoints random(4000, 3);
   const Eigen::AlignedBox3d box = mug_solid().bounds();
@@ -56,7 +61,7 @@ inline std::vector<PointMass> points_of_mug() {
 }
 
 /// About the origin of the world, then moved to the centre of mass.
-inline Mat3 by_way_of_the_origin(const std::vector<PointMass>& points) {
+Mat3 by_way_of_the_origin(const std::vector<PointMass>& points) {
   Mat3 about_origin = Mat3::Zero();
   Vec3 first = Vec3::Zero();
   double mass = 0;
@@ -69,14 +74,16 @@ inline Mat3 by_way_of_the_origin(const std::vector<PointMass>& points) {
 }
 
 /// Differences first: the arms from the centre of mass, then their squares.
-inline Mat3 by_differences(const std::vector<PointMass>& points) {
+Mat3 by_differences(const std::vector<PointMass>& points) {
   const Vec3 centre = centre_of_mass(points);
   Mat3 sum = Mat3::Zero();
   for (const PointMass& p : points) sum += point_inertia(p.mass, p.position - centre);
   return sum;
 }
 
-inline std::string far_figure() {
+}  // namespace
+
+std::string far_figure() {
   support::Plot plot{"300 points of a mug",
                      {"distance from the origin [m]", support::Scale::log},
                      {"error of the inertia", support::Scale::log},

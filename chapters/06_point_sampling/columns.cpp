@@ -1,13 +1,16 @@
-#pragma once
 /// @file
 /// Columns through the mug: where they enter and where they leave.
 
 #include "common.hpp"
+#include "die.hpp"
+#include "parts.hpp"
 
 namespace point_sampling_chapter {
 
+namespace {
+
 /// Where the vertical line through (x, y) meets the mug, from below.
-inline std::vector<std::pair<double, int>> crossings(double x, double y) {
+std::vector<std::pair<double, int>> crossings(double x, double y) {
   std::vector<std::pair<double, int>> list;
   for_each_triangle(mug(), [&](int, const std::array<int, 3>& t) {
     const Vec3 &a = mug().vertex(t[0]), &b = mug().vertex(t[1]), &c = mug().vertex(t[2]);
@@ -18,7 +21,9 @@ inline std::vector<std::pair<double, int>> crossings(double x, double y) {
   return list;
 }
 
-inline std::string columns_figure() {
+}  // namespace
+
+std::string columns_figure() {
   support::Sketch sketch(700, 450, "Columns through a mug");
   const Eigen::AlignedBox3d box = mug_solid().bounds();
   constexpr double scale = 4300, y = 0.0007;
