@@ -1,32 +1,19 @@
-#pragma once
 /// @file
 /// The box that has the mass and the inertia of a body, beside the one around it.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/view.hpp"
 
 namespace bounding_boxes_chapter {
 
+namespace {
+
 /// The full box with the mass and the inertia tensor of a body: it always exists, and only once.
-inline OrientedBox equivalent_box(const MassProperties& body) {
+OrientedBox equivalent_box(const MassProperties& body) {
   const PrincipalAxes axes = principal_axes(body.inertia);
   const Vec3 squares = 6 / body.mass * (Vec3::Constant(axes.moments.sum()) - 2 * axes.moments);
   return {body.centre, axes.R, squares.cwiseMax(0).cwiseSqrt()};
-}
-
-inline Table equivalent_table() {
-  Table table({"object", "box around it", "box with its inertia", "volumes, to the object's"});
-  for (const Thing& body : things()) {
-    const OrientedBox around = aligned_box(body.points()), same = equivalent_box(body.truth);
-    const auto sorted = [](Vec3 size) {
-      std::sort(size.begin(), size.end(), std::greater<>());
-      return millimetres(size);
-    };
-    table.add(
-        {body.name, sorted(around.size), sorted(same.size),
-         times(around.volume() / body.volume()) + ", " + times(same.volume() / body.volume())});
-  }
-  return table;
 }
 
 /// A box as lines: those at the farthest corner are behind the body.
@@ -65,7 +52,24 @@ class BoxLines {
   int farthest_ = 0;
 };
 
-inline std::string equivalent_figure() {
+}  // namespace
+
+Table equivalent_table() {
+  Table table({"object", "box around it", "box with its inertia", "volumes, to the object's"});
+  for (const Thing& body : things()) {
+    const OrientedBox around = aligned_box(body.points()), same = equivalent_box(body.truth);
+    const auto sorted = [](Vec3 size) {
+      std::sort(size.begin(), size.end(), std::greater<>());
+      return millimetres(size);
+    };
+    table.add(
+        {body.name, sorted(around.size), sorted(same.size),
+         times(around.volume() / body.volume()) + ", " + times(same.volume() / body.volume())});
+  }
+  return table;
+}
+
+std::string equivalent_figure() {
   std::string svg =
       support::svg_open(760, 330, "The box around a body and the box that turns like it");
   const auto draw = [&](const Thing& body, const Mat3& R, double x, double scale) {

@@ -1,13 +1,15 @@
-#pragma once
 /// @file
 /// How far the boxes' mass, centre and inertia are from the objects', and what decides on it.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/plot.hpp"
 
 namespace bounding_boxes_chapter {
 
 // ── Objects, boxes, fillings ──
+
+namespace {
 
 /// What is wrong with a box in the place of a body; all of them relative.
 struct BoxErrors {
@@ -20,7 +22,7 @@ struct BoxErrors {
   }
 };
 
-inline BoxErrors errors_of(const OrientedBox& box, const Thing& body) {
+BoxErrors errors_of(const OrientedBox& box, const Thing& body) {
   const Mat3& truth = body.truth.inertia;
   return {box.volume() / body.volume(),
           (box.centre - body.truth.centre).norm() / aligned_box(body.points()).size.norm(),
@@ -30,7 +32,7 @@ inline BoxErrors errors_of(const OrientedBox& box, const Thing& body) {
 }
 
 /// The mean over all orientations in which the object may lie.
-inline BoxErrors errors_askew(const Thing& body) {
+BoxErrors errors_askew(const Thing& body) {
   std::array<double, BoxErrors::count> sums{};
   for (const Mat3& R : turns()) {
     const auto numbers = errors_of(askew_box(body.points(), R), body).numbers();
@@ -40,7 +42,9 @@ inline BoxErrors errors_askew(const Thing& body) {
   return {sums[0], sums[1], sums[2], sums[3], sums[4]};
 }
 
-inline Table errors_table() {
+}  // namespace
+
+Table errors_table() {
   Table table({"object", "box", "its volume", "off centre", "density", "true mass", "true volume"});
   const auto add = [&](const Thing& body, const std::string& name, const BoxErrors& e) {
     table.add({body.name, name, times(e.volume), e.centre < 1e-6 ? "0" : percent(e.centre),
@@ -57,14 +61,18 @@ inline Table errors_table() {
 
 // ── Hollow balls ──
 
+namespace {
+
 /// A ball of radius 1 m with a hollow ball of radius r in its middle, in its cube.
-inline double ball_to_cube(double r) {
+double ball_to_cube(double r) {
   const double moment = 2.0 / 5 * (1 - std::pow(r, 5)) / (1 - r * r * r);
   return moment / (2.0 / 3);
 }
-inline double share_of_cube(double r) { return pi / 6 * (1 - r * r * r); }
+double share_of_cube(double r) { return pi / 6 * (1 - r * r * r); }
 
-inline Table hollow_table() {
+}  // namespace
+
+Table hollow_table() {
   Table table({"wall of the ball", "share of the cube", "density", "true mass", "true volume"});
   for (const double wall : {1., 0.5, 0.2, 0.1, 0.05, 0.01}) {
     const double f = share_of_cube(1 - wall), mass = 1 / ball_to_cube(1 - wall);
@@ -74,7 +82,7 @@ inline Table hollow_table() {
   return table;
 }
 
-inline std::string between_figure() {
+std::string between_figure() {
   support::Plot plot{"how full is the box?",
                      {"share of the box that the body fills", support::Scale::linear},
                      {"inertia: body / box", support::Scale::linear},

@@ -1,8 +1,8 @@
-#pragma once
 /// @file
 /// Objects that are thrown with their own inertia, and with that of a box.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/plot.hpp"
 #include "tumble/body.hpp"
 #include "tumble/ode.hpp"
@@ -10,9 +10,11 @@
 
 namespace bounding_boxes_chapter {
 
+namespace {
+
 /// How a body is turned after a free flight.
 /// @param omega at the start, in body axes, which are the world's then [rad/s]
-inline Mat3 flown(const Mat3& I_body, const Vec3& omega, double duration) {
+Mat3 flown(const Mat3& I_body, const Vec3& omega, double duration) {
   if (duration == 0) return Mat3::Identity();
   const RigidBody<> body(1, I_body);
   const RigidBodyMotion motion(body);
@@ -22,13 +24,13 @@ inline Mat3 flown(const Mat3& I_body, const Vec3& omega, double duration) {
   return derived(body, unpack<double>(end.y)).R;
 }
 
-inline double angle_apart(const Mat3& A, const Mat3& B) {
+double angle_apart(const Mat3& A, const Mat3& B) {
   return log_rotation(Mat3(A.transpose() * B)).norm();
 }
 
 // ── All objects ──
 
-inline std::string whole_degrees(double angle) { return svg_number(angle / degree, 0) + "°"; }
+std::string whole_degrees(double angle) { return svg_number(angle / degree, 0) + "°"; }
 
 /// How far the orientation is off after one second, the mean of 16 throws.
 /// @param inertia inertia(i) is what throw i takes for the body's inertia
@@ -44,7 +46,34 @@ double off_after_a_second(const Thing& body, const Inertia& inertia) {
   return sum / throws;
 }
 
-inline Table flight_table() {
+std::string ratio_text(const Mat3& I) {
+  const Vec3 moments = principal_axes(I).moments;
+  return svg_number(moments[0] / moments[2], 3) + " : " + svg_number(moments[1] / moments[2], 3) +
+         " : 1";
+}
+
+/// The largest change of a moment about any axis, when each tensor is divided by its own largest
+/// moment: a free flight knows of no other difference.
+double shape_difference(const Mat3& A, const Mat3& B) {
+  const auto shape = [](const Mat3& I) -> Mat3 { return I / principal_axes(I).moments[2]; };
+  return principal_axes(shape(A) - shape(B)).moments.cwiseAbs().maxCoeff();
+}
+
+/// The axes from the easiest to the hardest: z < x < y.
+std::string order_text(const Mat3& I) {
+  std::array<int, 3> axes{0, 1, 2};
+  const auto equal = [&I](int a, int b) { return std::abs(I(a, a) - I(b, b)) < 1e-9 * I.trace(); };
+  std::sort(axes.begin(), axes.end(),
+            [&](int a, int b) { return equal(a, b) ? a < b : I(a, a) < I(b, b); });
+  std::string text(1, "xyz"[axes[0]]);
+  for (const std::size_t i : {1u, 2u})
+    text += (equal(axes[i - 1], axes[i]) ? " = " : " < ") + std::string(1, "xyz"[axes[i]]);
+  return text;
+}
+
+}  // namespace
+
+Table flight_table() {
   Table table({"object", "upright", "askew", "principal", "smaller", "a ball"});
   for (const Thing& body : things()) {
     const auto off = [&](const OrientedBox& box) {
@@ -63,20 +92,7 @@ inline Table flight_table() {
   return table;
 }
 
-inline std::string ratio_text(const Mat3& I) {
-  const Vec3 moments = principal_axes(I).moments;
-  return svg_number(moments[0] / moments[2], 3) + " : " + svg_number(moments[1] / moments[2], 3) +
-         " : 1";
-}
-
-/// The largest change of a moment about any axis, when each tensor is divided by its own largest
-/// moment: a free flight knows of no other difference.
-inline double shape_difference(const Mat3& A, const Mat3& B) {
-  const auto shape = [](const Mat3& I) -> Mat3 { return I / principal_axes(I).moments[2]; };
-  return principal_axes(shape(A) - shape(B)).moments.cwiseAbs().maxCoeff();
-}
-
-inline std::string rule_figure() {
+std::string rule_figure() {
   support::Plot plot{"one second at 10 rad/s",
                      {"difference of the tensors, as shapes", support::Scale::log},
                      {"off by [°]", support::Scale::log},
@@ -110,19 +126,7 @@ inline std::string rule_figure() {
   return support::to_svg(plot);
 }
 
-/// The axes from the easiest to the hardest: z < x < y.
-inline std::string order_text(const Mat3& I) {
-  std::array<int, 3> axes{0, 1, 2};
-  const auto equal = [&I](int a, int b) { return std::abs(I(a, a) - I(b, b)) < 1e-9 * I.trace(); };
-  std::sort(axes.begin(), axes.end(),
-            [&](int a, int b) { return equal(a, b) ? a < b : I(a, a) < I(b, b); });
-  std::string text(1, "xyz"[axes[0]]);
-  for (const std::size_t i : {1u, 2u})
-    text += (equal(axes[i - 1], axes[i]) ? " = " : " < ") + std::string(1, "xyz"[axes[i]]);
-  return text;
-}
-
-inline Table moments_table() {
+Table moments_table() {
   Table table({"object", "easy to hard", "ratio", "its box", "ratio", "difference"});
   for (const Thing& body : things()) {
     const Mat3 box = at_true_mass(aligned_box(body.points()), body).inertia;
@@ -135,35 +139,23 @@ inline Table moments_table() {
 
 // ── The mug ──
 
+namespace {
+
 /// Spun about the axis about which it is easiest to turn, three turns a second.
-inline Vec3 mug_spin() {
+Vec3 mug_spin() {
   const Vec3 axis = principal_axes(mug().truth.inertia).R.col(0);
   return 6 * pi * (axis.z() < 0 ? Vec3(-axis) : axis);
 }
-inline Mat3 mug_box_inertia() { return at_true_mass(aligned_box(mug().points()), mug()).inertia; }
+Mat3 mug_box_inertia() { return at_true_mass(aligned_box(mug().points()), mug()).inertia; }
 
 /// How far the axis of the spin, painted on the mug, has gone from where it was.
-inline double leaned(const Mat3& R) {
+double leaned(const Mat3& R) {
   const Vec3 axis = mug_spin().normalized();
   return std::acos(std::min(1.0, axis.dot(R * axis)));
 }
 
-inline Table mug_table() {
-  Table table({"after", "the mug's own inertia", "its box", "mug and box apart"});
-  for (const double t : {0.25, 0.5, 0.75, 1.0, 1.25, 1.5}) {
-    const Mat3 own = flown(mug().truth.inertia, mug_spin(), t);
-    const Mat3 box = flown(mug_box_inertia(), mug_spin(), t);
-    const auto tilt = [](double angle) {
-      return angle < 1e-5 ? std::string("0°") : support::degrees(angle, 3);
-    };
-    table.add({number(t) + " s", tilt(leaned(own)), tilt(leaned(box)),
-               support::degrees(angle_apart(own, box), 3)});
-  }
-  return table;
-}
-
 /// World to viewer for the mug: the spin's axis upright, seen from a little above.
-inline Mat3 mug_viewer() {
+Mat3 mug_viewer() {
   const Vec3 up = mug_spin().normalized();
   const Vec3 side = Vec3::UnitY(), front = side.cross(up).normalized();
   Mat3 to_upright;  // its rows: right, up, towards the viewer
@@ -241,7 +233,23 @@ class MugLines {
   Mat3 R_;
 };
 
-inline std::string spin_figure() {
+}  // namespace
+
+Table mug_table() {
+  Table table({"after", "the mug's own inertia", "its box", "mug and box apart"});
+  for (const double t : {0.25, 0.5, 0.75, 1.0, 1.25, 1.5}) {
+    const Mat3 own = flown(mug().truth.inertia, mug_spin(), t);
+    const Mat3 box = flown(mug_box_inertia(), mug_spin(), t);
+    const auto tilt = [](double angle) {
+      return angle < 1e-5 ? std::string("0°") : support::degrees(angle, 3);
+    };
+    table.add({number(t) + " s", tilt(leaned(own)), tilt(leaned(box)),
+               support::degrees(angle_apart(own, box), 3)});
+  }
+  return table;
+}
+
+std::string spin_figure() {
   constexpr int pictures = 6;
   support::Sketch sketch(760, 432, "A mug that spins, with its own inertia and with its box's", 20);
   const auto row = [&](const Mat3& I, double y, const std::string& colour,

@@ -1,25 +1,29 @@
-#pragma once
 /// @file
 /// Bodies that are bad for boxes.
 
 #include "common.hpp"
-#include "sides.hpp"
+#include "cube_with_a_vertex.hpp"
+#include "parts.hpp"
 
 namespace bounding_boxes_chapter {
 
+namespace {
+
 /// A ball of 10 cm with a thin tail of 1 m on it, of one density.
-inline MassProperties ball_with_tail(double length) {
+MassProperties ball_with_tail(double length) {
   constexpr double density = 1000, radius = 0.05, thickness = 0.001;
   const MassProperties tail = mass_properties(Cylinder{thickness, length}, density);
   return combine(mass_properties(Ball{radius}, density),
                  translated(tail, {0, 0, radius + length / 2}));
 }
 
-inline OrientedBox box_of_ball_with_tail(double length) {
+OrientedBox box_of_ball_with_tail(double length) {
   return {{0, 0, length / 2}, Mat3::Identity(), {0.1, 0.1, 0.1 + length}};
 }
 
-inline Table hard_table() {
+}  // namespace
+
+Table hard_table() {
   Table table({"body", "box", "its volume", "off centre", "true mass", "true volume"});
   const auto add = [&](const std::string& name, const std::string& kind, const MassProperties& body,
                        double volume, const OrientedBox& box) {

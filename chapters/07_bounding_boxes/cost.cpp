@@ -1,18 +1,22 @@
-#pragma once
 /// @file
 /// What the boxes take, beside the exact integrals over the same mesh.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/stopwatch.hpp"
 
 namespace bounding_boxes_chapter {
 
-inline const Thing& fine_mug() {
+namespace {
+
+const Thing& fine_mug() {
   static const Thing body = thing("mug", objects::all[3], objects::all[3].fine);
   return body;
 }
 
-inline Table times_table() {
+}  // namespace
+
+Table times_table() {
   const Thing& body = fine_mug();
   support::Stopwatch stopwatch;
   const std::string vertices = number(static_cast<double>(body.points().size()), 6) + " vertices",

@@ -1,15 +1,18 @@
-#pragma once
 /// @file
 /// Boxes that lie along a body, seen from the side or from above: where the principal axes are
 /// right, where they are not, and how a turn changes the volume.
 
 #include "common.hpp"
+#include "cube_with_a_vertex.hpp"
+#include "parts.hpp"
 #include "support/plot.hpp"
 
 namespace bounding_boxes_chapter {
 
+namespace {
+
 /// The four corners of a box of which one edge points at the viewer, who sees the axes i and j.
-inline std::vector<Vec2> rectangle(const OrientedBox& box, int i, int j, int viewed) {
+std::vector<Vec2> rectangle(const OrientedBox& box, int i, int j, int viewed) {
   int edge = 0;  // the one along the line of sight
   box.R.row(viewed).cwiseAbs().maxCoeff(&edge);
   const auto side = [&](int k) -> Vec2 { return Vec2(box.R(i, k), box.R(j, k)) * box.size[k] / 2; };
@@ -18,9 +21,11 @@ inline std::vector<Vec2> rectangle(const OrientedBox& box, int i, int j, int vie
   return {middle + a + b, middle + a - b, middle - a - b, middle - a + b, middle + a + b};
 }
 
+}  // namespace
+
 // ── A racket on a court ──
 
-inline std::string lies_figure() {
+std::string lies_figure() {
   support::Sketch sketch(760, 400, "A racket that lies askew, and two boxes around it", 20);
   sketch.look({380, 200, 520});
   const Points points = turned(racket().points(), axis_rotation(2, 0.6));
@@ -54,21 +59,7 @@ inline std::string lies_figure() {
 
 // ── A cube with one vertex more ──
 
-inline Points cube_corners() {
-  Points points;
-  for (int i = 0; i < 8; ++i)
-    points.emplace_back((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2 & 1) - 0.5);
-  return points;
-}
-
-/// The vertex in the middle of an edge changes nothing in the shape.
-inline Points cube_with_a_vertex() {
-  Points points = cube_corners();
-  points.emplace_back(0.5, 0.5, 0);
-  return points;
-}
-
-inline std::string cube_figure() {
+std::string cube_figure() {
   support::Sketch sketch(700, 360, "A cube from above, with eight vertices and with nine", 20);
   const auto draw = [&](double x, const Points& points, const std::string& caption) {
     sketch.look({x, 156, 146});
@@ -87,8 +78,10 @@ inline std::string cube_figure() {
 
 // ── The mug from the side and from above ──
 
+namespace {
+
 /// What a viewer sees of a mesh who looks along the third axis, as triangles.
-inline std::vector<std::vector<Vec2>> silhouette(const PolygonMesh& mesh, int right, int up) {
+std::vector<std::vector<Vec2>> silhouette(const PolygonMesh& mesh, int right, int up) {
   std::vector<std::vector<Vec2>> triangles;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     std::vector<Vec2> corners;
@@ -99,7 +92,9 @@ inline std::vector<std::vector<Vec2>> silhouette(const PolygonMesh& mesh, int ri
   return triangles;
 }
 
-inline std::string sides_figure() {
+}  // namespace
+
+std::string sides_figure() {
   support::Sketch sketch(760, 410, "Three boxes around a mug", 20);
   const Vec3 middle = bounds(mug().mesh).center();
   constexpr double scale = 2250;
@@ -125,15 +120,19 @@ inline std::string sides_figure() {
 
 // ── The volume while the box is turned ──
 
+namespace {
+
 /// By how much a box of the mug is turned about z, from 0° to 90°, where it looks the same again.
-inline double turn_of(const OrientedBox& box) {
+double turn_of(const OrientedBox& box) {
   int edge = 0;
   box.R.row(0).cwiseAbs().maxCoeff(&edge);
   const double angle = std::atan(box.R(1, edge) / box.R(0, edge));
   return angle < 0 ? angle + pi / 2 : angle;
 }
 
-inline std::string valley_figure() {
+}  // namespace
+
+std::string valley_figure() {
   support::Plot plot{"boxes of a mug",
                      {"turned about the upright axis by [°]", support::Scale::linear},
                      {"volume / mug's", support::Scale::linear},
@@ -153,8 +152,7 @@ inline std::string valley_figure() {
   return support::to_svg(plot);
 }
 
-/// What the descent finds from where it starts.
-inline Table descent_table() {
+Table descent_table() {
   Table table({"object", "along the axes", "down from there", "principal", "down from there"});
   for (const Thing& body : things()) {
     const auto text = [&body](const OrientedBox& box) {

@@ -1,22 +1,24 @@
-#pragma once
 /// @file
 /// Boxes far from the origin of the world, by sums about it and by differences.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/plot.hpp"
 
 namespace bounding_boxes_chapter {
 
+namespace {
+
 /// A racket askew, its points on a grid of 2⁻²⁰ m: they can be moved by 2³⁰ m without being
 /// rounded.
-inline Points racket_on_grid() {
+Points racket_on_grid() {
   Points points = turned(racket().points(), exp_rotation(Vec3(0.4, -0.3, 0.6)));
   for (Vec3& p : points) p = (p * 0x1p20).array().round() * 0x1p-20;
   return points;
 }
 
 /// The box along the axes of the scatter, which is found as a difference of two sums.
-inline OrientedBox box_by_the_origin(const Points& points) {
+OrientedBox box_by_the_origin(const Points& points) {
   const double n = static_cast<double>(points.size());
   Vec3 mean = Vec3::Zero();
   Mat3 about_origin = Mat3::Zero();
@@ -28,13 +30,15 @@ inline OrientedBox box_by_the_origin(const Points& points) {
 }
 
 /// About a corner of the box, by way of the origin of the world and directly.
-inline Mat3 inertia_by_the_origin(const OrientedBox& box, const Vec3& about) {
+Mat3 inertia_by_the_origin(const OrientedBox& box, const Vec3& about) {
   const MassProperties body = box_mass_properties(box, 1);
   const Mat3 about_origin = inertia_about(body, Vec3::Zero());
   return inertia_about_centre(about_origin, 1, box.centre) + point_inertia(1, box.centre - about);
 }
 
-inline std::string far_figure() {
+}  // namespace
+
+std::string far_figure() {
   support::Plot plot{"a racket's box",
                      {"distance from the origin [m]", support::Scale::log},
                      {"relative error", support::Scale::log},
