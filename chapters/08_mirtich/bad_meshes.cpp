@@ -1,38 +1,39 @@
-#pragma once
 /// @file
 /// Meshes that bound no body: what is said of them, what integrals make of them, what is missed.
 
-#include <functional>
 #include <limits>
-#include <sstream>
 
 #include "common.hpp"
+#include "padded_text.hpp"
+#include "parts.hpp"
 
 namespace mirtich_chapter {
 
 // ── A cube, spoiled ──
 
+namespace {
+
 using shapes::inside_out, shapes::together, shapes::with_face_flipped, shapes::without_face;
 
-inline PolygonMesh with_face(PolygonMesh mesh, const std::vector<int>& face) {
+PolygonMesh with_face(PolygonMesh mesh, const std::vector<int>& face) {
   mesh.add_face(face);
   return mesh;
 }
 
-inline PolygonMesh with_vertex(PolygonMesh mesh, int v, const Vec3& x) {
+PolygonMesh with_vertex(PolygonMesh mesh, int v, const Vec3& x) {
   mesh.vertices[static_cast<std::size_t>(v)] = x;
   return mesh;
 }
 
 /// A third face at an edge of the cube.
-inline PolygonMesh with_fin() {
+PolygonMesh with_fin() {
   PolygonMesh mesh = triangulated(cube());
   mesh.vertices.emplace_back(2, 0, 0);
   mesh.add_face({1, 5, 8});
   return mesh;
 }
 
-inline PolygonMesh two_sides() {
+PolygonMesh two_sides() {
   PolygonMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.add_face({0, 1, 2});
@@ -40,7 +41,7 @@ inline PolygonMesh two_sides() {
   return mesh;
 }
 
-inline PolygonMesh small_cube() { return cube(0.5, Vec3::Constant(0.25)); }
+PolygonMesh small_cube() { return cube(0.5, Vec3::Constant(0.25)); }
 
 struct SpoiledCube {
   std::string what;
@@ -48,7 +49,7 @@ struct SpoiledCube {
   PolygonMesh mesh;
 };
 
-inline std::vector<SpoiledCube> spoiled_cubes() {
+std::vector<SpoiledCube> spoiled_cubes() {
   using Kind = FindingKind;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const PolygonMesh whole = cube(), cut = triangulated(whole);
@@ -68,24 +69,9 @@ inline std::vector<SpoiledCube> spoiled_cubes() {
            together(whole, cube(1, Vec3::Constant(0.5)))}};
 }
 
-/// Words in lines of at most `width` characters.
-inline std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
-  std::vector<std::string> lines{""};
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    const std::size_t room = support::characters(lines.back()) + 1 + support::characters(word);
-    if (!lines.back().empty() && room > width) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-  }
-  return lines;
-}
+}  // namespace
 
-/// Pads a line, so that a table whose columns are flush right shows it flush left.
-inline std::string padded(const std::string& line, std::size_t width) {
-  return line + std::string(width - support::characters(line), ' ');
-}
-
-inline Table findings_table() {
+Table findings_table() {
   constexpr std::size_t width = 65;
   Table table({"a cube with", padded("what is found: kind, place, meaning", width)});
   for (const SpoiledCube& spoiled : spoiled_cubes()) {
@@ -106,7 +92,36 @@ inline Table findings_table() {
 
 // ── What integrals make of them ──
 
-inline Table accept_table() {
+namespace {
+
+/// The volume if each face were in the plane of its first three corners, as some programs take it.
+double volume_by_first_corners(const PolygonMesh& mesh, const Vec3& reference) {
+  double sum = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    std::vector<Vec3> corners;
+    for (const int v : mesh.face(f)) corners.push_back(mesh.vertex(v) - reference);
+    const std::vector<Vec3> first(corners.begin(), corners.begin() + 3);
+    const mirtich::Plane plane = mirtich::plane_of(first, mirtich::vector_area(first));
+    sum += mirtich::plane_face_moments(corners, plane).one;
+  }
+  return sum;
+}
+
+/// The same faces, each beginning at its next corner: their fans are cut along the other diagonal.
+PolygonMesh beginning_later(const PolygonMesh& mesh) {
+  PolygonMesh result;
+  result.vertices = mesh.vertices;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    std::vector<int> face(mesh.face(f).begin(), mesh.face(f).end());
+    std::rotate(face.begin(), face.begin() + 1, face.end());
+    result.add_face(face);
+  }
+  return result;
+}
+
+}  // namespace
+
+Table accept_table() {
   Table table({"a cube of 1 kg with", "about its middle", "about a corner", "with a diagnosis"});
   const auto add = [&](const std::string& what, const PolygonMesh& mesh) {
     const double middle = computed(mesh, Accuracy::tight).mass;
@@ -130,32 +145,7 @@ inline Table accept_table() {
   return table;
 }
 
-/// The volume if each face were in the plane of its first three corners, as some programs take it.
-inline double volume_by_first_corners(const PolygonMesh& mesh, const Vec3& reference) {
-  double sum = 0;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    std::vector<Vec3> corners;
-    for (const int v : mesh.face(f)) corners.push_back(mesh.vertex(v) - reference);
-    const std::vector<Vec3> first(corners.begin(), corners.begin() + 3);
-    const mirtich::Plane plane = mirtich::plane_of(first, mirtich::vector_area(first));
-    sum += mirtich::plane_face_moments(corners, plane).one;
-  }
-  return sum;
-}
-
-/// The same faces, each beginning at its next corner: their fans are cut along the other diagonal.
-inline PolygonMesh beginning_later(const PolygonMesh& mesh) {
-  PolygonMesh result;
-  result.vertices = mesh.vertices;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    std::vector<int> face(mesh.face(f).begin(), mesh.face(f).end());
-    std::rotate(face.begin(), face.begin() + 1, face.end());
-    result.add_face(face);
-  }
-  return result;
-}
-
-inline Table nonplanar_table() {
+Table nonplanar_table() {
   Table table({"the faces of the pulled cube are", "about its middle", "about a point 10 m off"});
   const PolygonMesh mesh = with_vertex(cube(), 7, {1, 1, 1.2});
   const Vec3 middle(0.5, 0.5, 0.6), off(10, 0, 0);
@@ -173,8 +163,10 @@ inline Table nonplanar_table() {
 
 // ── What a diagnosis misses ──
 
+namespace {
+
 /// A cube whose bottom has a spike of this width that goes up, through the top.
-inline PolygonMesh spiked_cube(double width) {
+PolygonMesh spiked_cube(double width) {
   PolygonMesh mesh = without_face(cube(), 0);
   const double a = 0.47 - width / 2, b = 0.47 + width / 2;
   for (const Vec3& p : {Vec3(a, a, 0), Vec3(b, a, 0), Vec3(a, b, 0), Vec3(b, b, 0)})
@@ -189,7 +181,9 @@ inline PolygonMesh spiked_cube(double width) {
   return mesh;
 }
 
-inline Table missed_table() {
+}  // namespace
+
+Table missed_table() {
   Table table({"width of the spike", "seen from above", "volume that counts −1 times", "found"});
   for (const double width : {0.4, 0.2, 0.1, 0.05, 0.02}) {
     const double through = width / 3;  // of its 1.5 m, the last 0.5 m are above the top
@@ -203,7 +197,9 @@ inline Table missed_table() {
 
 // ── The fingerprint of what is closed ──
 
-inline PolygonMesh octahedron() {
+namespace {
+
+PolygonMesh octahedron() {
   PolygonMesh mesh;
   for (int k = 0; k < 3; ++k)
     for (const double side : {1., -1.}) mesh.vertices.push_back(side * Vec3::Unit(k));
@@ -223,7 +219,7 @@ using Place = RandomPlace<std::uint64_t>;
 
 constexpr int first_drawn = 2648;
 
-inline std::int64_t balance_of(const PolygonMesh& mesh) {
+std::int64_t balance_of(const PolygonMesh& mesh) {
   std::uint64_t sum = 0;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     const auto index = [](int v) { return static_cast<std::uint64_t>(v); };
@@ -232,7 +228,40 @@ inline std::int64_t balance_of(const PolygonMesh& mesh) {
   return static_cast<std::int64_t>(sum);
 }
 
-inline Table balance_table() {
+/// A vertex's place in the plane, from −1 to 1. (Of other vertices than the table's: these spread
+/// better.)
+Vec2 place_of(int v) {
+  const Place place(static_cast<std::uint64_t>(v + first_drawn));
+  return Vec2(static_cast<double>(static_cast<std::int64_t>(place.u)),
+              static_cast<double>(static_cast<std::int64_t>(place.v))) *
+         0x1p-31;
+}
+
+std::vector<Vec2> spread(const std::array<int, 3>& t) {
+  return {place_of(t[0]), place_of(t[1]), place_of(t[2]), place_of(t[0])};
+}
+
+/// The faces of an octahedron that go round one way.
+void draw_spread(support::Sketch& sketch, bool positive) {
+  for_each_triangle(octahedron(), [&](int, const std::array<int, 3>& t) {
+    const std::vector<Vec2> line = spread(t);
+    const Vec2 e = line[1] - line[0], f = line[2] - line[0];
+    if ((e.x() * f.y() - e.y() * f.x() > 0) == positive)
+      sketch.curve(line, {positive ? "c0" : "c1", 1.2, 1, 0.27});
+  });
+}
+
+/// All faces but one, as lines, and that one.
+void draw_hole(support::Sketch& sketch) {
+  for_each_triangle(octahedron(), [&](int, const std::array<int, 3>& t) {
+    sketch.curve(spread(t), {"faint", 0.8});
+  });
+  sketch.curve(spread({0, 2, 4}), {"c2", 2.5, 1, 0.3});
+}
+
+}  // namespace
+
+Table balance_table() {
   Table table({"surface", "open edges", "twice the sum of the areas, modulo 2⁶⁴"});
   const auto add = [&](const std::string& what, int open, const PolygonMesh& mesh) {
     table.add({what, std::to_string(open), std::to_string(balance_of(mesh))});
@@ -246,38 +275,7 @@ inline Table balance_table() {
   return table;
 }
 
-/// A vertex's place in the plane, from −1 to 1. (Of other vertices than the table's: these spread
-/// better.)
-inline Vec2 place_of(int v) {
-  const Place place(static_cast<std::uint64_t>(v + first_drawn));
-  return Vec2(static_cast<double>(static_cast<std::int64_t>(place.u)),
-              static_cast<double>(static_cast<std::int64_t>(place.v))) *
-         0x1p-31;
-}
-
-inline std::vector<Vec2> spread(const std::array<int, 3>& t) {
-  return {place_of(t[0]), place_of(t[1]), place_of(t[2]), place_of(t[0])};
-}
-
-/// The faces of an octahedron that go round one way.
-inline void draw_spread(support::Sketch& sketch, bool positive) {
-  for_each_triangle(octahedron(), [&](int, const std::array<int, 3>& t) {
-    const std::vector<Vec2> line = spread(t);
-    const Vec2 e = line[1] - line[0], f = line[2] - line[0];
-    if ((e.x() * f.y() - e.y() * f.x() > 0) == positive)
-      sketch.curve(line, {positive ? "c0" : "c1", 1.2, 1, 0.27});
-  });
-}
-
-/// All faces but one, as lines, and that one.
-inline void draw_hole(support::Sketch& sketch) {
-  for_each_triangle(octahedron(), [&](int, const std::array<int, 3>& t) {
-    sketch.curve(spread(t), {"faint", 0.8});
-  });
-  sketch.curve(spread({0, 2, 4}), {"c2", 2.5, 1, 0.3});
-}
-
-inline std::string places_figure() {
+std::string places_figure() {
   support::Sketch sketch(760, 300, "A surface with its vertices at random places", 19);
   const std::array<std::string, 3> words{"one way round", "the other way", "a hole: what is left"};
   for (int panel = 0; panel < 3; ++panel) {
@@ -298,7 +296,9 @@ inline std::string places_figure() {
 
 // ── Depth along a line ──
 
-inline std::vector<Vec2> ring(const Vec2& middle, double radius, double squeeze) {
+namespace {
+
+std::vector<Vec2> ring(const Vec2& middle, double radius, double squeeze) {
   std::vector<Vec2> line;
   for (int i = 0; i <= 72; ++i)
     line.push_back(middle +
@@ -307,8 +307,8 @@ inline std::vector<Vec2> ring(const Vec2& middle, double radius, double squeeze)
 }
 
 /// Short arrows across a ring: outwards, or inwards.
-inline void draw_looks(support::Sketch& sketch, const Vec2& middle, double radius, double squeeze,
-                       bool outwards, const std::string& colour) {
+void draw_looks(support::Sketch& sketch, const Vec2& middle, double radius, double squeeze,
+                bool outwards, const std::string& colour) {
   for (int i = 0; i < 8; ++i) {
     const double t = (45 * i + 22.5) * degree;
     const Vec2 p = middle + radius * Vec2(std::cos(t), squeeze * std::sin(t));
@@ -318,7 +318,7 @@ inline void draw_looks(support::Sketch& sketch, const Vec2& middle, double radiu
 }
 
 /// A body with a part in it, a line through both, and the depth along the line beside them.
-inline void draw_depth(support::Sketch& sketch, bool outwards) {
+void draw_depth(support::Sketch& sketch, bool outwards) {
   const Vec2 middle(0, 0), inner(0.15, -0.1);
   const std::string colour = outwards ? "c1" : "c0";
   sketch.curve(ring(middle, 1, 1.05), {"ink", 2, 1, 0.12});
@@ -341,7 +341,9 @@ inline void draw_depth(support::Sketch& sketch, bool outwards) {
   sketch.curve(steps, {colour, 2.4});
 }
 
-inline std::string depth_figure() {
+}  // namespace
+
+std::string depth_figure() {
   support::Sketch sketch(760, 400, "Depth along a vertical line", 19);
   for (const bool outwards : {false, true}) {
     sketch.look({outwards ? 520.0 : 140.0, 172, 108});

@@ -1,17 +1,19 @@
-#pragma once
 /// @file
 /// Rods through a body, edges of a shadow, and shadows that are cast along the wrong axis.
 
 #include <cmath>
 
 #include "common.hpp"
+#include "parts.hpp"
 
 namespace mirtich_chapter {
 
 // ── Rods ──
 
+namespace {
+
 /// An outline with dents, counter-clockwise.
-inline std::vector<Vec2> potato() {
+std::vector<Vec2> potato() {
   std::vector<Vec2> line;
   for (int i = 0; i <= 120; ++i) {
     const double t = 3 * degree * i;
@@ -27,7 +29,7 @@ struct RodEnd {
   bool leaves;
 };
 
-inline std::vector<RodEnd> rod_ends(const std::vector<Vec2>& line, double y) {
+std::vector<RodEnd> rod_ends(const std::vector<Vec2>& line, double y) {
   std::vector<RodEnd> ends;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Vec2 &p = line[i - 1], &q = line[i];
@@ -38,7 +40,7 @@ inline std::vector<RodEnd> rod_ends(const std::vector<Vec2>& line, double y) {
   return ends;
 }
 
-inline void draw_rods(support::Sketch& sketch) {
+void draw_rods(support::Sketch& sketch) {
   const std::vector<Vec2> line = potato();
   sketch.curve(line, {"ink", 2, 1, 0.06});
   constexpr double half = 0.05;
@@ -56,7 +58,7 @@ inline void draw_rods(support::Sketch& sketch) {
 }
 
 /// The end of one rod, enlarged: a piece of the surface that leans.
-inline void draw_rod_end(support::Sketch& sketch) {
+void draw_rod_end(support::Sketch& sketch) {
   const Vec2 low(0.15, -0.5), high(-0.35, 0.5), along = high - low;
   sketch.curve({{-1.6, -0.5}, low, high, {-1.6, 0.5}}, {"faint", 1, 1, 0.25});
   sketch.curve({low - 0.5 * along, high + 0.5 * along}, {"ink", 2});
@@ -70,7 +72,9 @@ inline void draw_rod_end(support::Sketch& sketch) {
   sketch.words({-0.75, -1.15}, {0, 0}, "dy = n_x dA", "ink", "middle");
 }
 
-inline std::string rods_figure() {
+}  // namespace
+
+std::string rods_figure() {
   support::Sketch sketch(760, 400, "A body cut into rods along x", 19);
   sketch.look({235, 175, 125});
   draw_rods(sketch);
@@ -81,12 +85,13 @@ inline std::string rods_figure() {
 
 // ── Edges ──
 
-inline std::string corner_text(const Vec2& p) {
-  return "(" + number(p.x()) + ", " + number(p.y()) + ")";
-}
+namespace {
 
-/// Once around a square of side 4 with a dent: what each edge brings.
-inline Table walk_table() {
+std::string corner_text(const Vec2& p) { return "(" + number(p.x()) + ", " + number(p.y()) + ")"; }
+
+}  // namespace
+
+Table walk_table() {
   const std::vector<Vec2> line{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}};
   Table table({"edge", "Δβ", "for ∬ 1", "for ∬ α", "by its midpoint", "by its ends"});
   double area = 0, first = 0, by_middle = 0, by_ends = 0;
@@ -108,9 +113,11 @@ inline Table walk_table() {
 
 // ── The wrong axis ──
 
+namespace {
+
 /// The largest relative error of ∬ zᵏ dA, k = 1, 2, 3, when shadows are cast along z, over some
 /// triangles whose normal has n_z = lean. Along x the same integrals are right to rounding.
-inline std::array<double, 3> worst_errors(double lean) {
+std::array<double, 3> worst_errors(double lean) {
   Random random(8);
   std::array<double, 3> worst{};
   for (int i = 0; i < 50; ++i) {
@@ -132,7 +139,9 @@ inline std::array<double, 3> worst_errors(double lean) {
   return worst;
 }
 
-inline Table axis_table() {
+}  // namespace
+
+Table axis_table() {
   Table table({"n_z", "∬ z dA", "∬ z² dA", "∬ z³ dA"});
   for (const double lean : {0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
     const std::array<double, 3> worst = worst_errors(lean);

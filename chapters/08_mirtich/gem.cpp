@@ -1,4 +1,3 @@
-#pragma once
 /// @file
 /// A gem: what each of its faces contributes, and the shadows that they cast.
 
@@ -6,9 +5,12 @@
 #include <cmath>
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "tumble/mass/principal_axes.hpp"
 
 namespace mirtich_chapter {
+
+namespace {
 
 constexpr double gem_radius = 0.00325, diamond = 3510, carat = 0.0002;  // [m], [kg/m³], [kg]
 
@@ -26,7 +28,7 @@ struct Gem {
 };
 
 /// An octagon in the plane at height z, its first corner turned by `turn`.
-inline void add_octagon(PolygonMesh& mesh, double R, double z, double turn) {
+void add_octagon(PolygonMesh& mesh, double R, double z, double turn) {
   for (int i = 0; i < 8; ++i) {
     const double angle = 45 * degree * i + turn;
     mesh.vertices.emplace_back(R * std::cos(angle), R * std::sin(angle), z);
@@ -35,7 +37,7 @@ inline void add_octagon(PolygonMesh& mesh, double R, double z, double turn) {
 
 /// A gem with an octagonal table and girdle: 33 faces with 3, 4 and 8 corners.
 /// @param R the girdle's radius; its tip is at `low`
-inline Gem gem(double R, double low) {
+Gem gem(double R, double low) {
   Gem g;
   add_octagon(g.mesh, 0.57 * R, low + 1.24 * R, 22.5 * degree);  // the table: vertices 0 … 7
   add_octagon(g.mesh, R, low + 0.92 * R, 0);                     // 8 … 15
@@ -52,7 +54,7 @@ inline Gem gem(double R, double low) {
   return g;
 }
 
-inline std::vector<Vec3> corners_of(const PolygonMesh& mesh, int f) {
+std::vector<Vec3> corners_of(const PolygonMesh& mesh, int f) {
   std::vector<Vec3> corners;
   for (const int v : mesh.face(f)) corners.push_back(mesh.vertex(v));
   return corners;
@@ -64,7 +66,9 @@ struct Brought {
   double area = 0, shadow = 0, volume = 0;
 };
 
-inline Table shadows_table() {
+}  // namespace
+
+Table shadows_table() {
   const Gem g = gem(gem_radius, 0);
   std::array<Brought, 4> parts;
   for (int f = 0; f < g.mesh.face_count(); ++f) {
@@ -95,7 +99,7 @@ inline Table shadows_table() {
   return table;
 }
 
-inline Table gem_table() {
+Table gem_table() {
   const MassOptions textbook{Accuracy::textbook, Policy::refuse, anywhere};
   const PolygonMesh mesh = gem(gem_radius, 0).mesh;
   const MeshMassProperties stone = mesh_mass_properties(mesh, diamond, textbook);
@@ -112,22 +116,24 @@ inline Table gem_table() {
 
 // ── The figure ──
 
+namespace {
+
 /// Seen from the front and a little from above.
-inline Vec2 seen(const Vec3& p) {
+Vec2 seen(const Vec3& p) {
   const double turn = 9 * degree, up = 24 * degree;
   const double x = std::cos(turn) * p.x() + std::sin(turn) * p.y();
   const double away = -std::sin(turn) * p.x() + std::cos(turn) * p.y();
   return {x, p.z() * std::cos(up) + away * std::sin(up)};
 }
 
-inline std::vector<Vec2> outline_of(const std::vector<Vec3>& corners) {
+std::vector<Vec2> outline_of(const std::vector<Vec3>& corners) {
   std::vector<Vec2> line;
   for (const Vec3& p : corners) line.push_back(seen(p));
   line.push_back(line.front());
   return line;
 }
 
-inline void draw_floor(support::Sketch& sketch) {
+void draw_floor(support::Sketch& sketch) {
   constexpr double half = 1.2;
   for (int i = -2; i <= 2; ++i) {
     const double at = half * i / 2;
@@ -137,12 +143,10 @@ inline void draw_floor(support::Sketch& sketch) {
 }
 
 /// How much a face is turned to a light from the upper left, from 0 to 1.
-inline double brightness(const Vec3& n) {
-  return 0.5 + 0.5 * n.dot(Vec3(-0.5, -0.6, 0.62).normalized());
-}
+double brightness(const Vec3& n) { return 0.5 + 0.5 * n.dot(Vec3(-0.5, -0.6, 0.62).normalized()); }
 
 /// The gem, on one side of the figure: the faces that look up, or those that look down, in colour.
-inline void draw_side(support::Sketch& sketch, const Gem& g, bool up, const std::string& colour) {
+void draw_side(support::Sketch& sketch, const Gem& g, bool up, const std::string& colour) {
   std::vector<int> order;
   for (int f = 0; f < g.mesh.face_count(); ++f) order.push_back(f);
   const auto distance = [&](int f) {
@@ -175,7 +179,9 @@ inline void draw_side(support::Sketch& sketch, const Gem& g, bool up, const std:
   }
 }
 
-inline std::string gem_figure() {
+}  // namespace
+
+std::string gem_figure() {
   support::Sketch sketch(760, 400, "The faces of a gem and their shadows", 19);
   const Gem g = gem(1, 0.42);
   for (const bool up : {true, false}) {

@@ -1,32 +1,26 @@
-#pragma once
 /// @file
 /// A body far from the origin: what is left of its digits.
 
 #include <limits>
 
 #include "common.hpp"
+#include "far_mug.hpp"
 #include "objects/mug.hpp"
+#include "parts.hpp"
 #include "support/plot.hpp"
 
 namespace mirtich_chapter {
 
-/// Directions along no axis.
-inline const std::vector<Vec3> ways_off{Vec3(2, -3, 6) / 7, Vec3(-6, 2, 3) / 7, Vec3(4, 7, -4) / 9,
-                                        Vec3(-1, -4, -8) / 9, Vec3(6, 6, 7) / 11};
+namespace {
 
-/// The mug, moved by `distance` in one of them.
-inline PolygonMesh mug_at(double distance, const Vec3& way = ways_off.front()) {
-  return moved(objects::mug(1), distance * way);
-}
-
-inline double diameter(const PolygonMesh& mesh) { return bounds(mesh).diagonal().norm(); }
+double diameter(const PolygonMesh& mesh) { return bounds(mesh).diagonal().norm(); }
 
 /// Errors of the ways to sum, the worst in all directions.
 struct FarErrors {
   double mass_corners = 0, mass_edges = 0, corners = 0, edges = 0, near = 0;
 };
 
-inline FarErrors far_errors(double distance) {
+FarErrors far_errors(double distance) {
   FarErrors worst;
   const auto note = [](double& error, double another) { error = std::max(error, another); };
   for (const Vec3& way : ways_off) {
@@ -43,27 +37,10 @@ inline FarErrors far_errors(double distance) {
   return worst;
 }
 
-/// An error, as long as anything is left, and where it is more than rounding in many terms.
-inline std::string while_any(double error) {
-  if (error >= 1) return "nothing left";
-  return error < 1e-13 ? "< 1e-13" : error_number(error);
-}
-
-inline Table far_table() {
-  Table table(
-      {"distance", "mass: corners", "edges", "inertia: corners", "edges", "about the body"});
-  for (const double distance : {0.1, 1., 1e1, 1e2, 1e3, 1e4, 1e6, 1e8}) {
-    const FarErrors e = far_errors(distance);
-    table.add({number(distance) + " m", while_any(e.mass_corners), while_any(e.mass_edges),
-               while_any(e.corners), while_any(e.edges), while_any(e.near)});
-  }
-  return table;
-}
-
 using Long = Vector3<DoubleDouble>;
 
 /// The centre of mass in 32 digits.
-inline Long exact_centre(const PolygonMesh& mesh) {
+Long exact_centre(const PolygonMesh& mesh) {
   const Vec3 p = reference_point(mesh);
   const MassProperties near = exact(moved(mesh, -p));  // p is near: the vertices move exactly
   return near.centre.cast<DoubleDouble>() + p.cast<DoubleDouble>();
@@ -74,7 +51,7 @@ struct CentreErrors {
   double alone, with_rest;
 };
 
-inline CentreErrors centre_errors(double distance) {
+CentreErrors centre_errors(double distance) {
   CentreErrors worst{0, 0};
   for (const Vec3& way : ways_off) {
     const PolygonMesh mesh = mug_at(distance, way);
@@ -87,7 +64,20 @@ inline CentreErrors centre_errors(double distance) {
   return worst;
 }
 
-inline Table rest_table() {
+}  // namespace
+
+Table far_table() {
+  Table table(
+      {"distance", "mass: corners", "edges", "inertia: corners", "edges", "about the body"});
+  for (const double distance : {0.1, 1., 1e1, 1e2, 1e3, 1e4, 1e6, 1e8}) {
+    const FarErrors e = far_errors(distance);
+    table.add({number(distance) + " m", while_any(e.mass_corners), while_any(e.mass_edges),
+               while_any(e.corners), while_any(e.edges), while_any(e.near)});
+  }
+  return table;
+}
+
+Table rest_table() {
   Table table({"distance", "next double [m]", "centre off by", "centre + centre_rest off by"});
   for (const double distance : {1., 1e3, 1e6, 1e8}) {
     const CentreErrors e = centre_errors(distance);
@@ -100,7 +90,7 @@ inline Table rest_table() {
   return table;
 }
 
-inline std::string far_figure() {
+std::string far_figure() {
   support::Plot plot{"a mug of 1388 triangles",
                      {"distance from the origin, in diameters of the mug", support::Scale::log},
                      {"error: inertia relative, centre in diameters", support::Scale::log},

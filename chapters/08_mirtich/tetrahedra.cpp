@@ -1,18 +1,20 @@
-#pragma once
 /// @file
 /// Signed triangles of an outline: the picture of signed tetrahedra in the plane.
 
 #include "common.hpp"
+#include "parts.hpp"
 
 namespace mirtich_chapter {
 
-inline const std::vector<Vec2> arrowhead{{1.2, 0.3}, {3.4, -0.1}, {2.5, 0.9},
-                                         {3.3, 2.1}, {1.9, 1.5},  {0.7, 2.0}};
+namespace {
 
-inline double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+const std::vector<Vec2> arrowhead{{1.2, 0.3}, {3.4, -0.1}, {2.5, 0.9},
+                                  {3.3, 2.1}, {1.9, 1.5},  {0.7, 2.0}};
+
+double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The triangles of one sign with their apex in the origin.
-inline void draw_signed(support::Sketch& sketch, bool positive) {
+void draw_signed(support::Sketch& sketch, bool positive) {
   const std::size_t n = arrowhead.size();
   for (std::size_t k = 0; k < n; ++k) {
     const Vec2 &p = arrowhead[k], &q = arrowhead[(k + 1) % n];
@@ -21,7 +23,7 @@ inline void draw_signed(support::Sketch& sketch, bool positive) {
   }
 }
 
-inline void draw_body(support::Sketch& sketch, const support::Pen& pen) {
+void draw_body(support::Sketch& sketch, const support::Pen& pen) {
   std::vector<Vec2> line = arrowhead;
   line.push_back(line.front());
   sketch.curve(line, pen);
@@ -32,7 +34,9 @@ inline void draw_body(support::Sketch& sketch, const support::Pen& pen) {
   }
 }
 
-inline std::string tetrahedra_figure() {
+}  // namespace
+
+std::string tetrahedra_figure() {
   support::Sketch sketch(760, 240, "Signed triangles of an outline", 19);
   const std::array<std::string, 3> words{"from behind: plus", "from the front: minus",
                                          "together: the body"};

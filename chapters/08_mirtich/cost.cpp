@@ -1,20 +1,20 @@
-#pragma once
 /// @file
 /// What each way costs, in operations and in time, and the errors that are left.
 
-#include "bad_meshes.hpp"
 #include "common.hpp"
-#include "far.hpp"
+#include "far_mug.hpp"
+#include "lattice_tetrahedron.hpp"
+#include "padded_text.hpp"
+#include "parts.hpp"
 #include "support/counted.hpp"
 #include "support/stopwatch.hpp"
-#include "thin.hpp"
 
 namespace tumble::simd {
 
 /// One instruction, counted as one multiplication.
 template <>
-inline support::Counted fused_multiply_add(const support::Counted& a, const support::Counted& b,
-                                           const support::Counted& c) {
+support::Counted fused_multiply_add(const support::Counted& a, const support::Counted& b,
+                                    const support::Counted& c) {
   ++support::Counted::done.multiplications;
   return a.value * b.value + c.value;
 }
@@ -27,10 +27,12 @@ using support::Counted;
 
 // ── Operations ──
 
+namespace {
+
 template <class T>
 using Corners = std::array<Point<T>, 3>;
 
-inline Corners<Counted> counted_corners() {
+Corners<Counted> counted_corners() {
   return {Point<Counted>{1.1, 0.2, 0.3}, {0.2, 1.4, 0.1}, {0.3, 0.1, 1.7}};
 }
 
@@ -50,12 +52,14 @@ void add_triangle(Moments<T>& sum, const Corners<T>& t) {
 }
 
 /// What the error bounds ask for.
-inline void add_bounds(RoundingSums<Counted>& sums, const Corners<Counted>& t) {
+void add_bounds(RoundingSums<Counted>& sums, const Corners<Counted>& t) {
   const auto norm = [](const Point<Counted>& p) { return p.x + p.y + p.z; };  // of positive ones
   sums.add(norm(t[0]), norm(t[1]), norm(t[2]));
 }
 
-inline Table counts_table() {
+}  // namespace
+
+Table counts_table() {
   using simd::Fma;
   Table table({"a triangle", "operations"});
   const auto add = [&](const std::string& what, auto&& action) {
@@ -80,12 +84,14 @@ inline Table counts_table() {
 
 // ── Errors ──
 
+namespace {
+
 struct WayToSum {
   std::string name;
   MassProperties (*sum)(const PolygonMesh&);
 };
 
-inline const std::vector<WayToSum> ways_to_sum{
+const std::vector<WayToSum> ways_to_sum{
     {"corners, world's origin",
      [](const PolygonMesh& mesh) {
        return one_by_one<double>(mesh, Vec3::Zero(), six_volume_of_corners);
@@ -102,7 +108,9 @@ inline const std::vector<WayToSum> ways_to_sum{
     {"tight",
      [](const PolygonMesh& mesh) -> MassProperties { return computed(mesh, Accuracy::tight); }}};
 
-inline Table errors_table() {
+}  // namespace
+
+Table errors_table() {
   const Mat3 askew = exp_rotation(Vec3(0.5, -1.1, 0.7));
   const std::vector<PolygonMesh> bodies{objects::mug(4), mug_at(1e3), mug_at(1e8),
                                         lattice_tetrahedron(askew, {1, 1, 1e-6}).mesh,
@@ -119,8 +127,7 @@ inline Table errors_table() {
   return table;
 }
 
-/// How far a mesh of n triangles is from the torus that it stands for.
-inline Table mesh_table() {
+Table mesh_table() {
   Table table({"triangles", "mass too small by", "ratio", "moment about the axis by", "rounding"});
   const double R = ring_radius, r = tube_radius;
   const double mass = 2 * pi * pi * R * r * r, moment = mass * (R * R + 0.75 * r * r);
@@ -139,8 +146,10 @@ inline Table mesh_table() {
 
 // ── Times ──
 
+namespace {
+
 /// What no method can be faster than: every vertex and every index, once.
-inline double read_once(const PolygonMesh& mesh) {
+double read_once(const PolygonMesh& mesh) {
   double x = 0, y = 0, z = 0;
   for (const Vec3& v : mesh.vertices) x += v.x(), y += v.y(), z += v.z();
   std::int64_t corners = 0;
@@ -148,7 +157,7 @@ inline double read_once(const PolygonMesh& mesh) {
   return x + y + z + static_cast<double>(corners);
 }
 
-inline std::vector<support::Timing> timings_on(const PolygonMesh& mesh) {
+std::vector<support::Timing> timings_on(const PolygonMesh& mesh) {
   support::Stopwatch stopwatch;
   const auto add = [&](const std::string& name, auto&& action) {
     stopwatch.add(
@@ -174,7 +183,9 @@ inline std::vector<support::Timing> timings_on(const PolygonMesh& mesh) {
   return stopwatch.timings();
 }
 
-inline Table times_table() {
+}  // namespace
+
+Table times_table() {
   const PolygonMesh mug = objects::mug(4), large = torus(224);
   const std::vector<support::Timing> on_mug = timings_on(mug), on_torus = timings_on(large);
   Table table({"a triangle of", "a mug of 20,000", "ratio", "a torus of 200,000", "ratio"});
@@ -192,7 +203,7 @@ inline Table times_table() {
 
 // ── Very small and very large ──
 
-inline Table sizes_table() {
+Table sizes_table() {
   Table table({"a cube of", padded("what the library says", 60)});
   for (const double size : {1e-110, 1e-70, 1e-40, 1e-6, 1., 1e40, 1e70}) {
     std::vector<std::string> says;
