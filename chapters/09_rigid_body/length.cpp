@@ -1,24 +1,25 @@
-#pragma once
 /// @file
 /// The length of q: what becomes of it, and what it does.
 
-#include "mug.hpp"
+#include "common.hpp"
+#include "objects/hanging_mug.hpp"
+#include "parts.hpp"
 
 namespace rigid_body_chapter {
 
-inline PackedState<double> with_unit_q(PackedState<double> y) {
+namespace {
+
+PackedState<double> with_unit_q(PackedState<double> y) {
   y.segment<4>(3).normalize();
   return y;
 }
 
-inline double length_off(const PackedState<double>& y) {
-  return std::abs(y.segment<4>(3).norm() - 1);
-}
+double length_off(const PackedState<double>& y) { return std::abs(y.segment<4>(3).norm() - 1); }
 
 /// When q is given the length 1.
 enum class Repair { never, after_each_step, within_each_slope, both };
 
-inline const std::array<std::pair<const char*, Repair>, 4> repairs{
+const std::array<std::pair<const char*, Repair>, 4> repairs{
     std::pair{"never", Repair::never},
     {"after each step", Repair::after_each_step},
     {"in each slope", Repair::within_each_slope},
@@ -48,7 +49,9 @@ Drifted drifted(const Motion& motion, const RigidBodyState<>& start, double dura
   return result;
 }
 
-inline Table length_table() {
+}  // namespace
+
+Table length_table() {
   Table table({"q normalised", "|q| − 1 at worst", "60 steps a second", "120", "240", "order"});
   constexpr int seconds = 10;
   const RigidBodyMotion motion(handle());
@@ -68,6 +71,8 @@ inline Table length_table() {
 
 // ── A force that takes q at its word ──
 
+namespace {
+
 /// The mug's weight and a spring to a point of it that is turned with Eigen's q * p, which is right
 /// for |q| = 1 only.
 struct TrustingSpring {
@@ -86,14 +91,16 @@ struct TrustingSpring {
 };
 
 /// ½ P·v + ½ L·ω, height and spring together [J]: without drag it stays.
-inline double mug_energy(const RigidBodyState<>& state) {
+double mug_energy(const RigidBodyState<>& state) {
   const Derived<> now = derived(mug(), state);
   const double stretch = point_position(now, spring.p_body).norm() - spring.rest_length;
   return kinetic_energy(mug(), state) - mug().mass() * weight.g.dot(now.x) +
          spring.stiffness / 2 * stretch * stretch;
 }
 
-inline Table trusting_table() {
+}  // namespace
+
+Table trusting_table() {
   Table table(
       {"after", "never: |q|", "energy gained", "after each step: |q| − 1", "energy gained"});
   constexpr int rate = 60;

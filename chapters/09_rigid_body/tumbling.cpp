@@ -1,20 +1,23 @@
-#pragma once
 /// @file
 /// Bodies that turn over: a wing nut in pictures, the way of L in the body, how often it happens.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/sphere_curves.hpp"
 #include "support/view.hpp"
 #include "tumble/elliptic/integrals.hpp"
 
 namespace rigid_body_chapter {
 
+namespace {
+
 using support::sphere_view, support::visible, support::Way;
+
+}  // namespace
 
 // ── The nut ──
 
-/// The nut photographed by flashes that follow each other as the turns do.
-inline std::string nut_figure() {
+std::string nut_figure() {
   constexpr int pictures = 4;
   constexpr double width = 760, cell = width / pictures, row = 190;
   const PolygonMesh mesh = support::coarsened(centred(nut_object), 13);
@@ -36,8 +39,7 @@ inline std::string nut_figure() {
   return svg + "</svg>\n";
 }
 
-/// ω along the three axes of the nut, over some flips.
-inline std::string spin_figure() {
+std::string spin_figure() {
   support::Plot plot{"the nut's ω, in its own axes", {"time [s]"}, {"[rad/s]"}, {}};
   const FreeMotion motion(nut(), nut_start());
   const std::array<std::string, 3> names{"least moment", "middle moment", "largest moment"};
@@ -55,9 +57,11 @@ inline std::string spin_figure() {
 
 // ── The way of L in the body ──
 
+namespace {
+
 /// The way that leads through a direction of L. The body starts with its principal axes along the
 /// world's.
-inline std::vector<Vec3> way_through(const Vec3& moments, const Vec3& direction) {
+std::vector<Vec3> way_through(const Vec3& moments, const Vec3& direction) {
   const RigidBody<> body(1, moments.asDiagonal());
   const RigidBodyState<> start{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), direction};
   const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
@@ -74,7 +78,7 @@ inline std::vector<Vec3> way_through(const Vec3& moments, const Vec3& direction)
 }
 
 /// The two circles through the middle axis that part the ways, L₁²(1/A − 1/B) = L₃²(1/B − 1/C).
-inline std::vector<Way> parting_circles(const Vec3& moments) {
+std::vector<Way> parting_circles(const Vec3& moments) {
   const Vec3 inverse = moments.cwiseInverse();
   const double slope = std::sqrt((inverse[0] - inverse[1]) / (inverse[1] - inverse[2]));
   std::vector<Way> ways;
@@ -91,7 +95,7 @@ inline std::vector<Way> parting_circles(const Vec3& moments) {
 }
 
 /// Ways about the least axis (blue) and about the largest (green), and what parts them.
-inline std::vector<Way> ways_of(const Vec3& moments) {
+std::vector<Way> ways_of(const Vec3& moments) {
   std::vector<Way> ways;
   for (const double side : {1., -1.})
     for (const double angle : {18., 36., 54., 72., 85.}) {
@@ -104,7 +108,7 @@ inline std::vector<Way> ways_of(const Vec3& moments) {
   return ways;
 }
 
-inline void draw_sphere(support::Sketch& sketch, const Vec3& moments, const std::string& name) {
+void draw_sphere(support::Sketch& sketch, const Vec3& moments, const std::string& name) {
   const Mat3 view = sphere_view();
   std::vector<Vec2> rim;
   for (int i = 0; i <= 90; ++i)
@@ -123,7 +127,9 @@ inline void draw_sphere(support::Sketch& sketch, const Vec3& moments, const std:
   sketch.words({0, -1}, {0, 32}, name, "ink", "middle");
 }
 
-inline std::string polhode_figure() {
+}  // namespace
+
+std::string polhode_figure() {
   support::Sketch sketch(760, 420, "The ways of the angular momentum in a body that nothing pushes",
                          18);
   sketch.look({190, 190, 172});
@@ -135,7 +141,7 @@ inline std::string polhode_figure() {
 
 // ── How often ──
 
-inline Table flips_table() {
+Table flips_table() {
   Table table({"aimed to", "handle turns over every", "nut turns over every"});
   for (const double tilt : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     const double handle_time = time_between_flips(handle(), spinning(handle(), 2 * pi, tilt));

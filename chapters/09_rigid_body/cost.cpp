@@ -1,16 +1,22 @@
-#pragma once
 /// @file
 /// What an evaluation, a step and a motion cost, and what error they buy.
 
-#include "routes.hpp"
-#include "steps.hpp"
+#include "as_matrix_state.hpp"
+#include "common.hpp"
+#include "momenta_first.hpp"
+#include "mug_end.hpp"
+#include "parts.hpp"
 #include "support/counted.hpp"
 #include "support/stopwatch.hpp"
 #include "tumble/simulate/simulate.hpp"
 
 namespace rigid_body_chapter {
 
+using support::Counted;
+
 // ── Operations ──
+
+namespace {
 
 template <class T>
 Vector3<T> cast(const Vec3& v) {
@@ -23,7 +29,7 @@ RigidBodyState<T> cast_state(const RigidBodyState<>& s) {
           cast<T>(s.L)};
 }
 
-inline const RigidBody<Counted>& counted_mug() {
+const RigidBody<Counted>& counted_mug() {
   static const RigidBody<Counted> body(properties_of(mug_object));
   return body;
 }
@@ -33,7 +39,9 @@ std::string operations(Action&& action) {
   return support::text_of(support::count([&] { support::keep(action()); }));
 }
 
-inline Table counts_table() {
+}  // namespace
+
+Table counts_table() {
   using C = Counted;
   Table table({"part", "operations"});
   const RigidBody<C>& body = counted_mug();
@@ -61,7 +69,7 @@ inline Table counts_table() {
 
 // ── Times ──
 
-inline Table times_table() {
+Table times_table() {
   static PackedState<double> y = pack(mug_start());
   static PackedMatrixState<double> with_R = pack(as_matrix_state(mug_start()));
   static const RigidBodyMotion lone(mug());
@@ -93,13 +101,15 @@ inline Table times_table() {
 
 // ── Error against evaluations ──
 
+namespace {
+
 /// Where the mug is found, and by how many evaluations of all slopes.
 struct Found {
   RigidBodyState<> end;
   int evaluations;
 };
 
-inline double off(const Found& found) { return turned_apart(found.end, mug_end()); }
+double off(const Found& found) { return turned_apart(found.end, mug_end()); }
 
 template <class Method>
 Found by_steps(int stages, int steps) {
@@ -137,7 +147,9 @@ support::Series work_to_tolerances(const std::string& name) {
   return series;
 }
 
-inline std::string work_figure() {
+}  // namespace
+
+std::string work_figure() {
   support::Plot plot{"half a second of the mug on its spring",
                      {"evaluations of dydt", support::Scale::log},
                      {"orientation off by [rad]", support::Scale::log},
@@ -153,7 +165,7 @@ inline std::string work_figure() {
 
 // ── What simulate() says ──
 
-inline Table stated_table() {
+Table stated_table() {
   Table table({"asked for", "stated", "true", "evaluations", "runs"});
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     SimulationTask task;
@@ -169,6 +181,8 @@ inline Table stated_table() {
 }
 
 // ── Time to an error ──
+
+namespace {
 
 /// Finds the cheapest of a ladder of settings that gets an error, and measures it.
 template <class Run>
@@ -187,7 +201,9 @@ void add_time_to(Table& table, const std::string& name, const Run& run, int rung
   table.add(row);
 }
 
-inline Table race_table() {
+}  // namespace
+
+Table race_table() {
   Table table({"method", "1e-3 rad", "1e-6 rad", "1e-9 rad"});
   const auto steps = [](int rung) { return static_cast<int>(8 * std::pow(1.2, rung)); };
   const auto tolerance = [](int rung) { return std::pow(10, -2 - 0.25 * rung); };

@@ -1,28 +1,33 @@
-#pragma once
 /// @file
 /// The same body on plain arrays, for a solver that knows nothing of bodies.
 
-#include "mug.hpp"
+#include "common.hpp"
+#include "objects/hanging_mug.hpp"
+#include "parts.hpp"
 
 namespace rigid_body_chapter {
 
-inline int asked = 0;  ///< how often dydt() has been called
+namespace {
+
+int asked = 0;  ///< how often dydt() has been called
 
 /// The mug on its spring, in the form of the lectures.
-inline void dydt(double t, const double y[], double ydot[]) {
+void dydt(double t, const double y[], double ydot[]) {
   static const auto motion = hanging_mug();
   ++asked;
   Eigen::Map<PackedState<double>>{ydot} = motion(t, Eigen::Map<const PackedState<double>>{y});
 }
 
 /// The mug after t seconds, and nothing but arrays on the way.
-inline std::vector<double> mug_after(double t, double tolerance) {
+std::vector<double> mug_after(double t, double tolerance) {
   const PackedState<double> start = pack(mug_start());
   const std::vector<double> y0(start.begin(), start.end());
   return ode(y0, 0.0, t, dydt, {tolerance, tolerance});
 }
 
-inline Table arrays_table() {
+}  // namespace
+
+Table arrays_table() {
   Table table({"the call", "evaluations", "orientation off"});
   constexpr double t = 0.5;
   const RigidBodyState<> exact = followed(hanging_mug(), mug_start(), t);

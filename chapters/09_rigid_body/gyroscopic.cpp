@@ -1,17 +1,19 @@
-#pragma once
 /// @file
 /// The free handle by the right law in two forms, and by two wrong ones.
 
 #include "common.hpp"
+#include "parts.hpp"
 
 namespace rigid_body_chapter {
+
+namespace {
 
 /// q, and L or ω in body axes.
 using Seven = Eigen::Matrix<double, 7, 1>;
 
-inline Quat orientation_in(const Seven& y) { return {y[0], y[1], y[2], y[3]}; }
+Quat orientation_in(const Seven& y) { return {y[0], y[1], y[2], y[3]}; }
 
-inline Seven seven(const Quat& q, const Vec3& three) {
+Seven seven(const Quat& q, const Vec3& three) {
   Seven y;
   y << coefficients(q), three;
   return y;
@@ -24,39 +26,36 @@ struct Law {
   bool of_L;  ///< L in world axes; else ω in body axes
 };
 
-inline Vec3 omega_of(const Quat& q, const Vec3& L) {
-  return angular_velocity(handle(), to_matrix(q), L);
-}
+Vec3 omega_of(const Quat& q, const Vec3& L) { return angular_velocity(handle(), to_matrix(q), L); }
 
-inline Seven L_stays(double, const Seven& y) {
+Seven L_stays(double, const Seven& y) {
   const Quat q = orientation_in(y);
   return seven(quaternion_dot<double>(q, omega_of(q, y.tail<3>())), Vec3::Zero());
 }
 
-inline Seven by_euler(double, const Seven& y) {
+Seven by_euler(double, const Seven& y) {
   const Vec3 omega = y.tail<3>(), L = handle().I_body() * omega;
   return seven(quaternion_dot_body<double>(orientation_in(y), omega),
                handle().I_body_inv() * L.cross(omega));
 }
 
-inline Seven omega_stays(double, const Seven& y) {
+Seven omega_stays(double, const Seven& y) {
   return seven(quaternion_dot_body<double>(orientation_in(y), y.tail<3>()), Vec3::Zero());
 }
 
-inline Seven with_the_term_in_the_world(double, const Seven& y) {
+Seven with_the_term_in_the_world(double, const Seven& y) {
   const Quat q = orientation_in(y);
   const Vec3 L = y.tail<3>(), omega = omega_of(q, L);
   return seven(quaternion_dot<double>(q, omega), L.cross(omega));
 }
 
-inline const std::array<Law, 4> laws{
-    Law{"rate of L: 0", L_stays, true},
-    {"rate of ω: I⁻¹ (−ω × I ω)", by_euler, false},
-    {"rate of ω: 0, term left out", omega_stays, false},
-    {"rate of L: −ω × L, term put in", with_the_term_in_the_world, true}};
+const std::array<Law, 4> laws{Law{"rate of L: 0", L_stays, true},
+                              {"rate of ω: I⁻¹ (−ω × I ω)", by_euler, false},
+                              {"rate of ω: 0, term left out", omega_stays, false},
+                              {"rate of L: −ω × L, term put in", with_the_term_in_the_world, true}};
 
 /// The handle's state by a law after the time t.
-inline RigidBodyState<> by_law(const Law& law, double t) {
+RigidBodyState<> by_law(const Law& law, double t) {
   const RigidBodyState<> start = handle_start();
   const Vec3 omega = derived(handle(), start).omega;
   const Vec3 three = law.of_L ? start.L : to_matrix(start.q).transpose() * omega;
@@ -83,11 +82,11 @@ int flips_in(const RigidBody<>& body, const At& at, double duration) {
 }
 
 /// The angle between two directions [rad].
-inline double angle_apart(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
+double angle_apart(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-inline Table laws_table() {
+}  // namespace
+
+Table laws_table() {
   Table table({"law", "flips in 30 s", "off after 10 s", "energy", "|L|", "L turned by"});
   const RigidBodyState<> start = handle_start(), exact = FreeMotion(handle(), start).at(10);
   const auto kept = [](double change) {
@@ -108,7 +107,7 @@ inline Table laws_table() {
   return table;
 }
 
-inline std::string laws_figure() {
+std::string laws_figure() {
   support::Plot plot{"ω about the middle axis of a free handle", {"time [s]"}, {"[rad/s]"}, {}};
   const std::array<std::string, 3> names{"as it is", "term left out", "term put in"};
   const std::array<std::size_t, 3> which{0, 2, 3};

@@ -1,10 +1,12 @@
-#pragma once
 /// @file
 /// ω from L with the right axes, and with wrong ones.
 
 #include "common.hpp"
+#include "parts.hpp"
 
 namespace rigid_body_chapter {
+
+namespace {
 
 /// A way from L to ω.
 struct FromL {
@@ -12,7 +14,7 @@ struct FromL {
   Vec3 (*omega)(const Mat3& R, const Mat3& I_inv, const Vec3& L);
 };
 
-inline const std::array<FromL, 5> ways_from_L{
+const std::array<FromL, 5> ways_from_L{
     FromL{"R I⁻¹ Rᵀ L",
           [](const Mat3& R, const Mat3& I_inv, const Vec3& L) -> Vec3 {
             return R * (I_inv * (R.transpose() * L));
@@ -28,8 +30,9 @@ inline const std::array<FromL, 5> ways_from_L{
        return R.transpose() * (I_inv * (R * L));
      }}};
 
-/// How far ω is off, by the size of the true one, for a body that has turned.
-inline Table frames_table() {
+}  // namespace
+
+Table frames_table() {
   Table table({"ω =", "turned by 0°", "1°", "10°", "90°"});
   const Mat3 I_inv = Vec3(1, 1 / 2., 1 / 3.).asDiagonal();
   const Vec3 L(1, 2, 3), axis = Vec3(1, -1, 0.5).normalized();

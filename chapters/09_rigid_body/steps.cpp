@@ -1,23 +1,14 @@
-#pragma once
 /// @file
 /// Steps: their order, what they keep, and what is lost when the forces are asked too seldom.
 
-#include "mug.hpp"
+#include "common.hpp"
+#include "momenta_first.hpp"
+#include "mug_end.hpp"
+#include "parts.hpp"
 
 namespace rigid_body_chapter {
 
-/// The way of many games: momenta first, then the rest with the new momenta.
-struct MomentaFirst {
-  static constexpr int order = 1;
-
-  template <class F>
-  static PackedState<double> step(F&& f, double t, const PackedState<double>& y, double h) {
-    PackedState<double> next = y;
-    next.tail<6>() += h * f(t, y).template tail<6>();
-    next.head<7>() += h * f(t, next).template head<7>();
-    return next;
-  }
-};
+namespace {
 
 /// What is asked once, where the step begins, pushes until it ends.
 template <class Method, class Motion>
@@ -39,13 +30,6 @@ RigidBodyState<> with_stale_forces(const Motion& motion, const RigidBodyState<>&
 
 // ── The order ──
 
-constexpr double mug_time = 0.5;  // [s]
-
-inline const RigidBodyState<>& mug_end() {
-  static const RigidBodyState<> end = followed(hanging_mug(), mug_start(), mug_time);
-  return end;
-}
-
 /// A row of errors at 60, 120, 240 … steps a second, and the order that the last two show.
 template <class End>
 void add_orders(Table& table, std::vector<std::string> row, const End& end) {
@@ -58,7 +42,9 @@ void add_orders(Table& table, std::vector<std::string> row, const End& end) {
   table.add(row);
 }
 
-inline Table steps_table() {
+}  // namespace
+
+Table steps_table() {
   Table table({"method", "slopes", "60 steps a second", "120", "240", "480", "order"});
   const auto add = [&]<class Method>(const std::string& name, const std::string& slopes, Method) {
     add_orders(table, {name, slopes}, [](int rate) {
@@ -73,7 +59,7 @@ inline Table steps_table() {
   return table;
 }
 
-inline Table stale_table() {
+Table stale_table() {
   Table table({"RK4, forces asked", "60 steps a second", "120", "240", "480", "order"});
   const auto add = [&](const std::string& name, auto&& end) { add_orders(table, {name}, end); };
   add("four times a step", [](int rate) {
@@ -88,7 +74,7 @@ inline Table stale_table() {
 
 // ── Against the closed form ──
 
-inline Table free_table() {
+Table free_table() {
   Table table({"steps a second", "after 1 s", "order", "after 10 s", "order", "energy after 10 s"});
   const FreeMotion exact(handle(), handle_start());
   const double energy = kinetic_energy(handle(), handle_start());
@@ -112,6 +98,8 @@ inline Table free_table() {
 
 // ── What is kept ──
 
+namespace {
+
 /// The energy of the free handle over time, with as many evaluations a second for every method.
 template <class Method>
 support::Series energy_series(const std::string& name, int rate) {
@@ -132,7 +120,9 @@ support::Series energy_series(const std::string& name, int rate) {
   return series;
 }
 
-inline std::string energy_figure() {
+}  // namespace
+
+std::string energy_figure() {
   support::Plot plot{"a free handle, 240 evaluations a second",
                      {"time [s]", support::Scale::log},
                      {"largest error of the energy so far", support::Scale::log},

@@ -1,9 +1,11 @@
-#pragma once
 /// @file
 /// Two routes to the same motion: nine numbers or four for the orientation; a tensor from faces or
 /// from points.
 
-#include "steps.hpp"
+#include "as_matrix_state.hpp"
+#include "common.hpp"
+#include "mug_end.hpp"
+#include "parts.hpp"
 #include "support/counted.hpp"
 #include "tumble/body/matrix_state.hpp"
 #include "tumble/mass/point_sampling.hpp"
@@ -12,13 +14,9 @@
 
 namespace rigid_body_chapter {
 
-using support::Counted;
-
 // ── R or q ──
 
-inline MatrixState<> as_matrix_state(const RigidBodyState<>& s) {
-  return {s.x, to_matrix(s.q), s.P, s.L};
-}
+namespace {
 
 template <class Motion>
 MatrixState<> stepped_by_matrix(const Motion& motion, const MatrixState<>& start, double duration,
@@ -26,7 +24,7 @@ MatrixState<> stepped_by_matrix(const Motion& motion, const MatrixState<>& start
   return unpack<double>(integrate_fixed<Rk4>(motion, pack(start), 0, duration, steps));
 }
 
-inline double angle_of(const Mat3& A, const Mat3& B) {
+double angle_of(const Mat3& A, const Mat3& B) {
   return log_rotation(Mat3(A.transpose() * B)).norm();
 }
 
@@ -44,8 +42,8 @@ TwoWays both_ways(const RigidBody<>& body, const RigidBodyState<>& start, double
           .R};
 }
 
-inline void add_ways(Table& table, const std::string& scene, int rate, const TwoWays& ways,
-                     const Mat3& exact) {
+void add_ways(Table& table, const std::string& scene, int rate, const TwoWays& ways,
+              const Mat3& exact) {
   const Mat3 repaired = nearest_rotation(ways.by_R);
   table.add({scene, std::to_string(rate), error_number(angle_of(ways.by_q, exact)) + " rad",
              error_number(angle_of(repaired, exact)) + " rad",
@@ -53,7 +51,9 @@ inline void add_ways(Table& table, const std::string& scene, int rate, const Two
              error_number(orthonormality_error(ways.by_R))});
 }
 
-inline Table matrix_table() {
+}  // namespace
+
+Table matrix_table() {
   Table table({"scene", "steps a second", "by q: off", "by R: off", "apart", "‖RᵀR − 1‖"});
   const Mat3 handle_end = to_matrix(FreeMotion(handle(), handle_start()).at(10).q);
   for (const int rate : {60, 240, 960})
@@ -68,8 +68,10 @@ inline Table matrix_table() {
 
 // ── From faces or from points ──
 
+namespace {
+
 /// The free handle with a tensor that is not quite its own: how far it is off after the time t.
-inline double off_with(const Mat3& I_body, double t) {
+double off_with(const Mat3& I_body, double t) {
   const RigidBody<> body(handle().mass(), I_body);
   RigidBodyState<> start = handle_start();
   const Vec3 omega = derived(handle(), start).omega;
@@ -77,13 +79,13 @@ inline double off_with(const Mat3& I_body, double t) {
   return turned_apart(FreeMotion(body, start).at(t), FreeMotion(handle(), handle_start()).at(t));
 }
 
-inline double moment_error(const Mat3& I) {
+double moment_error(const Mat3& I) {
   const Mat3& exact = handle().I_body();
   return ((I - exact).diagonal().array() / exact.diagonal().array()).abs().maxCoeff();
 }
 
 /// Root mean squares over some sets of random points.
-inline void add_sampled(Table& table, int n) {
+void add_sampled(Table& table, int n) {
   static const MeshSolid solid(handle_object.mesh(handle_object.for_drawings));
   constexpr unsigned sets = 8;
   std::array<double, 3> squares{};
@@ -98,7 +100,9 @@ inline void add_sampled(Table& table, int n) {
              error_number(std::sqrt(squares[2])) + " rad"});
 }
 
-inline Table sampled_table() {
+}  // namespace
+
+Table sampled_table() {
   Table table({"tensor from", "a moment off by", "orientation after 1 s", "10 s"});
   for (const int n : {1000, 10000, 100000}) add_sampled(table, n);
   MassOptions textbook;

@@ -1,18 +1,20 @@
-#pragma once
 /// @file
 /// A real body with real forces: a mug that hangs by its handle from a spring, in the air.
 
 #include "common.hpp"
 #include "objects/hanging_mug.hpp"
+#include "parts.hpp"
 
 namespace rigid_body_chapter {
 
 // ── Where the energy goes ──
 
+namespace {
+
 /// The thirteen numbers and what drag has taken so far [J].
 using WithLoss = Eigen::Matrix<double, 14, 1>;
 
-inline WithLoss rate_with_loss(double t, const WithLoss& y) {
+WithLoss rate_with_loss(double t, const WithLoss& y) {
   static const auto motion = hanging_mug();
   const PackedState<double> packed = y.head<13>();
   const Derived<> now = derived(mug(), unpack<double>(packed));
@@ -26,7 +28,7 @@ struct Ledger {
   double sum() const { return motion + spin + height + stretch + lost; }
 };
 
-inline Ledger ledger_at(double t) {
+Ledger ledger_at(double t) {
   WithLoss y = WithLoss::Zero();
   y.head<13>() = pack(mug_start());
   if (t > 0) y = integrate_adaptive<Dop853>(rate_with_loss, y, 0.0, t, {1e-12, 1e-12}).y;
@@ -37,7 +39,9 @@ inline Ledger ledger_at(double t) {
           spring.stiffness / 2 * std::pow(length - spring.rest_length, 2), y[13]};
 }
 
-inline Table ledger_table() {
+}  // namespace
+
+Table ledger_table() {
   Table table({"after", "motion", "spin", "height", "spring", "lost", "sum [J]"});
   for (const double t : {0., 0.25, 0.5, 1., 5., 20., 120.}) {
     const Ledger at = ledger_at(t);
@@ -50,12 +54,14 @@ inline Table ledger_table() {
 
 // ── In pictures ──
 
+namespace {
+
 /// From the world to the viewer, who looks along y, a little from above.
-inline Mat3 mug_view() { return exp_rotation(Vec3(0.2, 0, 0)) * exp_rotation(Vec3(-pi / 2, 0, 0)); }
+Mat3 mug_view() { return exp_rotation(Vec3(0.2, 0, 0)) * exp_rotation(Vec3(-pi / 2, 0, 0)); }
 
 /// The lines of a mug about its centre of mass: rims, foot, two sides and the handle.
 /// @param toward the viewer, in body axes: the sides are where the wall turns away
-inline std::vector<std::vector<Vec3>> mug_lines(const Vec3& toward) {
+std::vector<std::vector<Vec3>> mug_lines(const Vec3& toward) {
   constexpr double radius = 0.041, height = 0.095, middle = 0.053;
   const auto at = [](double r, double angle, double z) -> Vec3 {
     return Vec3(r * std::cos(angle), r * std::sin(angle), z) - properties_of(mug_object).centre;
@@ -74,7 +80,7 @@ inline std::vector<std::vector<Vec3>> mug_lines(const Vec3& toward) {
   return lines;
 }
 
-inline void draw_mug(support::Sketch& sketch, const Derived<>& now) {
+void draw_mug(support::Sketch& sketch, const Derived<>& now) {
   const Mat3 view = mug_view();
   const Vec3 toward = (view * now.R).transpose() * Vec3::UnitZ();
   std::vector<std::vector<Vec2>> seen;
@@ -86,7 +92,9 @@ inline void draw_mug(support::Sketch& sketch, const Derived<>& now) {
   sketch.curves(seen, {"ink", 1.5});
 }
 
-inline std::string mug_figure() {
+}  // namespace
+
+std::string mug_figure() {
   support::Sketch sketch(760, 560, "A mug on a spring: its centre of mass, its handle, the spring");
   sketch.look({370, 30, 560});
   const Mat3 view = mug_view();

@@ -1,14 +1,15 @@
-#pragma once
 /// @file
 /// Where steps and right-hand sides fail.
 
-#include "gyroscopic.hpp"
-#include "steps.hpp"
-#include "tumbling.hpp"
+#include "common.hpp"
+#include "objects/hanging_mug.hpp"
+#include "parts.hpp"
 
 namespace rigid_body_chapter {
 
 // ── A thousand seconds ──
+
+namespace {
 
 /// How often the handle has turned over in the states that `visit` shows one after the other.
 class FlipCounter {
@@ -25,7 +26,9 @@ class FlipCounter {
   double before_ = 1;
 };
 
-inline Table thousand_table() {
+}  // namespace
+
+Table thousand_table() {
   Table table({"by", "evaluations", "turned over", "orientation in the end off by"});
   constexpr double duration = 1000;
   const RigidBodyMotion motion(handle());
@@ -58,16 +61,20 @@ inline Table thousand_table() {
 
 // ── A force that begins ──
 
+namespace {
+
 constexpr double switched_at = 0.3;  // [s]
 
 /// A motor that turns the handle about the world's x axis, from a moment on.
-inline auto motor() {
+auto motor() {
   return [](double t, const RigidBody<>&, const Derived<>&) -> Wrench<> {
     return {Vec3::Zero(), Vec3(t < switched_at ? 0 : 0.002, 0, 0)};
   };
 }
 
-inline Table begins_table() {
+}  // namespace
+
+Table begins_table() {
   Table table({"RK4", "60 steps a second", "120", "240", "480"});
   const RigidBodyMotion motion(handle(), motor());
   const auto in_two_parts = [&](auto&& part) {
@@ -104,7 +111,7 @@ inline Table begins_table() {
 
 // ── Too much of a turn in a step ──
 
-inline Table fast_table() {
+Table fast_table() {
   Table table({"steps a turn", "radians a step", "orientation off", "energy", "|q|"});
   // Mostly about the axis of the least moment: stable, with a wobble.
   const Quat q = from_matrix(principal_axes(handle().I_body()).R).conjugate();
@@ -126,7 +133,7 @@ inline Table fast_table() {
 
 // ── Honey ──
 
-inline Table honey_table() {
+Table honey_table() {
   Table table({"method", "evaluations", "ω after one second"});
   const BodyDrag honey{30, 0.5};
   const RigidBodyMotion motion(mug(), weight, honey);
