@@ -1,9 +1,9 @@
-#pragma once
 /// @file
 /// The free body with three moments: elliptic functions, the way of L against the clock, and the
 /// error far in the future.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "tumble/elliptic/complementary_theta_series.hpp"
 #include "tumble/elliptic/theta_series.hpp"
 
@@ -11,8 +11,10 @@ namespace scene_chapter {
 
 // ── Elliptic sines ──
 
+namespace {
+
 /// sn over one period, for k'² = 1 − k².
-inline support::Series elliptic_sine(const std::string& name, double kc2) {
+support::Series elliptic_sine(const std::string& name, double kc2) {
   const Modulus modulus{1 - kc2, kc2};
   const Amplitude eta{0, 1};
   const double K = complete_elliptic_k(std::sqrt(kc2));
@@ -29,7 +31,9 @@ inline support::Series elliptic_sine(const std::string& name, double kc2) {
   return series;
 }
 
-inline std::string sn_figure() {
+}  // namespace
+
+std::string sn_figure() {
   support::Plot plot{"one period of sn", {"u / 4K"}, {"sn u"}, {}};
   plot.series = {elliptic_sine("k² = 0: the sine", 1), elliptic_sine("0.9", 0.1),
                  elliptic_sine("0.9999", 1e-4), elliptic_sine("1 − 10⁻¹²", 1e-12)};
@@ -38,8 +42,10 @@ inline std::string sn_figure() {
 
 // ── Against the clock ──
 
+namespace {
+
 /// L in a body with these moments, in its own axes, at moments that part one round evenly.
-inline std::vector<Vec3> round_of(const Vec3& moments, const Vec3& direction, int count) {
+std::vector<Vec3> round_of(const Vec3& moments, const Vec3& direction, int count) {
   const RigidBody<> body(1, moments.asDiagonal());
   const RigidBodyState<> start{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), direction};
   const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
@@ -53,8 +59,8 @@ inline std::vector<Vec3> round_of(const Vec3& moments, const Vec3& direction, in
 }
 
 /// A way of L, with a dot for each of `dots` equal times.
-inline void draw_clock(support::Sketch& sketch, const Vec3& direction, const std::string& colour,
-                       int dots) {
+void draw_clock(support::Sketch& sketch, const Vec3& direction, const std::string& colour,
+                int dots) {
   constexpr int between = 9;
   const Mat3 view = sphere_view();
   const Way way{round_of({1, 2, 3}, direction, between * dots), {colour, 1.3}};
@@ -66,8 +72,9 @@ inline void draw_clock(support::Sketch& sketch, const Vec3& direction, const std
   sketch.dots(near, colour, 3.6);
 }
 
-/// Ways of L on its sphere with a dot for each 48th of a round.
-inline std::string clock_figure() {
+}  // namespace
+
+std::string clock_figure() {
   support::Sketch sketch(760, 440, "The way of L in the body, with dots that are as long apart",
                          18);
   sketch.look({380, 215, 190});
@@ -94,6 +101,8 @@ inline std::string clock_figure() {
 
 // ── Far in the future ──
 
+namespace {
+
 /// Where two free bodies with the moments 1, 2, 3 are after 1 s, 10 s, … 10⁶ s, to all digits of a
 /// double: by Taylor series of order 36 in double-doubles over one round of ω in the body, and the
 /// turn of a round to the power of the rounds.
@@ -102,7 +111,7 @@ struct KnownFuture {
   std::array<Quat, 7> ends;
 };
 
-inline const KnownFuture askew_future{
+const KnownFuture askew_future{
     {1, 1, 1},
     {Quat{0.68746473298110322, 0.17520159195580151, 0.54071725242305124, 0.45201935358504236},
      {0.46254544055464281, -0.31433514514460553, 0.049429631279299835, 0.82752754848441368},
@@ -112,7 +121,7 @@ inline const KnownFuture askew_future{
      {0.3779549144659371, -0.51306336252208162, 0.017696720176623423, -0.77045628997599303},
      {-0.53284041219367462, 0.59910872806697735, -0.14182271324484111, 0.58054814192719206}}};
 
-inline const KnownFuture middle_future{
+const KnownFuture middle_future{
     {1e-3, 2, 1e-3},
     {Quat{0.54030214768834472, 4.4693933716989937e-05, 0.84147094329178818, 0.0004886731449068694},
      {-0.088511624516844203, 0.99310319383441736, -0.057246751031507705, -0.051327850311554395},
@@ -122,9 +131,9 @@ inline const KnownFuture middle_future{
      {-0.50895777959042532, -0.00020732070754202607, -0.86074730938590305, -0.0087180845050227884},
      {0.40744150279865032, 0.00012718396130424528, -0.91323009360057827, -0.0014838341202590985}}};
 
-inline RigidBody<> one_two_three() { return {1, Vec3(1, 2, 3).asDiagonal()}; }
+RigidBody<> one_two_three() { return {1, Vec3(1, 2, 3).asDiagonal()}; }
 
-inline double future_error(const KnownFuture& known, std::size_t i) {
+double future_error(const KnownFuture& known, std::size_t i) {
   const RigidBodyState<> start = turning_state(one_two_three(), Quat::Identity(), known.omega);
   const double t = std::pow(10, i);
   return angle_between(FreeMotion(one_two_three(), start).at(t).q, known.ends[i]);
@@ -147,12 +156,24 @@ std::vector<double> stepped_errors(const KnownFuture& known, int rate) {
   return errors;
 }
 
-inline const std::vector<double>& rk4_errors() {
+const std::vector<double>& rk4_errors() {
   static const std::vector<double> errors = stepped_errors<Rk4>(askew_future, 30);
   return errors;
 }
 
-inline Table future_table() {
+support::Series growth(const std::string& name, const std::vector<double>& errors) {
+  support::Series series{name, {}, {}};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (errors[i] > 0.5) break;
+    series.x.push_back(std::pow(10, i));
+    series.y.push_back(errors[i]);
+  }
+  return series;
+}
+
+}  // namespace
+
+Table future_table() {
   Table table({"after", "RK4, 30 steps/s", "its evaluations", "closed form", "near the middle axis",
                "promised"});
   const std::vector<double>& rk4 = rk4_errors();
@@ -168,17 +189,7 @@ inline Table future_table() {
   return table;
 }
 
-inline support::Series growth(const std::string& name, const std::vector<double>& errors) {
-  support::Series series{name, {}, {}};
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (errors[i] > 0.5) break;
-    series.x.push_back(std::pow(10, i));
-    series.y.push_back(errors[i]);
-  }
-  return series;
-}
-
-inline std::string future_figure() {
+std::string future_figure() {
   support::Plot plot{"a free body, 1.7 rad/s",
                      {"time [s]", support::Scale::log},
                      {"orientation off by [rad]", support::Scale::log},
@@ -196,7 +207,7 @@ inline std::string future_figure() {
 
 // ── What the start decides ──
 
-inline Table condition_table() {
+Table condition_table() {
   Table table({"turned at the start by", "askew: off after 100 s", "near the middle axis"});
   const auto apart = [](const Vec3& omega, double by) {
     const RigidBodyState<> start = turning_state(one_two_three(), Quat::Identity(), omega);

@@ -1,12 +1,16 @@
-#pragma once
 /// @file
 /// The energy as a witness: how far it strays, and whether it swings or runs away.
 
-#include "heavy_top.hpp"
+#include "common.hpp"
+#include "parts.hpp"
+#include "rivals.hpp"
+#include "tilted_top.hpp"
 
 namespace scene_chapter {
 
 // ── How far, and where to ──
+
+namespace {
 
 /// Numbers one after the other, and the line that fits them best.
 class Witness {
@@ -53,7 +57,9 @@ void add_free_row(Table& table, const std::string& name, int rate) {
              error_number(after_200.trend())});
 }
 
-inline Table free_energy_table() {
+}  // namespace
+
+Table free_energy_table() {
   Table table({"method", "steps/s", "largest, 20 s", "200 s", "trend [1/s], 20 s", "200 s"});
   add_free_row<Euler>(table, "Euler", 240);
   add_free_row<Midpoint>(table, "midpoint", 120);
@@ -65,58 +71,12 @@ inline Table free_energy_table() {
 
 // ── A heavy top ──
 
+namespace {
+
 /// A slow top that nutates by much, for all methods of this section.
-inline const KnownTurning& nodding_top() {
+const KnownTurning& nodding_top() {
   static const KnownTurning scene = tilted_top(18, 50 * degree, 0);
   return scene;
-}
-
-using HeldMotion = RigidBodyMotion<double, SteadyForces>;
-
-/// One step of some method: (t, state, h) → state.
-using Stepping = std::function<RigidBodyState<>(double, const RigidBodyState<>&, double)>;
-
-/// A method and how often it asks for the forces in a step.
-struct Steps {
-  std::string name;
-  int evaluations;
-  Stepping step;
-};
-
-template <class Method>
-Steps of_method(const KnownTurning& scene, const std::string& name, int evaluations) {
-  const HeldMotion motion(scene.body, scene.forces);
-  return {name, evaluations, [motion](double t, const RigidBodyState<>& state, double h) {
-            return unpack<double>(PackedState<double>(Method::step(motion, t, pack(state), h)));
-          }};
-}
-
-template <class Scheme>
-Steps of_splitting(const KnownTurning& scene, const std::string& name) {
-  const HeldMotion motion(scene.body, scene.forces);
-  const Splitting<Scheme, SteadyForces> splitting(motion);
-  constexpr int parts = static_cast<int>(Scheme::composition.parts.size());
-  // A kick that ends a step and the one that begins the next are at the same place.
-  return {name, parts / 2, [splitting](double t, const RigidBodyState<>& state, double h) {
-            return splitting.step(t, state, h);
-          }};
-}
-
-inline Steps of_turns(const KnownTurning& scene) {
-  const HeldMotion motion(scene.body, scene.forces);
-  return {"Lie-group RK4", 4, [motion](double t, const RigidBodyState<>& state, double h) {
-            return LieGroupRk4::step(motion, t, state, h);
-          }};
-}
-
-inline std::vector<Steps> rivals(const KnownTurning& scene) {
-  return {of_method<Rk4>(scene, "RK4", 4),
-          of_turns(scene),
-          of_method<Dop853>(scene, "DOP853, fixed", 12),
-          of_splitting<Strang>(scene, "splitting, order 2"),
-          of_splitting<BlanesMoan4>(scene, "splitting, order 4"),
-          of_splitting<BlanesMoan6>(scene, "splitting, order 6"),
-          of_splitting<KahanLi8>(scene, "splitting, order 8")};
 }
 
 /// Takes the steps, and shows the energy's relative error after each.
@@ -134,10 +94,10 @@ void watch_energy(const KnownTurning& scene, const Steps& method, double h, doub
 
 constexpr double evaluations_a_second = 120;
 
-inline double step_of(const Steps& method) { return method.evaluations / evaluations_a_second; }
+double step_of(const Steps& method) { return method.evaluations / evaluations_a_second; }
 
 /// What a witness says after 10 s, 100 s and 1000 s.
-inline std::array<Witness, 3> witnesses(const Steps& method) {
+std::array<Witness, 3> witnesses(const Steps& method) {
   const double h = step_of(method);
   std::array<Witness, 3> seen{Witness(h), Witness(h), Witness(h)};
   for (Witness& each : seen) each.see(0);
@@ -149,11 +109,23 @@ inline std::array<Witness, 3> witnesses(const Steps& method) {
 }
 
 /// A trend, or that rounding decides it.
-inline std::string trend_number(double trend) {
+std::string trend_number(double trend) {
   return std::abs(trend) < 1e-14 ? "< 1e-14" : error_number(trend);
 }
 
-inline Table drift_table() {
+/// The energy over time, with so many steps a second.
+support::Series energy_of(const Steps& method, const std::string& name, int rate) {
+  support::Series series{name, {0}, {0}};
+  watch_energy(nodding_top(), method, 1.0 / rate, 40, [&](double t, double e) {
+    series.x.push_back(t);
+    series.y.push_back(1e6 * e);
+  });
+  return series;
+}
+
+}  // namespace
+
+Table drift_table() {
   Table table(
       {"method", "largest 10 s", "100 s", "1000 s", "trend [1/s], 10 s", "100 s", "1000 s"});
   for (const Steps& method : rivals(nodding_top())) {
@@ -166,7 +138,7 @@ inline Table drift_table() {
   return table;
 }
 
-inline Table ends_table() {
+Table ends_table() {
   Table table({"looked at for", "from first to last [1/s]", "fitted line [1/s]"});
   const Steps method = rivals(nodding_top())[3];
   const double h = step_of(method);
@@ -184,17 +156,7 @@ inline Table ends_table() {
   return table;
 }
 
-/// The energy over time, with so many steps a second.
-inline support::Series energy_of(const Steps& method, const std::string& name, int rate) {
-  support::Series series{name, {0}, {0}};
-  watch_energy(nodding_top(), method, 1.0 / rate, 40, [&](double t, double e) {
-    series.x.push_back(t);
-    series.y.push_back(1e6 * e);
-  });
-  return series;
-}
-
-inline std::string drift_figure() {
+std::string drift_figure() {
   support::Plot plot{"the energy of a nodding top", {"time [s]"}, {"off by [millionths]"}, {}};
   const std::vector<Steps> all = rivals(nodding_top());
   plot.series = {energy_of(all[0], "RK4, 200 a second", 50),
@@ -204,8 +166,10 @@ inline std::string drift_figure() {
 
 // ── What spoils it ──
 
+namespace {
+
 /// A splitting whose steps follow the motion: shorter where the axis is low.
-inline Witness with_changing_steps() {
+Witness with_changing_steps() {
   const KnownTurning& scene = nodding_top();
   const Steps method = rivals(scene)[3];
   const double h = step_of(method), first = whole_energy(scene, scene.start);
@@ -223,7 +187,7 @@ inline Witness with_changing_steps() {
 }
 
 /// The order that a splitting shows with a drag that it takes for a force of the place alone.
-inline std::vector<double> with_drag(double spin_drag) {
+std::vector<double> with_drag(double spin_drag) {
   KnownTurning scene = nodding_top();
   scene.forces.spin_drag = spin_drag;
   const HeldMotion motion(scene.body, scene.forces);
@@ -238,7 +202,9 @@ inline std::vector<double> with_drag(double spin_drag) {
   return errors;
 }
 
-inline Table spoiled_table() {
+}  // namespace
+
+Table spoiled_table() {
   Table table({"splitting of order 4", "20 steps/s", "40", "80", "160", "order"});
   for (const double drag : {0., 0.05}) {
     const std::vector<double> errors = with_drag(drag);
@@ -250,7 +216,7 @@ inline Table spoiled_table() {
   return table;
 }
 
-inline Table changing_table() {
+Table changing_table() {
   Table table({"splitting of order 2, 1000 s", "largest", "trend [1/s]"});
   const auto add = [&](const std::string& name, const Witness& seen) {
     table.add({name, error_number(seen.largest()), error_number(seen.trend())});

@@ -1,8 +1,9 @@
-#pragma once
 /// @file
 /// The ladder of models: which rung a body needs, what it costs, and how wrong a rung too low is.
 
 #include "common.hpp"
+#include "named_bodies.hpp"
+#include "parts.hpp"
 #include "support/stopwatch.hpp"
 #include "tumble/mass/solids/ball.hpp"
 #include "tumble/mass/solids/box.hpp"
@@ -12,37 +13,17 @@ namespace scene_chapter {
 
 // ── What bodies are ──
 
-/// A body and what it is called.
-struct Named {
-  std::string name;
-  RigidBody<> body;
-};
+namespace {
 
-inline RigidBody<> solid(const auto& shape, double density) {
-  return RigidBody<>(mass_properties(shape, density));
-}
-
-inline RigidBody<> ball() { return solid(Ball{0.033}, 380); }
-inline RigidBody<> coin() { return solid(Cylinder{0.0116, 0.00233}, 7500); }
-inline RigidBody<> plate() { return solid(Cylinder{0.12, 0.002}, 2400); }
-inline RigidBody<> pencil() { return solid(Cylinder{0.0035, 0.175}, 600); }
-inline RigidBody<> die() { return solid(Box{{0.016, 0.016, 0.016}}, 1200); }
-inline const RigidBody<>& gear() {
-  static const RigidBody<> body(properties_of(objects::all[4]));
-  return body;
-}
-inline const RigidBody<>& racket() {
-  static const RigidBody<> body(properties_of(objects::all[2]));
-  return body;
-}
-
-inline std::vector<Named> things() {
+std::vector<Named> things() {
   return {{"tennis ball", ball()}, {"die", die()},         {"coin", coin()},
           {"pencil", pencil()},    {"gear wheel", gear()}, {"mug", mug()},
           {"T-handle", handle()},  {"wing nut", nut()},    {"tennis racket", racket()}};
 }
 
-inline Table chosen_table() {
+}  // namespace
+
+Table chosen_table() {
   Table table({"body", "moments, largest = 1", "two differ by", "model", "if 1 % is nothing"});
   for (const auto& [name, body] : things()) {
     const Vec3 m = principal_axes(body.I_body()).moments;
@@ -55,8 +36,7 @@ inline Table chosen_table() {
   return table;
 }
 
-/// What choose_model() says, and why.
-inline Table why_table() {
+Table why_table() {
   Table table({"body", "model", "why"});
   for (const auto& [name, body] :
        {Named{"die", die()}, Named{"coin", coin()}, Named{"mug", mug()}}) {
@@ -67,6 +47,8 @@ inline Table why_table() {
 }
 
 // ── The same answer, for less ──
+
+namespace {
 
 /// What simulate() chooses for a scene, and what the full body needs for the same.
 template <class... Forces>
@@ -85,11 +67,13 @@ void add_rung(Table& table, const std::string& name, const RigidBody<>& body,
 }
 
 /// Thrown up and away, spinning about none of its axes.
-inline RigidBodyState<> thrown(const RigidBody<>& body) {
+RigidBodyState<> thrown(const RigidBody<>& body) {
   return state_of_motion<double>(body, Vec3::Zero(), Quat::Identity(), {3, 0, 12}, {9, 20, 14});
 }
 
-inline Table ladder_table() {
+}  // namespace
+
+Table ladder_table() {
   Table table({"scene, 2 s", "model", "evaluations", "by DOP853", "apart"});
   const BodyDrag air{0.003, 0};
   const SimulationTask path{0, 2, 1e-7, Wanted::path_only}, all{0, 2, 1e-7};
@@ -108,8 +92,10 @@ inline Table ladder_table() {
 
 // ── What a rung costs ──
 
+namespace {
+
 /// Adds rows with times and their ratio to the first one's.
-inline Table times_of(const std::string& heading, const support::Stopwatch& stopwatch) {
+Table times_of(const std::string& heading, const support::Stopwatch& stopwatch) {
   Table table({heading, "time", "as a ratio"});
   const std::vector<support::Timing> timings = stopwatch.timings();
   for (const support::Timing& each : timings)
@@ -118,7 +104,9 @@ inline Table times_of(const std::string& heading, const support::Stopwatch& stop
   return table;
 }
 
-inline Table rungs_table() {
+}  // namespace
+
+Table rungs_table() {
   static double t = 7;
   static const SteadyPath path(ball(), thrown(ball()), weight.steady(ball()));
   static const FreeMotion round(die(), thrown(die())), top(gear(), thrown(gear())),
@@ -145,6 +133,8 @@ inline Table rungs_table() {
 
 // ── Forces that are not there ──
 
+namespace {
+
 /// A falling body as one would write it if there were no other forces in the world.
 struct OnlyFalling {
   RigidBody<> body;
@@ -157,7 +147,9 @@ struct OnlyFalling {
   }
 };
 
-inline Table absent_table() {
+}  // namespace
+
+Table absent_table() {
   static PackedState<double> y = pack(thrown(racket()));
   static const OnlyFalling by_hand{racket()};
   static const RigidBodyMotion falling(racket(), weight);
@@ -180,8 +172,10 @@ inline Table absent_table() {
 
 // ── How equal is equal enough ──
 
+namespace {
+
 /// The largest angle between two free motions on the way to T [rad].
-inline double largest_angle(const FreeMotion& a, const FreeMotion& b, double T) {
+double largest_angle(const FreeMotion& a, const FreeMotion& b, double T) {
   constexpr int moments = 400;
   double largest = 0;
   for (int i = 1; i <= moments; ++i) {
@@ -198,7 +192,7 @@ struct Stretched {
   double difference;  ///< of the moments that are taken for equal, by the larger one
 };
 
-inline std::vector<Stretched> stretched() {
+std::vector<Stretched> stretched() {
   const double d = 1e-4;
   const Vec3 askew(1, 2, 3);
   return {
@@ -210,13 +204,15 @@ inline std::vector<Stretched> stretched() {
 }
 
 /// Spun at 1 rad/s, so that ωT is T.
-inline double true_error(const Stretched& s, double T) {
+double true_error(const Stretched& s, double T) {
   const RigidBody<> body(1, s.moments.asDiagonal()), simple(1, s.simpler.asDiagonal());
   const RigidBodyState<> start = turning_state(body, Quat::Identity(), s.about.normalized());
   return largest_angle(FreeMotion(body, start), FreeMotion(simple, start), T);
 }
 
-inline Table equal_table() {
+}  // namespace
+
+Table equal_table() {
   Table table({"taken for a", "ωT = 10 rad", "100 rad", "1000 rad", "true ÷ rule"});
   std::vector<std::string> rule{"the rule, ωT · 1e-4"};
   for (const double T : {10., 100., 1000.}) rule.push_back(error_number(1e-4 * T) + " rad");

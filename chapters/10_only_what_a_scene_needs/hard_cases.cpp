@@ -1,16 +1,13 @@
-#pragma once
 /// @file
 /// Motions that break simulators, and what the library makes of them. The truth is a Taylor series
 /// of order 36 in numbers of twice the digits, that of the tests.
 
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "parts.hpp"
 #include "reference/long_free_turning.hpp"
-#include "support/table.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/ensemble/advance.hpp"
 #include "tumble/ode/dop853.hpp"
@@ -21,12 +18,13 @@
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/simulate.hpp"
 
-namespace scene_chapter::hard {
+namespace scene_chapter {
 
 using namespace tumble;
 using support::error_number;
 using support::number;
-using support::Table;
+
+namespace {
 
 /// A body in its principal axes, and how it starts: in the origin, its axes along the world's.
 struct Case {
@@ -42,23 +40,23 @@ struct Case {
 };
 
 /// An error of rounding: a power of ten, three times of which it is below. Its digits are chance.
-inline std::string rounding(double error) {
+std::string rounding(double error) {
   const double power = std::ceil(std::log10(std::max(3 * error, 1e-15)));
   return "< 1e" + std::to_string(static_cast<int>(power));
 }
 
 /// A rounding error, or one that is more than that.
-inline std::string off_by(double angle) {
+std::string off_by(double angle) {
   if (angle > 0.5) return "lost";
   return (angle < 1e-6 ? rounding(angle) : error_number(angle)) + " rad";
 }
 
-inline double off(const Quat& q, const Quat& truth) { return angle_between(q.normalized(), truth); }
+double off(const Quat& q, const Quat& truth) { return angle_between(q.normalized(), truth); }
 
 // ── Flips ──
 
 /// ω₂ of a state: its sign says which way the body is up.
-inline double middle_spin(double, const RigidBodyState<>& s) { return (s.q.conjugate() * s.L).y(); }
+double middle_spin(double, const RigidBodyState<>& s) { return (s.q.conjugate() * s.L).y(); }
 
 /// When a body turned over, as steps saw it: where ω₂ changed its sign, between them in proportion.
 class FlipTimes {
@@ -76,20 +74,21 @@ class FlipTimes {
 };
 
 /// The worst of the first ones, as many as both have.
-inline double worst_late(const std::vector<double>& times, const std::vector<double>& truth) {
+double worst_late(const std::vector<double>& times, const std::vector<double>& truth) {
   double worst = 0;
   for (std::size_t i = 0; i < std::min(times.size(), truth.size()); ++i)
     worst = std::max(worst, std::abs(times[i] - truth[i]));
   return worst;
 }
 
-inline std::string late_text(double seconds) {
+std::string late_text(double seconds) {
   if (seconds > 1) return "lost";
   return (seconds < 1e-8 ? rounding(seconds) : error_number(seconds)) + " s";
 }
 
-/// A thousand seconds next to the separatrix.
-inline Table hard_flips_table() {
+}  // namespace
+
+Table hard_flips_table() {
   Table table({"starts off by", "by", "flips in 1000 s", "the first at", "off by", "all off by"});
   constexpr double duration = 1000;
   for (const double tilt : {1e-3, 1e-6, 1e-9}) {
@@ -123,23 +122,25 @@ inline Table hard_flips_table() {
 
 // ── One by one ──
 
+namespace {
+
 /// The end of simulate(), asked for 1e-9.
 template <class... Forces>
 RigidBodyState<> simulated(const Case& c, double t, const Forces&... forces) {
   return simulate(c.body(), c.start(), {0, t, 1e-9}, forces...).end();
 }
 
-inline double free_error(const Case& c, double t) {
+double free_error(const Case& c, double t) {
   return off(simulated(c, t).q, reference::turned(c.turning(), t).q);
 }
 
-inline double long_error(const Case& c, double t) {
+double long_error(const Case& c, double t) {
   return off(FreeMotion(c.body(), c.start()).at(t).q,
              reference::LongFreeTurning(c.turning()).at(t).q);
 }
 
 /// Pulled at a point, everything in proportion to the mass.
-inline double pulled_error(const Case& c, double t) {
+double pulled_error(const Case& c, double t) {
   const ForceAtBodyPoint pull{c.mass * Vec3(0, 0, -5), Vec3(0.6, 0, 0.8)};
   reference::Turning truth = c.turning();
   truth.F = pull.force, truth.p = pull.p_body;
@@ -154,7 +155,9 @@ double worst(const std::vector<double>& values, const Error& error) {
   return most;
 }
 
-inline Table hard_cases_table() {
+}  // namespace
+
+Table hard_cases_table() {
   Table table({"case", "for", "by", "off by"});
   const Vec3 slow(0.3, 0.2, 1);
   const auto add = [&](const std::string& name, const std::string& time, const std::string& by,
@@ -185,7 +188,7 @@ inline Table hard_cases_table() {
 
 // ── What no body has ──
 
-inline Table hard_refused_table() {
+Table hard_refused_table() {
   Table table({"moments", "what the library says"});
   const auto add = [&](const std::string& name, const Vec3& moments) {
     std::string said = "nothing: there is such a body";
@@ -206,6 +209,8 @@ inline Table hard_refused_table() {
 
 // ── Tops ──
 
+namespace {
+
 /// A top on its tip that leans by `tilt` and spins with a part of the spin that keeps it upright.
 struct Top {
   double part, tilt;
@@ -225,7 +230,9 @@ struct Top {
   }
 };
 
-inline Table hard_tops_table() {
+}  // namespace
+
+Table hard_tops_table() {
   Table table({"spin ÷ critical", "leans by", "after 10 s", "by", "asked", "off by"});
   constexpr double t = 10, asked = 1e-9;
   const RigidBody<> body(1, Mat3(Top::J.asDiagonal()));
@@ -246,6 +253,8 @@ inline Table hard_tops_table() {
 
 // ── A million steps ──
 
+namespace {
+
 /// The end of 10⁶ steps of 1/60 s. On SSE2: the same digits on every processor.
 template <class Method, class... Forces>
 RigidBodyState<> million_steps(const RigidBody<>& body, const RigidBodyState<>& start,
@@ -257,7 +266,9 @@ RigidBodyState<> million_steps(const RigidBody<>& body, const RigidBodyState<>& 
   return ensemble.state(0);
 }
 
-inline Table hard_million_table() {
+}  // namespace
+
+Table hard_million_table() {
   Table table({"10⁶ steps of 1/60 s", "energy", "L", "|q|", "orientation"});
   const Case c{{1, 2, 3}, {0.5, 1, 0.7}};
   constexpr double duration = 1e6 / 60;
@@ -279,6 +290,8 @@ inline Table hard_million_table() {
 
 // ── Half the digits ──
 
+namespace {
+
 template <class T>
 double minute_by_rk4(const Case& c, int rate, const Quat& truth) {
   const RigidBodyMotion motion(
@@ -289,7 +302,9 @@ double minute_by_rk4(const Case& c, int rate, const Quat& truth) {
   return off(Quat(end.q.template cast<double>()), truth);
 }
 
-inline Table hard_float_table() {
+}  // namespace
+
+Table hard_float_table() {
   Table table({"one minute by RK4", "float", "double"});
   const Case c{{1, 2, 3}, {0.5, 1, 0.7}};
   const Quat truth = reference::LongFreeTurning(c.turning()).at(60).q;
@@ -300,4 +315,4 @@ inline Table hard_float_table() {
   return table;
 }
 
-}  // namespace scene_chapter::hard
+}  // namespace scene_chapter

@@ -1,29 +1,20 @@
-#pragma once
 /// @file
 /// Steady forces: the heavy top, its nutation and its sleep, and Taylor series for what has no
 /// closed form.
 
+#include "by_series.hpp"
 #include "common.hpp"
+#include "parts.hpp"
+#include "tilted_top.hpp"
 
 namespace scene_chapter {
 
 // ── The tip of the axis ──
 
-/// A top on its pivot whose axis has no sideways velocity but this.
-/// @param spin  about its own axis [rad/s]
-/// @param tilt  of the axis against the vertical [rad]
-/// @param round how fast the axis goes round the vertical at first [rad/s]
-inline KnownTurning tilted_top(double spin, double tilt, double round) {
-  const RigidBody<> body(1, Vec3(1, 1, 0.5).asDiagonal());
-  const Quat q = turn({tilt, 0, 0});
-  // round · e + (spin − round cos θ) n: about n the body turns by `spin`.
-  const Vec3 up_in_body = q.conjugate() * Vec3::UnitZ();
-  const Vec3 omega = round * up_in_body + (spin - round * std::cos(tilt)) * Vec3::UnitZ();
-  return {body, turning_state(body, q, omega), held_weight(5, {0, 0, 1}), 0, q};
-}
+namespace {
 
 /// The way of the axis over the sphere, in the world, once round the vertical.
-inline std::vector<Vec3> tip_of(const KnownTurning& scene) {
+std::vector<Vec3> tip_of(const KnownTurning& scene) {
   const SteadyTorque torque(scene.body, scene.forces);
   const LagrangeTop top = LagrangeTop::from(torque, scene.start.q, scene.start.L).value();
   std::vector<Vec3> way{top.at(0).q * Vec3::UnitZ()};
@@ -37,9 +28,9 @@ inline std::vector<Vec3> tip_of(const KnownTurning& scene) {
 }
 
 /// Seen from high above the horizon.
-inline Mat3 tip_view() { return exp_rotation(Vec3((64 - 90) * degree, 0, 0)); }
+Mat3 tip_view() { return exp_rotation(Vec3((64 - 90) * degree, 0, 0)); }
 
-inline void draw_tip(support::Sketch& sketch, const KnownTurning& scene, const std::string& name) {
+void draw_tip(support::Sketch& sketch, const KnownTurning& scene, const std::string& name) {
   const Mat3 view = tip_view();
   std::vector<Vec2> circle;
   for (int i = 0; i <= 90; ++i)
@@ -54,7 +45,9 @@ inline void draw_tip(support::Sketch& sketch, const KnownTurning& scene, const s
   sketch.words({0, -1}, {0, 30}, name, "ink", "middle");
 }
 
-inline std::string tip_figure() {
+}  // namespace
+
+std::string tip_figure() {
   support::Sketch sketch(760, 300, "The tip of a heavy top", 18);
   const double spin = 18, tilt = 50 * degree;
   const std::array<double, 3> rounds{0.3, 0, -1.2};
@@ -68,11 +61,13 @@ inline std::string tip_figure() {
 
 // ── Asleep ──
 
+namespace {
+
 /// The spin above which the top stands upright by itself: L_n² = 4 A μ.
-inline double waking_spin() { return std::sqrt(4 * 1 * 5.0) / 0.5; }
+double waking_spin() { return std::sqrt(4 * 1 * 5.0) / 0.5; }
 
 /// How far it leans at most, started a thousandth of a radian off the vertical.
-inline double largest_lean(double spin) {
+double largest_lean(double spin) {
   const KnownTurning scene = tilted_top(spin, 1e-3, 0);
   const Trajectory way = simulate(scene.body, scene.start, {0, 60, 1e-6}, scene.forces);
   double lean = 0;
@@ -83,7 +78,9 @@ inline double largest_lean(double spin) {
   return lean;
 }
 
-inline Table sleep_table() {
+}  // namespace
+
+Table sleep_table() {
   Table table({"spin", "by the threshold", "leans at most", "by the formula"});
   for (const double part : {0.5, 0.8, 0.9, 0.95, 0.99, 1.01, 1.05, 1.2}) {
     const double spin = part * waking_spin();
@@ -96,29 +93,29 @@ inline Table sleep_table() {
 
 // ── Until it wakes ──
 
+namespace {
+
 /// A top that is slowed down by the air, and slowly stops to stand.
-inline Trajectory sleepy_top() {
+Trajectory sleepy_top() {
   KnownTurning scene = tilted_top(25, 1e-3, 0);
   scene.forces.spin_drag = 0.01;
   return simulate(scene.body, scene.start, {0, 60, 1e-6}, scene.forces);
 }
 
 /// Positive while the axis is less than 10° off the vertical.
-inline double upright(double, const RigidBodyState<>& state) {
+double upright(double, const RigidBodyState<>& state) {
   return (state.q * Vec3::UnitZ()).z() - std::cos(10 * degree);
 }
 
-inline std::optional<Event> it_falls() { return first_event(sleepy_top(), upright); }
+std::optional<Event> it_falls() { return first_event(sleepy_top(), upright); }
 
-inline double spin_of(const RigidBodyState<>& state) {
-  return state.L.dot(state.q * Vec3::UnitZ()) / 0.5;
-}
+double spin_of(const RigidBodyState<>& state) { return state.L.dot(state.q * Vec3::UnitZ()) / 0.5; }
 
-inline double too_slow(double, const RigidBodyState<>& state) {
-  return spin_of(state) - waking_spin();
-}
+double too_slow(double, const RigidBodyState<>& state) { return spin_of(state) - waking_spin(); }
 
-inline Table event_table() {
+}  // namespace
+
+Table event_table() {
   Table table({"what happens", "at", "spin then"});
   const Trajectory way = sleepy_top();
   const auto slow = first_event(
@@ -133,7 +130,7 @@ inline Table event_table() {
   return table;
 }
 
-inline std::string sleep_figure() {
+std::string sleep_figure() {
   support::Plot plot{"a top that slows down", {"time [s]"}, {"axis off the vertical [°]"}, {}};
   const Trajectory way = sleepy_top();
   support::Series lean{"lean", {}, {}};
@@ -150,15 +147,7 @@ inline std::string sleep_figure() {
 
 // ── Series ──
 
-inline Quat by_series(const KnownTurning& scene, double tolerance, int& order, int& steps) {
-  const SteadyTorque torque(scene.body, scene.forces);
-  const TurningBySeries<1> turning(torque, torque.turning(scene.start.q, scene.start.L), 0,
-                                   scene.duration, tolerance);
-  order = turning.order(), steps = turning.steps();
-  return torque.orientation(turning.end());
-}
-
-inline Table series_table() {
+Table series_table() {
   Table table({"tolerance of a step", "order", "series", "orientation off by"});
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14}) {
     int order = 0, steps = 0;

@@ -1,20 +1,25 @@
-#pragma once
 /// @file
 /// The free symmetric top: its two turns, and what goes wrong with them.
 
-#include "ladder.hpp"
+#include "common.hpp"
+#include "named_bodies.hpp"
+#include "parts.hpp"
 
 namespace scene_chapter {
 
 // ── Wobbles ──
 
+namespace {
+
 /// How often a coin's axis goes round while the coin turns once, for a tilt between axis and L.
-inline double wobbles_a_turn(const SymmetricMoments& top, double tilt) {
+double wobbles_a_turn(const SymmetricMoments& top, double tilt) {
   const double round = 1 / top.transverse, own = 1 / top.axial - 1 / top.transverse;
   return round / (round + own * std::cos(tilt));
 }
 
-inline Table wobble_table() {
+}  // namespace
+
+Table wobble_table() {
   Table table({"body", "C/A", "axis 1° off L", "10° off", "45° off"});
   for (const auto& [name, body] :
        {Named{"plate", plate()}, Named{"gear wheel", gear()}, Named{"coin", coin()},
@@ -29,6 +34,8 @@ inline Table wobble_table() {
 }
 
 // ── Which side ──
+
+namespace {
 
 /// A top with its axis along its z, and L in the world.
 struct TopExample {
@@ -45,15 +52,13 @@ struct TopFormula {
   Quat (*at)(const TopExample& top, const Quat& q0, double t);
 };
 
-inline double along_axis(const TopExample& top, const Quat& q0) {
-  return top.L.dot(q0 * Vec3::UnitZ());
-}
-inline Quat about_L(const TopExample& top, double t) { return turn(t / top.A * top.L); }
-inline Quat about_z(const TopExample& top, double along, double t) {
+double along_axis(const TopExample& top, const Quat& q0) { return top.L.dot(q0 * Vec3::UnitZ()); }
+Quat about_L(const TopExample& top, double t) { return turn(t / top.A * top.L); }
+Quat about_z(const TopExample& top, double along, double t) {
   return turn(t * top.own_rate(along) * Vec3::UnitZ());
 }
 
-inline const std::array<TopFormula, 5> top_formulas{
+const std::array<TopFormula, 5> top_formulas{
     TopFormula{"(about L) q₀ (about z)",
                [](const TopExample& top, const Quat& q0, double t) {
                  return about_L(top, t) * q0 * about_z(top, along_axis(top, q0), t);
@@ -76,7 +81,9 @@ inline const std::array<TopFormula, 5> top_formulas{
        return turn(t * omega) * q0;
      }}};
 
-inline Table sides_table() {
+}  // namespace
+
+Table sides_table() {
   Table table({"q(t) =", "started at 0°", "1°", "10°", "90°"});
   const TopExample top;
   const Vec3 axis = Vec3(1, -1, 0.5).normalized();
@@ -97,14 +104,16 @@ inline Table sides_table() {
 
 // ── Two cones ──
 
+namespace {
+
 /// The viewer looks along y, from a little above.
-inline Vec2 seen(const Vec3& p) {
+Vec2 seen(const Vec3& p) {
   constexpr double above = 17 * degree;
   return {p.x(), std::cos(above) * p.z() + std::sin(above) * p.y()};
 }
 
 /// The rim of a cone from the origin about `axis` through `edge`.
-inline std::vector<Vec2> rim(const Vec3& axis, const Vec3& edge) {
+std::vector<Vec2> rim(const Vec3& axis, const Vec3& edge) {
   std::vector<Vec2> points;
   for (int i = 0; i <= 60; ++i)
     points.push_back(seen(exp_rotation(Vec3(2 * pi * i / 60 * axis)) * edge));
@@ -112,7 +121,7 @@ inline std::vector<Vec2> rim(const Vec3& axis, const Vec3& edge) {
 }
 
 /// The two lines from the origin that touch a rim.
-inline std::vector<std::vector<Vec2>> sides(const std::vector<Vec2>& rim, const Vec2& middle) {
+std::vector<std::vector<Vec2>> sides(const std::vector<Vec2>& rim, const Vec2& middle) {
   const auto angle = [&](const Vec2& p) {
     return std::atan2(middle.x() * p.y() - middle.y() * p.x(), middle.dot(p));
   };
@@ -121,16 +130,15 @@ inline std::vector<std::vector<Vec2>> sides(const std::vector<Vec2>& rim, const 
   return {{{0, 0}, *low}, {{0, 0}, *high}};
 }
 
-inline void draw_cone(support::Sketch& sketch, const Vec3& axis, const Vec3& edge,
-                      const std::string& colour) {
+void draw_cone(support::Sketch& sketch, const Vec3& axis, const Vec3& edge,
+               const std::string& colour) {
   const std::vector<Vec2> round = rim(axis, edge);
   sketch.curve(round, {colour, 1.6, 1, 0.12});
   sketch.curves(sides(round, seen(axis)), {colour, 1.6});
 }
 
 /// A top whose axis is `tilt` off L, with the cone that ω draws in the world and that in the body.
-inline void draw_cones(support::Sketch& sketch, double A, double C, double tilt,
-                       const std::string& name) {
+void draw_cones(support::Sketch& sketch, double A, double C, double tilt, const std::string& name) {
   const Vec3 L = Vec3::UnitZ(), n(std::sin(tilt), 0, std::cos(tilt));
   const Vec3 omega = (L / A + (1 / C - 1 / A) * L.dot(n) * n).normalized();
   draw_cone(sketch, L, omega, "c0");
@@ -144,7 +152,9 @@ inline void draw_cones(support::Sketch& sketch, double A, double C, double tilt,
   sketch.words({0, 0}, {0, 30}, name, "ink", "middle");
 }
 
-inline std::string cones_figure() {
+}  // namespace
+
+std::string cones_figure() {
   support::Sketch sketch(760, 330, "The two cones of a free symmetric top", 19);
   sketch.look({170, 280, 150});
   draw_cones(sketch, 1, 0.35, 38 * degree, "long: C < A");

@@ -1,13 +1,15 @@
-#pragma once
 /// @file
 /// Many bodies: one after the other, and side by side.
 
 #include "common.hpp"
+#include "parts.hpp"
 #include "support/random.hpp"
 #include "support/stopwatch.hpp"
 #include "tumble/ensemble.hpp"
 
 namespace scene_chapter {
+
+namespace {
 
 /// Free bricks of all shapes that spin at up to 5 rad/s.
 struct Crowd {
@@ -15,7 +17,7 @@ struct Crowd {
   std::vector<RigidBodyState<>> states;
 };
 
-inline Crowd crowd_of(int count) {
+Crowd crowd_of(int count) {
   support::Random random(10);
   Crowd crowd;
   for (int i = 0; i < count; ++i) {
@@ -74,7 +76,7 @@ CrowdWay side_by_side(const std::string& name) {
           }};
 }
 
-inline CrowdWay by_closed_forms() {
+CrowdWay by_closed_forms() {
   return {"each by its closed form, no steps", [](const Crowd& crowd) {
             std::vector<RigidBodyState<>> ends;
             for (std::size_t i = 0; i < crowd.bodies.size(); ++i)
@@ -83,7 +85,9 @@ inline CrowdWay by_closed_forms() {
           }};
 }
 
-inline Table crowd_table() {
+}  // namespace
+
+Table crowd_table() {
   static const Crowd crowd = crowd_of(crowd_size);
   const std::vector<CrowdWay> ways{one_by_one<Rk4>("one by one, RK4 on 13 numbers", crowd_steps),
                                    side_by_side<Rk4>("ensemble, RK4"),

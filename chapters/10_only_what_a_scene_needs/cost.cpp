@@ -1,24 +1,26 @@
-#pragma once
 /// @file
 /// Error against evaluations of the forces: every method on one figure.
 
-#include "energy.hpp"
+#include "by_series.hpp"
+#include "common.hpp"
+#include "parts.hpp"
+#include "rivals.hpp"
 
 namespace scene_chapter {
 
-inline double end_error(const KnownTurning& scene, const Quat& q) {
-  return angle_between(q, scene.end);
-}
+namespace {
+
+double end_error(const KnownTurning& scene, const Quat& q) { return angle_between(q, scene.end); }
 
 constexpr double smallest_drawn = 3e-12, largest_drawn = 0.1;  // [rad]
 
-inline void add_point(support::Series& series, double work, double error) {
+void add_point(support::Series& series, double work, double error) {
   if (!(error >= smallest_drawn && error <= largest_drawn)) return;
   series.x.push_back(work);
   series.y.push_back(error);
 }
 
-inline support::Series by_fixed_steps(const KnownTurning& scene, const Steps& method) {
+support::Series by_fixed_steps(const KnownTurning& scene, const Steps& method) {
   support::Series series{method.name, {}, {}};
   for (double steps = 20; steps * method.evaluations < 6e4; steps *= 1.5) {
     const int count = static_cast<int>(steps);
@@ -45,7 +47,7 @@ support::Series by_tolerances(const KnownTurning& scene, const std::string& name
   return series;
 }
 
-inline support::Series by_taylor(const KnownTurning& scene) {
+support::Series by_taylor(const KnownTurning& scene) {
   support::Series series{"Taylor, terms", {}, {}};
   for (int i = 3; i <= 28; ++i) {
     int order = 0, steps = 0;
@@ -56,13 +58,23 @@ inline support::Series by_taylor(const KnownTurning& scene) {
 }
 
 /// One question, drawn at the error that the closed form says it stays below.
-inline support::Series by_closed_form(const KnownTurning& scene) {
+support::Series by_closed_form(const KnownTurning& scene) {
   const SteadyTorque torque(scene.body, scene.forces);
   const auto top = LagrangeTop::from(torque, scene.start.q, scene.start.L);
   return {"closed form, asked once", {1}, {top->error_bound(scene.duration)}, support::Look::dots};
 }
 
-inline std::string work_figure() {
+/// The least of a curve's work that has an error.
+std::string work_for(const support::Series& series, double error) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < series.x.size(); ++i)
+    if (series.y[i] <= error) least = std::min(least, series.x[i]);
+  return std::isinf(least) ? "–" : number(least, 6);
+}
+
+}  // namespace
+
+std::string work_figure() {
   support::Plot plot{"ten seconds of a fast top",
                      {"evaluations of the forces", support::Scale::log},
                      {"orientation off by [rad]", support::Scale::log},
@@ -81,15 +93,7 @@ inline std::string work_figure() {
   return support::to_svg(plot);
 }
 
-/// The least of a curve's work that has an error.
-inline std::string work_for(const support::Series& series, double error) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < series.x.size(); ++i)
-    if (series.y[i] <= error) least = std::min(least, series.x[i]);
-  return std::isinf(least) ? "–" : number(least, 6);
-}
-
-inline Table work_table() {
+Table work_table() {
   Table table({"method", "1e-3 rad", "1e-6 rad", "1e-9 rad", "1e-11 rad"});
   const auto add = [&](const support::Series& series) {
     table.add({series.name, work_for(series, 1e-3), work_for(series, 1e-6), work_for(series, 1e-9),

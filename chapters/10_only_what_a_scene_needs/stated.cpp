@@ -1,42 +1,46 @@
-#pragma once
 /// @file
 /// State the error: what simulate() chooses, says and keeps.
 
 #include "common.hpp"
+#include "parts.hpp"
 
 namespace scene_chapter {
 
+namespace {
+
 /// What is asked of a scene with a known end.
-inline Trajectory asked(const KnownTurning& scene, double tolerance) {
+Trajectory asked(const KnownTurning& scene, double tolerance) {
   const SimulationTask task{0, scene.duration, tolerance};
   return simulate(scene.body, scene.start, task, scene.forces);
 }
 
-inline Trajectory asked_of_mug(double tolerance) {
+Trajectory asked_of_mug(double tolerance) {
   return simulate(mug(), mug_start(), {0, 0.5, tolerance}, weight, spring, drag);
 }
 
-inline const RigidBodyState<>& true_mug() {
+const RigidBodyState<>& true_mug() {
   static const RigidBodyState<> end = followed(hanging_mug(), mug_start(), 0.5);
   return end;
 }
 
 /// "DOP853", "closed form", "Taylor"
-inline std::string short_name(const std::string& method) {
+std::string short_name(const std::string& method) {
   if (method.starts_with("closed form")) return "closed form";
   if (method.starts_with("Taylor")) return "Taylor, " + method.substr(method.find("order"));
   return "DOP853";
 }
 
-inline void add_stated(Table& table, const std::string& name, double tolerance,
-                       const Trajectory& way, const Quat& truth) {
+void add_stated(Table& table, const std::string& name, double tolerance, const Trajectory& way,
+                const Quat& truth) {
   const SimulationReport& report = way.report();
   table.add({name, number(tolerance), short_name(report.method), std::to_string(report.evaluations),
              error_above(report.error_estimate, 1e-14),
              error_above(angle_between(way.end().q, truth), 1e-12)});
 }
 
-inline Table stated_table() {
+}  // namespace
+
+Table stated_table() {
   Table table({"scene", "asked [rad]", "method", "evaluations", "stated", "true"});
   for (const double tolerance : {1e-3, 1e-12})
     add_stated(table, "flipping, free, 100 s", tolerance, asked(flipping_body(), tolerance),
@@ -51,7 +55,7 @@ inline Table stated_table() {
   return table;
 }
 
-inline Table unreachable_table() {
+Table unreachable_table() {
   Table table({"scene", "asked [rad]", "reached", "says that it is off by"});
   const auto add = [&](const std::string& name, const Trajectory& way) {
     const SimulationReport& report = way.report();
