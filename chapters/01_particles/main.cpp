@@ -1,18 +1,12 @@
 /// @file
 /// Chapter 1: what moves particles, three ways to follow it, and what each step costs and misses.
-#include "balls.hpp"
-#include "hard_cases.hpp"
-#include "net.hpp"
-#include "one_step.hpp"
-#include "orbit.hpp"
-#include "state.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
-#include "times.hpp"
 
 int main(int argc, char** argv) {
   using namespace particles_chapter;
-  support::Chapter chapter("01_particles",
-                           "Particles: forces, states, and the steps that follow them");
+  tumble::support::Chapter chapter("01_particles",
+                                   "Particles: forces, states, and the steps that follow them");
   chapter.table("orbit", "Five revolutions of a satellite, 960 evaluations each", orbit_table);
   chapter.table("state", "Two particles as one column of numbers", state_table);
   chapter.table("ode", "From perigee to apogee with ode()", ode_table);

@@ -1,18 +1,12 @@
 /// @file
 /// Chapter 2: steps that suit the motion, steps that stiffness forces, and what each error costs.
-#include "adaptive.hpp"
-#include "hard_cases.hpp"
-#include "oscillator.hpp"
-#include "race.hpp"
-#include "stability.hpp"
-#include "stiff.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
 
-using namespace tumble;
-using namespace solvers_chapter;
-
 int main(int argc, char** argv) {
-  support::Chapter chapter("02_solvers", "Solvers: adaptive and implicit steps, and their cost");
+  using namespace solvers_chapter;
+  tumble::support::Chapter chapter("02_solvers",
+                                   "Solvers: adaptive and implicit steps, and their cost");
   chapter.table("comet", "One round of a comet, 75 years", comet_table);
   chapter.table("norm", "Four errors and their norm", norm_table);
   chapter.table("estimate", "Estimated and true errors of one step, allowed = 1", estimate_table);
@@ -40,11 +34,7 @@ int main(int argc, char** argv) {
   chapter.figure("relaxation", relaxation_figure);
   chapter.figure("ridden", ridden_figure);
   chapter.figure("order", order_figure);
-  chapter.figure("comet_work", [] {
-    return work_figure("one round of the comet", "distance from the start [AU]", comet_runners());
-  });
-  chapter.figure("dust_work", [] {
-    return work_figure("ten seconds of dust", "distance from the true end [m]", dust_runners());
-  });
+  chapter.figure("comet_work", comet_work_figure);
+  chapter.figure("dust_work", dust_work_figure);
   return chapter.run(argc, argv);
 }

@@ -35,4 +35,9 @@ inline std::string four_numbers(const Quat& q) {
   return "(" + text + ")";
 }
 
+inline Quat mix_four(const Quat& a, const Quat& b, double t) {
+  const double side = a.dot(b) < 0 ? -1 : 1;
+  return Quat(Eigen::Vector4d((1 - t) * a.coeffs() + t * side * b.coeffs()));
+}
+
 }  // namespace quaternions_chapter

@@ -1,17 +1,13 @@
 /// @file
 /// Chapter 4: what four numbers do better than nine. Ways between two orientations, drift, what a
 /// step costs and what error it buys, and the places where a formula loses its digits.
-#include "cost.hpp"
-#include "digits.hpp"
-#include "drift.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
-#include "turns.hpp"
-#include "ways.hpp"
 
 int main(int argc, char** argv) {
   using namespace quaternions_chapter;
-  support::Chapter chapter("04_quaternions",
-                           "Quaternions: the way between two orientations, drift, and its price");
+  tumble::support::Chapter chapter(
+      "04_quaternions", "Quaternions: the way between two orientations, drift, and its price");
   chapter.table("ways", "Five ways of 150°", ways_table);
   chapter.table("turns", "Some turns and their quaternions", turns_table);
   chapter.table("order", "Two quarter turns in both orders", order_table);

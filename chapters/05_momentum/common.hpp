@@ -2,6 +2,7 @@
 /// @file
 /// What all parts of this chapter's program share.
 
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -45,6 +46,13 @@ std::vector<Moment> followed(const Motion& motion, const RigidBodyState<>& start
     list.push_back({t, derived(motion.body(), unpack<double>(y))});
   }
   return list;
+}
+
+inline std::vector<Vec2> circle(const Vec2& centre, double radius) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 72; ++i)
+    points.emplace_back(centre + radius * Vec2(std::cos(5 * i * degree), std::sin(5 * i * degree)));
+  return points;
 }
 
 }  // namespace momentum_chapter

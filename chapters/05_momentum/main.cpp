@@ -1,18 +1,11 @@
 /// @file
 /// Chapter 5: what pushes a body and turns it, and why momenta are stored.
-#include "angular.hpp"
-#include "cost.hpp"
-#include "far.hpp"
-#include "flight.hpp"
-#include "frames.hpp"
-#include "hard_cases.hpp"
-#include "push.hpp"
-#include "stored.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
 
 int main(int argc, char** argv) {
   using namespace momentum_chapter;
-  support::Chapter chapter("05_momentum", "Momentum: what pushes a body, what turns it");
+  tumble::support::Chapter chapter("05_momentum", "Momentum: what pushes a body, what turns it");
   chapter.table("centres", "Where the centre of mass is", centres_table);
   chapter.table("forgotten", "An arm that was not turned with its body", forgotten_table);
   chapter.table("wheel", "A wheel of a train at 300 km/h", wheel_table);

@@ -1,19 +1,12 @@
 /// @file
 /// Chapter 6: mass properties by asking points whether they are inside.
-#include "axes.hpp"
-#include "cloud.hpp"
-#include "columns.hpp"
-#include "cost.hpp"
-#include "csg.hpp"
-#include "edge.hpp"
-#include "grid.hpp"
-#include "orders.hpp"
-#include "squares.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
 
 int main(int argc, char** argv) {
   using namespace point_sampling_chapter;
-  support::Chapter chapter("06_point_sampling", "Point sampling: a body by asking what is inside");
+  tumble::support::Chapter chapter("06_point_sampling",
+                                   "Point sampling: a body by asking what is inside");
   chapter.table("cells", "A plank of 5 kg, cut into cells", cells_table);
   chapter.measured("inside", "Is a point inside?", inside_table);
   chapter.table("edge", "A box on a grid of 32³ points", edge_table);

@@ -1,17 +1,12 @@
 /// @file
 /// Chapter 7: boxes in the place of bodies, and what that does to mass, inertia and motion.
-#include "cost.hpp"
-#include "equivalent.hpp"
-#include "errors.hpp"
-#include "far.hpp"
-#include "flight.hpp"
-#include "hard_cases.hpp"
-#include "sides.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
 
 int main(int argc, char** argv) {
   using namespace bounding_boxes_chapter;
-  support::Chapter chapter("07_bounding_boxes", "Bounding boxes: a box in the place of a body");
+  tumble::support::Chapter chapter("07_bounding_boxes",
+                                   "Bounding boxes: a box in the place of a body");
   chapter.table("mug", "A mug spun about its easiest axis, 3 turns a second", mug_table);
   chapter.table("errors", "Inertia of a box for that of an object: relative error", errors_table);
   chapter.table("descent", "Turning boxes until no turn makes them smaller", descent_table);

@@ -1,17 +1,12 @@
 /// @file
 /// Chapter 8: mass, centre and inertia of a polyhedron, exactly, from its surface alone.
-#include "bad_meshes.hpp"
-#include "cost.hpp"
-#include "far.hpp"
-#include "gem.hpp"
-#include "levels.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
-#include "tetrahedra.hpp"
-#include "thin.hpp"
 
 int main(int argc, char** argv) {
   using namespace mirtich_chapter;
-  support::Chapter chapter("08_mirtich", "Mirtich: a body's mass and inertia from its surface");
+  tumble::support::Chapter chapter("08_mirtich",
+                                   "Mirtich: a body's mass and inertia from its surface");
   chapter.table("shadows", "What the faces of a gem bring to its volume", shadows_table);
   chapter.table("axis", "Relative errors of shadows along z, the worst of 50 faces", axis_table);
   chapter.table("walk", "Once around a square with a dent", walk_table);

@@ -1,20 +1,12 @@
 /// @file
 /// Chapter 9: the whole rigid body, its thirteen numbers and their rates.
-#include "cost.hpp"
-#include "frames.hpp"
-#include "gyroscopic.hpp"
-#include "hard_cases.hpp"
-#include "length.hpp"
-#include "mug.hpp"
-#include "plain_arrays.hpp"
-#include "routes.hpp"
-#include "steps.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
-#include "tumbling.hpp"
 
 int main(int argc, char** argv) {
   using namespace rigid_body_chapter;
-  support::Chapter chapter("09_rigid_body", "The rigid body: thirteen numbers and their rates");
+  tumble::support::Chapter chapter("09_rigid_body",
+                                   "The rigid body: thirteen numbers and their rates");
   chapter.table("frames", "ω from L in right axes and in wrong ones", frames_table);
   chapter.table("flips", "How often a body turns over", flips_table);
   chapter.table("laws", "The free handle by right laws and by wrong ones", laws_table);

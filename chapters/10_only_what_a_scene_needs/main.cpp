@@ -1,21 +1,14 @@
 /// @file
 /// Chapter 10: simpler models, closed forms, methods that respect the geometry, and what all of
 /// it costs.
-#include "cost.hpp"
-#include "crowd.hpp"
-#include "elliptic.hpp"
-#include "energy.hpp"
-#include "free_top.hpp"
-#include "hard_cases.hpp"
-#include "heavy_top.hpp"
-#include "ladder.hpp"
-#include "stated.hpp"
+#include "parts.hpp"
 #include "support/chapter.hpp"
 
 int main(int argc, char** argv) {
   using namespace scene_chapter;
-  support::Chapter chapter("10_only_what_a_scene_needs",
-                           "Only what a scene needs: simpler models, and error against cost");
+  tumble::support::Chapter chapter(
+      "10_only_what_a_scene_needs",
+      "Only what a scene needs: simpler models, and error against cost");
   chapter.table("chosen", "What bodies are", chosen_table);
   chapter.table("why", "What choose_model() says", why_table);
   chapter.table("ladder", "The same answer, for less", ladder_table);
@@ -38,12 +31,12 @@ int main(int argc, char** argv) {
   chapter.table("work", "Evaluations that an error needs", work_table);
   chapter.table("spoiled", "A force that looks at the spin", spoiled_table);
   chapter.table("changing", "Steps that change", changing_table);
-  chapter.table("hard_cases", "Hard cases, one by one", hard::hard_cases_table);
-  chapter.table("hard_refused", "What no body has", hard::hard_refused_table);
-  chapter.table("hard_flips", "A thousand seconds next to the separatrix", hard::hard_flips_table);
-  chapter.table("hard_tops", "Tops that sleep, and tops that fall", hard::hard_tops_table);
-  chapter.table("hard_million", "A million steps", hard::hard_million_table);
-  chapter.table("hard_float", "Half the digits", hard::hard_float_table);
+  chapter.table("hard_cases", "Hard cases, one by one", hard_cases_table);
+  chapter.table("hard_refused", "What no body has", hard_refused_table);
+  chapter.table("hard_flips", "A thousand seconds next to the separatrix", hard_flips_table);
+  chapter.table("hard_tops", "Tops that sleep, and tops that fall", hard_tops_table);
+  chapter.table("hard_million", "A million steps", hard_million_table);
+  chapter.table("hard_float", "Half the digits", hard_float_table);
   chapter.figure("tip", tip_figure);
   chapter.figure("future", future_figure);
   chapter.figure("cones", cones_figure);

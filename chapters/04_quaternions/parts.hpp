@@ -1,0 +1,70 @@
+#pragma once
+/// @file
+/// The tables and figures of the chapter's program, by the part that makes them.
+
+#include <string>
+
+#include "support/table.hpp"
+
+namespace quaternions_chapter {
+
+using tumble::support::Table;
+
+// ── cost.cpp ──
+
+/// What the arithmetic of an orientation costs.
+Table counts_table();
+/// Error after ten seconds of a top against the multiplications spent.
+std::string work_figure();
+/// What an orientation error costs.
+Table reach_table();
+/// What the other operations take.
+Table times_table();
+
+// ── digits.cpp ──
+
+/// The angle of a small turn.
+Table small_angles_table();
+/// A quarter of the way between two that are close.
+Table near_table();
+
+// ── drift.cpp ──
+
+/// A steady turn of 2 rad/s in steps of 1/60 s.
+Table drift_table();
+/// How far from a rotation nine numbers and four numbers get, if nobody repairs them.
+std::string drift_figure();
+/// One step of a turn that is large for it.
+Table big_steps_table();
+
+// ── turns.cpp ──
+
+/// Some turns and their quaternions.
+Table turns_table();
+/// Two quarter turns in both orders.
+Table order_table();
+/// The plane at eight moments of a turn about the vertical that goes round twice; the
+/// quaternion goes round once.
+std::string circle_figure();
+/// A turn of 60° by a quaternion that is too long.
+Table length_table();
+/// Half as far from a half turn, the formula with one case errs four times as much.
+std::string half_turn_figure();
+
+// ── ways.cpp ──
+
+/// Five ways of 150°.
+Table ways_table();
+/// Nine mixed numbers crush the plane to a fifteenth of its volume, three mixed angles twist it
+/// about.
+std::string between_figure();
+/// Where the nose points on the way, with a dot at every eighth of the time.
+std::string tracks_figure();
+/// Equal parts of the chord, seen from the middle, are unequal parts of the arc.
+std::string chord_figure();
+/// How fast the plane turns on each way of 150°. Only slerp keeps its pace.
+std::string pace_figure();
+/// How uneven the pace of a mixture is, and how far it is from where slerp is, at worst.
+Table pace_table();
+
+}  // namespace quaternions_chapter

@@ -1,0 +1,53 @@
+/// @file
+/// The same body on plain arrays, for a solver that knows nothing of bodies.
+
+#include "common.hpp"
+#include "objects/hanging_mug.hpp"
+#include "parts.hpp"
+
+namespace rigid_body_chapter {
+
+namespace {
+
+int asked = 0;  ///< how often dydt() has been called
+
+/// The mug on its spring, in the form of the lectures.
+void dydt(double t, const double y[], double ydot[]) {
+  static const auto motion = hanging_mug();
+  ++asked;
+  Eigen::Map<PackedState<double>>{ydot} = motion(t, Eigen::Map<const PackedState<double>>{y});
+}
+
+/// The mug after t seconds, and nothing but arrays on the way.
+std::vector<double> mug_after(double t, double tolerance) {
+  const PackedState<double> start = pack(mug_start());
+  const std::vector<double> y0(start.begin(), start.end());
+  return ode(y0, 0.0, t, dydt, {tolerance, tolerance});
+}
+
+}  // namespace
+
+Table arrays_table() {
+  Table table({"the call", "evaluations", "orientation off"});
+  constexpr double t = 0.5;
+  const RigidBodyState<> exact = followed(hanging_mug(), mug_start(), t);
+  const auto add = [&](const std::string& call, const std::vector<double>& end) {
+    const PackedState<double> y = Eigen::Map<const PackedState<double>>(end.data());
+    table.add({call, std::to_string(asked),
+               error_number(turned_apart(unpack<double>(y), exact)) + " rad"});
+    asked = 0;
+  };
+  asked = 0;
+  const PackedState<double> start = pack(mug_start());
+  std::vector<double> Y(start.begin(), start.end());
+  for (int i = 0; i < 120; ++i) ode(Y.data(), 13, t / 120, dydt, i * t / 120);
+  add("120 × ode(Y, 13, h, dydt)", Y);
+  std::vector<double> end(13);
+  ode(start.data(), end.data(), 13, 0.0, t, dydt);
+  add("ode(y0, y1, 13, t0, t1, dydt)", end);
+  for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12})
+    add("ode(y0, t0, t1, dydt, " + number(tolerance) + ")", mug_after(t, tolerance));
+  return table;
+}
+
+}  // namespace rigid_body_chapter

@@ -1,0 +1,161 @@
+/// @file
+/// Bodies that turn over: a wing nut in pictures, the way of L in the body, how often it happens.
+
+#include "common.hpp"
+#include "parts.hpp"
+#include "support/sphere_curves.hpp"
+#include "support/view.hpp"
+#include "tumble/elliptic/integrals.hpp"
+
+namespace rigid_body_chapter {
+
+namespace {
+
+using support::sphere_view, support::visible, support::Way;
+
+}  // namespace
+
+// ── The nut ──
+
+std::string nut_figure() {
+  constexpr int pictures = 4;
+  constexpr double width = 760, cell = width / pictures, row = 190;
+  const PolygonMesh mesh = support::coarsened(centred(nut_object), 13);
+  const Mat3 view = (exp_rotation(Vec3(0.45, 0, 0)) * exp_rotation(Vec3(0, -0.7, 0)));
+  const double flips = time_between_flips(nut(), nut_start());
+  // |L|/B is how fast the nut goes round L while it turns about its middle axis.
+  const double turn = 2 * pi * principal_axes(nut().I_body()).moments[1] / nut_start().L.norm();
+  std::string svg = support::svg_open(width, row, "A wing nut turns over");
+  for (int i = 0; i < pictures; ++i) {
+    const double t = turn * std::round((flips * (0.5 + i) / pictures) / turn);
+    const double x = cell * (i + 0.5);
+    const RigidBodyState<> state =
+        stepped<Rk4>(RigidBodyMotion(nut()), nut_start(), t, static_cast<int>(2000 * t));
+    svg += support::draw_mesh(mesh, view * to_matrix(state.q), {x, 84, 3000});
+    svg += "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(row - 8) +
+           "\" fill=\"var(--ink)\" font-size=\"16\" text-anchor=\"middle\">" +
+           support::svg_number(t, 2) + " s</text>\n";
+  }
+  return svg + "</svg>\n";
+}
+
+std::string spin_figure() {
+  support::Plot plot{"the nut's ω, in its own axes", {"time [s]"}, {"[rad/s]"}, {}};
+  const FreeMotion motion(nut(), nut_start());
+  const std::array<std::string, 3> names{"least moment", "middle moment", "largest moment"};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    support::Series series{names[axis], {}, {}};
+    for (int i = 0; i <= 600; ++i) {
+      const double t = 0.01 * i;
+      series.x.push_back(t);
+      series.y.push_back(omega_principal(nut(), motion.at(t))[static_cast<Eigen::Index>(axis)]);
+    }
+    plot.series.push_back(series);
+  }
+  return support::to_svg(plot);
+}
+
+// ── The way of L in the body ──
+
+namespace {
+
+/// The way that leads through a direction of L. The body starts with its principal axes along the
+/// world's.
+std::vector<Vec3> way_through(const Vec3& moments, const Vec3& direction) {
+  const RigidBody<> body(1, moments.asDiagonal());
+  const RigidBodyState<> start{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), direction};
+  const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
+  const double round =
+      4 * complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) / std::abs(polhode->lambda);
+  const FreeMotion motion(body, start);
+  std::vector<Vec3> points;
+  constexpr int count = 72;
+  for (int i = 0; i <= count; ++i) {
+    const Quat q = motion.at(round * (i + 0.5) / count).q;
+    points.push_back(to_matrix(q).transpose() * direction);
+  }
+  return points;
+}
+
+/// The two circles through the middle axis that part the ways, L₁²(1/A − 1/B) = L₃²(1/B − 1/C).
+std::vector<Way> parting_circles(const Vec3& moments) {
+  const Vec3 inverse = moments.cwiseInverse();
+  const double slope = std::sqrt((inverse[0] - inverse[1]) / (inverse[1] - inverse[2]));
+  std::vector<Way> ways;
+  for (const double sign : {1., -1.}) {
+    const Vec3 across = Vec3(1, 0, sign * slope).normalized();
+    Way way{{}, {"c1", 2.4}};
+    for (int i = 0; i <= 72; ++i) {
+      const double angle = 2 * pi * i / 72;
+      way.points.push_back(std::cos(angle) * Vec3::UnitY() + std::sin(angle) * across);
+    }
+    ways.push_back(way);
+  }
+  return ways;
+}
+
+/// Ways about the least axis (blue) and about the largest (green), and what parts them.
+std::vector<Way> ways_of(const Vec3& moments) {
+  std::vector<Way> ways;
+  for (const double side : {1., -1.})
+    for (const double angle : {18., 36., 54., 72., 85.}) {
+      // From the least axis towards the middle one: all of them are about the least axis.
+      const double a = angle * degree;
+      ways.push_back({way_through(moments, {side * std::cos(a), std::sin(a), 0}), {"c0", 1.5}});
+      ways.push_back({way_through(moments, {0, std::sin(a), side * std::cos(a)}), {"c2", 1.5}});
+    }
+  for (const Way& way : parting_circles(moments)) ways.push_back(way);
+  return ways;
+}
+
+void draw_sphere(support::Sketch& sketch, const Vec3& moments, const std::string& name) {
+  const Mat3 view = sphere_view();
+  std::vector<Vec2> rim;
+  for (int i = 0; i <= 90; ++i)
+    rim.emplace_back(std::cos(2 * pi * i / 90), std::sin(2 * pi * i / 90));
+  const std::vector<Way> ways = ways_of(moments);
+  for (const Way& way : parting_circles(moments))
+    sketch.curves(visible(way, view, false), {"c1", 1, 0.35});
+  sketch.curve(rim, {"faint", 1.2, 1, 0.05});
+  for (const Way& way : ways) sketch.curves(visible(way, view, true), way.pen);
+  const std::array<std::string, 3> names{"least", "middle", "largest"};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Vec2 tip = (view * Vec3::Unit(i)).head<2>();
+    sketch.dot(tip, "ink", 4);
+    sketch.words(tip, {8, -8}, names[static_cast<std::size_t>(i)]);
+  }
+  sketch.words({0, -1}, {0, 32}, name, "ink", "middle");
+}
+
+}  // namespace
+
+std::string polhode_figure() {
+  support::Sketch sketch(760, 420, "The ways of the angular momentum in a body that nothing pushes",
+                         18);
+  sketch.look({190, 190, 172});
+  draw_sphere(sketch, principal_axes(handle().I_body()).moments, "T-handle");
+  sketch.look({570, 190, 172});
+  draw_sphere(sketch, principal_axes(nut().I_body()).moments, "wing nut");
+  return sketch.svg();
+}
+
+// ── How often ──
+
+Table flips_table() {
+  Table table({"aimed to", "handle turns over every", "nut turns over every"});
+  for (const double tilt : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    const double handle_time = time_between_flips(handle(), spinning(handle(), 2 * pi, tilt));
+    const double nut_time = time_between_flips(nut(), spinning(nut(), nut_rate, tilt));
+    table.add({number(tilt) + " rad", support::svg_number(handle_time, 2) + " s",
+               support::svg_number(nut_time, 2) + " s"});
+  }
+  const auto added = [](const RigidBody<>& body, double rate) {
+    const Vec3 I = principal_axes(body.I_body()).moments;
+    const double growth = rate * std::sqrt((I[2] - I[1]) * (I[1] - I[0]) / (I[0] * I[2]));
+    return support::svg_number(2 * std::log(10) / growth, 2) + " s";
+  };
+  table.add({"2 ln 10 / λ", added(handle(), 2 * pi), added(nut(), nut_rate)});
+  return table;
+}
+
+}  // namespace rigid_body_chapter

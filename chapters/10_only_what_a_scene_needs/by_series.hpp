@@ -1,0 +1,17 @@
+#pragma once
+/// @file
+/// Steady forces by Taylor series.
+
+#include "common.hpp"
+
+namespace scene_chapter {
+
+inline Quat by_series(const KnownTurning& scene, double tolerance, int& order, int& steps) {
+  const SteadyTorque torque(scene.body, scene.forces);
+  const TurningBySeries<1> turning(torque, torque.turning(scene.start.q, scene.start.L), 0,
+                                   scene.duration, tolerance);
+  order = turning.order(), steps = turning.steps();
+  return torque.orientation(turning.end());
+}
+
+}  // namespace scene_chapter

@@ -1,0 +1,235 @@
+/// @file
+/// The ladder of models: which rung a body needs, what it costs, and how wrong a rung too low is.
+
+#include "common.hpp"
+#include "named_bodies.hpp"
+#include "parts.hpp"
+#include "support/stopwatch.hpp"
+#include "tumble/mass/solids/ball.hpp"
+#include "tumble/mass/solids/box.hpp"
+#include "tumble/mass/solids/cylinder.hpp"
+
+namespace scene_chapter {
+
+// ── What bodies are ──
+
+namespace {
+
+std::vector<Named> things() {
+  return {{"tennis ball", ball()}, {"die", die()},         {"coin", coin()},
+          {"pencil", pencil()},    {"gear wheel", gear()}, {"mug", mug()},
+          {"T-handle", handle()},  {"wing nut", nut()},    {"tennis racket", racket()}};
+}
+
+}  // namespace
+
+Table chosen_table() {
+  Table table({"body", "moments, largest = 1", "two differ by", "model", "if 1 % is nothing"});
+  for (const auto& [name, body] : things()) {
+    const Vec3 m = principal_axes(body.I_body()).moments;
+    const auto part = [&](int i) { return number(m[i] / m[2], 3); };
+    const double asymmetry = nearest_symmetric_top(body).asymmetry;
+    table.add({name, part(0) + " : " + part(1) + " : 1",
+               asymmetry > 0 && asymmetry < 1e-12 ? "rounding" : number(asymmetry, 2),
+               name_of(choose_model(body).model), name_of(choose_model(body, 0.01).model)});
+  }
+  return table;
+}
+
+Table why_table() {
+  Table table({"body", "model", "why"});
+  for (const auto& [name, body] :
+       {Named{"die", die()}, Named{"coin", coin()}, Named{"mug", mug()}}) {
+    const ModelChoice choice = choose_model(body);
+    table.add({name, name_of(choice.model), choice.why});
+  }
+  return table;
+}
+
+// ── The same answer, for less ──
+
+namespace {
+
+/// What simulate() chooses for a scene, and what the full body needs for the same.
+template <class... Forces>
+void add_rung(Table& table, const std::string& name, const RigidBody<>& body,
+              const RigidBodyState<>& start, const SimulationTask& task, const Forces&... forces) {
+  const Trajectory way = simulate(body, start, task, forces...);
+  const auto full = integrate_adaptive<Dop853>(RigidBodyMotion(body, forces...), pack(start),
+                                               task.t0, task.t1, {1e-10, 1e-10});
+  const RigidBodyState<> end = unpack<double>(full.y), here = way.end();
+  const double apart =
+      task.wanted == Wanted::path_only ? (end.x - here.x).norm() : angle_between(end.q, here.q);
+  const SimulationReport& report = way.report();
+  table.add({name, name_of(report.model), std::to_string(report.evaluations),
+             std::to_string(full.evaluations),
+             error_above(apart, 1e-7) + (task.wanted == Wanted::path_only ? " m" : " rad")});
+}
+
+/// Thrown up and away, spinning about none of its axes.
+RigidBodyState<> thrown(const RigidBody<>& body) {
+  return state_of_motion<double>(body, Vec3::Zero(), Quat::Identity(), {3, 0, 12}, {9, 20, 14});
+}
+
+}  // namespace
+
+Table ladder_table() {
+  Table table({"scene, 2 s", "model", "evaluations", "by DOP853", "apart"});
+  const BodyDrag air{0.003, 0};
+  const SimulationTask path{0, 2, 1e-7, Wanted::path_only}, all{0, 2, 1e-7};
+  add_rung(table, "ball in the air, only its path", ball(), thrown(ball()), path, weight, air);
+  add_rung(table, "racket, only its path", racket(), thrown(racket()), path, weight);
+  add_rung(table, "die", die(), thrown(die()), all, weight);
+  add_rung(table, "gear wheel", gear(), thrown(gear()), all, weight);
+  add_rung(table, "racket", racket(), thrown(racket()), all, weight);
+  const KnownTurning& top = fast_top();
+  add_rung(table, "fast top on its pivot", top.body, top.start, all, top.forces);
+  const KnownTurning& odd = lopsided_body();
+  add_rung(table, "lopsided body on its pivot", odd.body, odd.start, all, odd.forces);
+  add_rung(table, "mug on its spring", mug(), mug_start(), all, weight, spring, drag);
+  return table;
+}
+
+// ── What a rung costs ──
+
+namespace {
+
+/// Adds rows with times and their ratio to the first one's.
+Table times_of(const std::string& heading, const support::Stopwatch& stopwatch) {
+  Table table({heading, "time", "as a ratio"});
+  const std::vector<support::Timing> timings = stopwatch.timings();
+  for (const support::Timing& each : timings)
+    table.add({each.name, support::duration(each.seconds),
+               number(each.seconds / timings[0].seconds, 2) + " ×"});
+  return table;
+}
+
+}  // namespace
+
+Table rungs_table() {
+  static double t = 7;
+  static const SteadyPath path(ball(), thrown(ball()), weight.steady(ball()));
+  static const FreeMotion round(die(), thrown(die())), top(gear(), thrown(gear())),
+      full(racket(), thrown(racket()));
+  static const RigidBodyMotion motion(racket(), weight);
+  static PackedState<double> y = pack(thrown(racket()));
+  support::Stopwatch stopwatch;
+  const auto add = [&](const std::string& name, auto&& action) {
+    stopwatch.add(name, [action] {
+      support::keep(t);
+      support::keep(y);
+      support::keep(action());
+    });
+  };
+  add("particle: its place at some time", [] { return path.x(t); });
+  add("ball: orientation too", [] { return round.at(t); });
+  add("symmetric top", [] { return top.at(t); });
+  add("full body", [] { return full.at(t); });
+  add("full body, set up and asked once",
+      [] { return FreeMotion(racket(), thrown(racket())).at(t); });
+  add("full body, one step of RK4", [] { return rk4_step(motion, 0, y, 0.01); });
+  return times_of("what is asked", stopwatch);
+}
+
+// ── Forces that are not there ──
+
+namespace {
+
+/// A falling body as one would write it if there were no other forces in the world.
+struct OnlyFalling {
+  RigidBody<> body;
+
+  PackedState<double> operator()(double, const PackedState<double>& y) const {
+    const RigidBodyState<> state = unpack<double>(y);
+    const Derived<> now = derived(body, state);
+    return pack<double>(
+        {now.v, quaternion_dot(state.q, now.omega), body.mass() * weight.g, Vec3::Zero()});
+  }
+};
+
+}  // namespace
+
+Table absent_table() {
+  static PackedState<double> y = pack(thrown(racket()));
+  static const OnlyFalling by_hand{racket()};
+  static const RigidBodyMotion falling(racket(), weight);
+  static const RigidBodyMotion with_zero(racket(), weight, BodyDrag{0, 0});
+  static const RigidBodyMotion with_two_zeros(racket(), weight, BodyDrag{0, 0},
+                                              SpringToWorld{Vec3::Zero(), {0, 0, 9}, 0, 1});
+  support::Stopwatch stopwatch;
+  const auto add = [&](const std::string& name, const auto& motion) {
+    stopwatch.add(name, [&motion] {
+      support::keep(y);
+      support::keep(rk4_step(motion, 0, y, 0.01));
+    });
+  };
+  add("weight alone, written by hand", by_hand);
+  add("weight", falling);
+  add("weight, drag of 0", with_zero);
+  add("weight, drag of 0, spring of 0 N/m", with_two_zeros);
+  return times_of("a step of RK4 with", stopwatch);
+}
+
+// ── How equal is equal enough ──
+
+namespace {
+
+/// The largest angle between two free motions on the way to T [rad].
+double largest_angle(const FreeMotion& a, const FreeMotion& b, double T) {
+  constexpr int moments = 400;
+  double largest = 0;
+  for (int i = 1; i <= moments; ++i) {
+    const double t = i * T / moments;
+    largest = std::max(largest, angle_between(a.at(t).q, b.at(t).q));
+  }
+  return largest;
+}
+
+/// A body taken for a simpler one, spun about some axis of its own.
+struct Stretched {
+  std::string name;
+  Vec3 moments, simpler, about;
+  double difference;  ///< of the moments that are taken for equal, by the larger one
+};
+
+std::vector<Stretched> stretched() {
+  const double d = 1e-4;
+  const Vec3 askew(1, 2, 3);
+  return {
+      {"ball, spun askew", {1 - d, 1 - d / 2, 1}, Vec3::Constant(1 - d / 2), askew, d},
+      {"ball, about its largest", {1 - d, 1 - d / 2, 1}, Vec3::Constant(1 - d / 2), {0, 0, 1}, d},
+      {"top, spun askew", {1 - d, 1, 0.5}, {1 - d / 2, 1 - d / 2, 0.5}, askew, d},
+      {"top, along its axis", {1 - d, 1, 0.5}, {1 - d / 2, 1 - d / 2, 0.5}, {0.1, 0.1, 1}, d},
+      {"top, across its axis", {1 - d, 1, 0.5}, {1 - d / 2, 1 - d / 2, 0.5}, {1, 1, 0}, d}};
+}
+
+/// Spun at 1 rad/s, so that ωT is T.
+double true_error(const Stretched& s, double T) {
+  const RigidBody<> body(1, s.moments.asDiagonal()), simple(1, s.simpler.asDiagonal());
+  const RigidBodyState<> start = turning_state(body, Quat::Identity(), s.about.normalized());
+  return largest_angle(FreeMotion(body, start), FreeMotion(simple, start), T);
+}
+
+}  // namespace
+
+Table equal_table() {
+  Table table({"taken for a", "ωT = 10 rad", "100 rad", "1000 rad", "true ÷ rule"});
+  std::vector<std::string> rule{"the rule, ωT · 1e-4"};
+  for (const double T : {10., 100., 1000.}) rule.push_back(error_number(1e-4 * T) + " rad");
+  rule.emplace_back("");
+  table.add(rule);
+  for (const Stretched& s : stretched()) {
+    std::vector<std::string> row{s.name};
+    std::string ratios;
+    for (const double T : {10., 100., 1000.}) {
+      const double error = true_error(s, T);
+      row.push_back(error_number(error) + " rad");
+      ratios += (ratios.empty() ? "" : ", ") + number(error / (s.difference * T), 2);
+    }
+    row.push_back(ratios);
+    table.add(row);
+  }
+  return table;
+}
+
+}  // namespace scene_chapter

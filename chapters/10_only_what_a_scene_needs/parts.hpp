@@ -1,0 +1,112 @@
+#pragma once
+/// @file
+/// The tables and figures of the chapter's program, by the part that makes them.
+
+#include <string>
+
+#include "support/table.hpp"
+
+namespace scene_chapter {
+
+using tumble::support::Table;
+
+// ── cost.cpp ──
+
+/// Error against evaluations. The closed form is one question, at the error it promises.
+std::string work_figure();
+/// Evaluations that an error needs.
+Table work_table();
+
+// ── crowd.cpp ──
+
+/// Many bodies at once: what each takes.
+Table crowd_table();
+
+// ── elliptic.cpp ──
+
+/// The elliptic sine over one period.
+std::string sn_figure();
+/// Ways of L on its sphere with a dot for each 48th of a round.
+std::string clock_figure();
+/// A free body, far in the future.
+Table future_table();
+/// The error of a free body against time.
+std::string future_figure();
+/// What the start decides.
+Table condition_table();
+
+// ── energy.cpp ──
+
+/// The energy of the free handle.
+Table free_energy_table();
+/// The energy of a nodding top.
+Table drift_table();
+/// A trend from two states, and from all.
+Table ends_table();
+/// The energy of a nodding top against time, by each method.
+std::string drift_figure();
+/// A force that looks at the spin.
+Table spoiled_table();
+/// Steps that change.
+Table changing_table();
+
+// ── free_top.cpp ──
+
+/// Wobbles in a turn.
+Table wobble_table();
+/// Two turns, on the right side and on the wrong one.
+Table sides_table();
+/// ω goes round a cone about L in the world, and round one about n in the body.
+std::string cones_figure();
+
+// ── hard_cases.cpp ──
+
+/// A thousand seconds next to the separatrix.
+Table hard_flips_table();
+/// Hard cases, one by one.
+Table hard_cases_table();
+/// What no body has.
+Table hard_refused_table();
+/// Tops that sleep, and tops that fall.
+Table hard_tops_table();
+/// A million steps.
+Table hard_million_table();
+/// Half the digits.
+Table hard_float_table();
+
+// ── heavy_top.cpp ──
+
+/// The tip of a heavy top on its sphere, once round the vertical.
+std::string tip_figure();
+/// How far a top leans.
+Table sleep_table();
+/// A top that slows down.
+Table event_table();
+/// How far the axis of that top leans, against time.
+std::string sleep_figure();
+/// A lopsided body by Taylor series.
+Table series_table();
+
+// ── ladder.cpp ──
+
+/// What bodies are.
+Table chosen_table();
+/// What choose_model() says, and why.
+Table why_table();
+/// The same answer, for less.
+Table ladder_table();
+/// What a rung costs.
+Table rungs_table();
+/// Forces that are not there.
+Table absent_table();
+/// How wrong a simpler body turns.
+Table equal_table();
+
+// ── stated.cpp ──
+
+/// What simulate() says, and what is true.
+Table stated_table();
+/// What cannot be had.
+Table unreachable_table();
+
+}  // namespace scene_chapter
