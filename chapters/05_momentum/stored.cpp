@@ -216,7 +216,7 @@ const RigidBody<>& wanderer() {
 std::vector<Moment> wandering(double duration, int count) {
   const RigidBodyState<> start = state_of_motion<double>(wanderer(), Vec3::Zero(), Quat::Identity(),
                                                          Vec3::Zero(), Vec3(0.3, 1, 0.55));
-  return followed(RigidBodyMotion(wanderer()), start, duration, count);
+  return followed(RigidBodyRhs(wanderer()), start, duration, count);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ class Witness {
 
 template <class Method>
 void add_free_row(Table& table, const std::string& name, int rate) {
-  const RigidBodyMotion motion(handle());
+  const RigidBodyRhs motion(handle());
   const double first = kinetic_energy(handle(), handle_start());
   Witness after_20(1.0 / rate), after_200(1.0 / rate);
   after_20.see(0), after_200.see(0);
@@ -187,10 +187,10 @@ Witness with_changing_steps() {
 }
 
 /// The order that a splitting shows with a drag that it takes for a force of the place alone.
-std::vector<double> with_drag(double spin_drag) {
+std::vector<double> with_drag(double angular_drag) {
   KnownTurning scene = nodding_top();
-  scene.forces.spin_drag = spin_drag;
-  const HeldMotion motion(scene.body, scene.forces);
+  scene.forces.angular_drag = angular_drag;
+  const HeldRhs motion(scene.body, scene.forces);
   const RigidBodyState<> exact = followed(motion, scene.start, 2);
   const Steps method = of_splitting<BlanesMoan4>(scene, "");
   std::vector<double> errors;

@@ -98,7 +98,7 @@ namespace {
 /// A top that is slowed down by the air, and slowly stops to stand.
 Trajectory sleepy_top() {
   KnownTurning scene = tilted_top(25, 1e-3, 0);
-  scene.forces.spin_drag = 0.01;
+  scene.forces.angular_drag = 0.01;
   return simulate(scene.body, scene.start, {0, 60, 1e-6}, scene.forces);
 }
 

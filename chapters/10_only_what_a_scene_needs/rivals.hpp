@@ -8,7 +8,7 @@
 
 namespace scene_chapter {
 
-using HeldMotion = RigidBodyMotion<double, SteadyForces>;
+using HeldRhs = RigidBodyRhs<double, SteadyForces>;
 
 /// One step of some method: (t, state, h) → state.
 using Stepping = std::function<RigidBodyState<>(double, const RigidBodyState<>&, double)>;
@@ -22,7 +22,7 @@ struct Steps {
 
 template <class Method>
 Steps of_method(const KnownTurning& scene, const std::string& name, int evaluations) {
-  const HeldMotion motion(scene.body, scene.forces);
+  const HeldRhs motion(scene.body, scene.forces);
   return {name, evaluations, [motion](double t, const RigidBodyState<>& state, double h) {
             return unpack<double>(PackedState<double>(Method::step(motion, t, pack(state), h)));
           }};
@@ -30,7 +30,7 @@ Steps of_method(const KnownTurning& scene, const std::string& name, int evaluati
 
 template <class Scheme>
 Steps of_splitting(const KnownTurning& scene, const std::string& name) {
-  const HeldMotion motion(scene.body, scene.forces);
+  const HeldRhs motion(scene.body, scene.forces);
   const Splitting<Scheme, SteadyForces> splitting(motion);
   constexpr int parts = static_cast<int>(Scheme::composition.parts.size());
   // A kick that ends a step and the one that begins the next are at the same place.
@@ -40,7 +40,7 @@ Steps of_splitting(const KnownTurning& scene, const std::string& name) {
 }
 
 inline Steps of_turns(const KnownTurning& scene) {
-  const HeldMotion motion(scene.body, scene.forces);
+  const HeldRhs motion(scene.body, scene.forces);
   return {"Lie-group RK4", 4, [motion](double t, const RigidBodyState<>& state, double h) {
             return LieGroupRk4::step(motion, t, state, h);
           }};
