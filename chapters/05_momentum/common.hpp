@@ -34,8 +34,8 @@ struct Moment {
 };
 
 /// The motion at `count` moments, equally far apart.
-template <class Motion>
-std::vector<Moment> followed(const Motion& motion, const RigidBodyState<>& start, double duration,
+template <class Rhs>
+std::vector<Moment> followed(const Rhs& motion, const RigidBodyState<>& start, double duration,
                              int count) {
   std::vector<Moment> list{{0, derived(motion.body(), start)}};
   PackedState<double> y = pack(start);

@@ -28,7 +28,7 @@ inline auto thrown_racket(int count) {
   const Quat q = exp_quaternion<double>(Vec3(0, -0.6, 0)) * exp_quaternion<double>(Vec3(0.5, 0, 0));
   const Vec3 v(3.3, 0, 4.6), omega(0.6, 14, 0.4);
   const RigidBodyState<> start = state_of_motion<double>(body, Vec3::Zero(), q, v, omega);
-  return followed(RigidBodyMotion(body, Weight{}), start, 0.95, count);
+  return followed(RigidBodyRhs(body, Weight{}), start, 0.95, count);
 }
 
 /// The lines of a racket, in the mesh's coordinates.

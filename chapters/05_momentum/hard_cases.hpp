@@ -118,7 +118,7 @@ inline auto nozzle_not_turned() {
 template <class Force>
 std::string distance_after(double t, const Force& force) {
   const RigidBody<> body(satellite_mass, Mat3(20 * Mat3::Identity()));
-  const RigidBodyMotion motion(body, force);
+  const RigidBodyRhs motion(body, force);
   const RigidBodyState<> start = state_of_motion<double>(body, Vec3::Zero(), Quat::Identity(),
                                                          Vec3::Zero(), Vec3(0, 0, satellite_spin));
   const auto end = integrate_adaptive<Dop853>(motion, pack(start), 0, t, {1e-10, 1e-10});
@@ -156,7 +156,7 @@ inline PackedState<double> at_the_hook() { return pack(RigidBodyState<>{}); }
 constexpr double swing_time = 1;
 
 inline PackedState<double> exact_swing() {
-  const RigidBodyMotion motion(plank(), Weight{}, rope_to(hook));
+  const RigidBodyRhs motion(plank(), Weight{}, rope_to(hook));
   return integrate_adaptive<Dop853>(motion, at_the_hook(), 0, swing_time, {1e-13, 1e-13}).y;
 }
 
@@ -166,7 +166,7 @@ inline Vec3 free_end(const PackedState<double>& y) {
 
 template <class Method>
 double fresh_arm_error(int steps) {
-  const RigidBodyMotion motion(plank(), Weight{}, rope_to(hook));
+  const RigidBodyRhs motion(plank(), Weight{}, rope_to(hook));
   const auto y = integrate_fixed<Method>(motion, at_the_hook(), 0, swing_time, steps);
   return (free_end(y) - free_end(exact_swing())).norm();
 }
@@ -176,7 +176,7 @@ double old_arm_error(int steps) {
   PackedState<double> y = at_the_hook();
   for (int i = 0; i < steps; ++i) {
     const Vec3 arm = to_matrix(unpack<double>(y).q) * hook;
-    const RigidBodyMotion motion(plank(), Weight{}, ArmOfTheStart{rope_to(hook), arm});
+    const RigidBodyRhs motion(plank(), Weight{}, ArmOfTheStart{rope_to(hook), arm});
     y = Method::step(motion, 0., y, swing_time / steps);
   }
   return (free_end(y) - free_end(exact_swing())).norm();

@@ -46,7 +46,7 @@ struct KickForce {
 };
 
 inline RigidBodyState<> after(const Kick& kick) {
-  const RigidBodyMotion motion(plank(), KickForce{kick.forces});
+  const RigidBodyRhs motion(plank(), KickForce{kick.forces});
   const PackedState<double> rest = pack(RigidBodyState<>{});
   return unpack<double>(integrate_fixed<Rk4>(motion, rest, 0, kick_duration, 64));
 }
@@ -85,7 +85,7 @@ inline std::string push_figure() {
   support::Sketch sketch(760, 472, "The same kick at three points of a plank");
   for (std::size_t k = 0; k < 3; ++k) {
     sketch.look({130 + 250. * static_cast<double>(k), 398, 196});
-    const RigidBodyMotion free(plank());
+    const RigidBodyRhs free(plank());
     int i = 0;
     for (const Moment& m : followed(free, after(kicks[k]), 4 * 0.37, 5)) {
       draw_plank(sketch, m.now, {"ink", 2, i == 0 ? 1 : 0.6});

@@ -209,7 +209,7 @@ inline const RigidBody<>& wanderer() {
 inline std::vector<Moment> wandering(double duration, int count) {
   const RigidBodyState<> start = state_of_motion<double>(wanderer(), Vec3::Zero(), Quat::Identity(),
                                                          Vec3::Zero(), Vec3(0.3, 1, 0.55));
-  return followed(RigidBodyMotion(wanderer()), start, duration, count);
+  return followed(RigidBodyRhs(wanderer()), start, duration, count);
 }
 
 /// The way of the tip of ω, with L upright, seen from a little above.

@@ -15,7 +15,7 @@ namespace bounding_boxes_chapter {
 inline Mat3 flown(const Mat3& I_body, const Vec3& omega, double duration) {
   if (duration == 0) return Mat3::Identity();
   const RigidBody<> body(1, I_body);
-  const RigidBodyMotion motion(body);
+  const RigidBodyRhs motion(body);
   const auto start =
       state_of_motion<double>(body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), omega);
   const auto end = integrate_adaptive<Dop853>(motion, pack(start), 0.0, duration, {1e-12, 1e-12});

@@ -44,12 +44,12 @@ inline PolygonMesh small_cube() { return cube(0.5, Vec3::Constant(0.25)); }
 
 struct SpoiledCube {
   std::string what;
-  FindingKind kind;
+  MeshDefectKind kind;
   PolygonMesh mesh;
 };
 
 inline std::vector<SpoiledCube> spoiled_cubes() {
-  using Kind = FindingKind;
+  using Kind = MeshDefectKind;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const PolygonMesh whole = cube(), cut = triangulated(whole);
   return {{"no face at all", Kind::no_faces, {}},
@@ -89,14 +89,14 @@ inline Table findings_table() {
   constexpr std::size_t width = 65;
   Table table({"a cube with", padded("what is found: kind, place, meaning", width)});
   for (const SpoiledCube& spoiled : spoiled_cubes()) {
-    const std::vector<Finding> findings = diagnose(spoiled.mesh, anywhere);
-    const auto found = std::find_if(findings.begin(), findings.end(), [&](const Finding& finding) {
-      return finding.kind == spoiled.kind;
-    });
+    const std::vector<MeshDefect> findings = diagnose(spoiled.mesh, anywhere);
+    const auto found =
+        std::find_if(findings.begin(), findings.end(),
+                     [&](const MeshDefect& finding) { return finding.kind == spoiled.kind; });
     require(found != findings.end(), spoiled.what, " is not found");
     std::string what = spoiled.what;
     for (const std::string& line :
-         wrapped(std::string(name(found->kind)) + ": " + found->message, width)) {
+         wrapped(std::string(name_of(found->kind)) + ": " + found->message, width)) {
       table.add({what, padded(line, width)});
       what.clear();
     }
@@ -115,7 +115,7 @@ inline Table accept_table() {
     try {
       mesh_mass_properties(mesh, 1, {Accuracy::tight, Policy::refuse, anywhere});
     } catch (const std::invalid_argument&) {
-      says = "refused: " + std::string(name(diagnose(mesh, anywhere).front().kind));
+      says = "refused: " + std::string(name_of(diagnose(mesh, anywhere).front().kind));
     }
     table.add({what, number(middle, 4) + " kg", number(corner, 4) + " kg", says});
   };
@@ -193,10 +193,10 @@ inline Table missed_table() {
   Table table({"width of the spike", "seen from above", "volume that counts −1 times", "found"});
   for (const double width : {0.4, 0.2, 0.1, 0.05, 0.02}) {
     const double through = width / 3;  // of its 1.5 m, the last 0.5 m are above the top
-    const std::vector<Finding> findings = diagnose(spiked_cube(width), anywhere);
+    const std::vector<MeshDefect> findings = diagnose(spiked_cube(width), anywhere);
     table.add({number(width) + " m", number(100 * through * through, 2) + " %",
                error_number(through * through * 0.5 / 3) + " m³",
-               findings.empty() ? "nothing" : name(findings.front().kind)});
+               findings.empty() ? "nothing" : name_of(findings.front().kind)});
   }
   return table;
 }

@@ -14,7 +14,7 @@
 #include "support/sketch.hpp"
 #include "support/table.hpp"
 #include "tumble/body.hpp"
-#include "tumble/free_body/free_motion.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/ode.hpp"
 #include "tumble/quaternion.hpp"

@@ -40,7 +40,7 @@ inline Table counts_table() {
   const RigidBodyState<C> state = cast_state<C>(mug_start());
   const Derived<C> now = derived(body, state);
   const PackedState<C> y = pack(state);
-  const auto motion_of = [&](const auto&... forces) { return RigidBodyMotion(body, forces...); };
+  const auto motion_of = [&](const auto&... forces) { return RigidBodyRhs(body, forces...); };
   table.add({"R from q", operations([&] { return to_matrix(state.q); })});
   table.add({"ω from L", operations([&] { return angular_velocity(body, now.R, state.L); })});
   table.add({"rate of q from ω", operations([&] { return quaternion_dot(state.q, now.omega); })});
@@ -52,7 +52,7 @@ inline Table counts_table() {
              operations([&] { return motion_of(weight, drag, spring)(C(0), y); })});
   const MatrixState<C> with_R{state.x, now.R, state.P, state.L};
   table.add({"with R for q, nothing pushes",
-             operations([&] { return MatrixStateMotion(body)(C(0), pack(with_R)); })});
+             operations([&] { return MatrixStateRhs(body)(C(0), pack(with_R)); })});
   table.add({"RK4's own, 13 numbers", operations([&] {
                return rk4_step([](C, const PackedState<C>& z) { return z; }, C(0), y, C(0.1));
              })});
@@ -64,10 +64,10 @@ inline Table counts_table() {
 inline Table times_table() {
   static PackedState<double> y = pack(mug_start());
   static PackedMatrixState<double> with_R = pack(as_matrix_state(mug_start()));
-  static const RigidBodyMotion lone(mug());
-  static const MatrixStateMotion lone_with_R(mug());
+  static const RigidBodyRhs lone(mug());
+  static const MatrixStateRhs lone_with_R(mug());
   static const auto motion = hanging_mug();
-  static const FreeMotion free(handle(), handle_start());
+  static const FreeTrajectory free(handle(), handle_start());
   support::Stopwatch stopwatch;
   const auto add = [&](const std::string& name, auto&& action) {
     stopwatch.add(name, [action] {
@@ -81,7 +81,8 @@ inline Table times_table() {
   add("with R for q, nothing pushes", [] { return lone_with_R(0, with_R); });
   add("RK4 step, nothing pushes", [] { return rk4_step(lone, 0, y, 0.01); });
   add("RK4 step, weight, drag, spring", [] { return rk4_step(motion, 0, y, 0.01); });
-  add("closed form of a free body: set up", [] { return FreeMotion(handle(), handle_start()); });
+  add("closed form of a free body: set up",
+      [] { return FreeTrajectory(handle(), handle_start()); });
   add("closed form of a free body: one time", [] { return free.at(7); });
   const std::vector<support::Timing> timings = stopwatch.timings();
   Table table({"what", "time", "as a ratio"});

@@ -89,7 +89,7 @@ inline double angle_apart(const Vec3& a, const Vec3& b) {
 
 inline Table laws_table() {
   Table table({"law", "flips in 30 s", "off after 10 s", "energy", "|L|", "L turned by"});
-  const RigidBodyState<> start = handle_start(), exact = FreeMotion(handle(), start).at(10);
+  const RigidBodyState<> start = handle_start(), exact = FreeTrajectory(handle(), start).at(10);
   const auto kept = [](double change) {
     return std::abs(change) < 1e-8 ? std::string("kept") : error_number(change);
   };

@@ -28,9 +28,9 @@ class FlipCounter {
 inline Table thousand_table() {
   Table table({"by", "evaluations", "turned over", "orientation in the end off by"});
   constexpr double duration = 1000;
-  const RigidBodyMotion motion(handle());
+  const RigidBodyRhs motion(handle());
   const PackedState<double> start = pack(handle_start());
-  const FreeMotion truth(handle(), handle_start());
+  const FreeTrajectory truth(handle(), handle_start());
   const auto add = [&](const std::string& name, int evaluations, int flips,
                        const PackedState<double>& end) {
     const double angle = turned_apart(unpack<double>(end), truth.at(duration));
@@ -69,14 +69,14 @@ inline auto motor() {
 
 inline Table begins_table() {
   Table table({"RK4", "60 steps a second", "120", "240", "480"});
-  const RigidBodyMotion motion(handle(), motor());
+  const RigidBodyRhs motion(handle(), motor());
   const auto in_two_parts = [&](auto&& part) {
     PackedState<double> y = part(pack(handle_start()), 0.0, switched_at);
     return part(y, switched_at, 1.0);
   };
-  const auto before = RigidBodyMotion(handle());
+  const auto before = RigidBodyRhs(handle());
   const auto after =
-      RigidBodyMotion(handle(), [](double, const RigidBody<>&, const Derived<>&) -> Wrench<> {
+      RigidBodyRhs(handle(), [](double, const RigidBody<>&, const Derived<>&) -> Wrench<> {
         return {Vec3::Zero(), Vec3(0.002, 0, 0)};
       });
   const auto exact = in_two_parts([&](const PackedState<double>& y, double t0, double t1) {
@@ -112,10 +112,9 @@ inline Table fast_table() {
                                                          2 * pi * Vec3(0.95, 0.2, 0.2));
   const double energy = kinetic_energy(handle(), start);
   constexpr int turns = 20;
-  const RigidBodyState<> exact = FreeMotion(handle(), start).at(turns);
+  const RigidBodyState<> exact = FreeTrajectory(handle(), start).at(turns);
   for (const int rate : {64, 32, 16, 8, 4, 2}) {
-    const RigidBodyState<> end =
-        stepped<Rk4>(RigidBodyMotion(handle()), start, turns, turns * rate);
+    const RigidBodyState<> end = stepped<Rk4>(RigidBodyRhs(handle()), start, turns, turns * rate);
     const double change = kinetic_energy(handle(), end) / energy - 1;
     table.add({std::to_string(rate), number(2 * pi / rate, 2),
                error_number(turned_apart(end, exact)) + " rad", error_number(change),
@@ -129,7 +128,7 @@ inline Table fast_table() {
 inline Table honey_table() {
   Table table({"method", "evaluations", "ω after one second"});
   const BodyDrag honey{30, 0.5};
-  const RigidBodyMotion motion(mug(), weight, honey);
+  const RigidBodyRhs motion(mug(), weight, honey);
   const auto text = [](const PackedState<double>& y) {
     const double spin = derived(mug(), unpack<double>(y)).omega.norm();
     return std::isfinite(spin) && spin < 1e3

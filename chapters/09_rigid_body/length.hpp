@@ -30,8 +30,8 @@ struct Drifted {
   double worst;
 };
 
-template <class Motion>
-Drifted drifted(const Motion& motion, const RigidBodyState<>& start, double duration, int steps,
+template <class Rhs>
+Drifted drifted(const Rhs& motion, const RigidBodyState<>& start, double duration, int steps,
                 Repair repair) {
   const bool inside = repair == Repair::within_each_slope || repair == Repair::both;
   const bool after = repair == Repair::after_each_step || repair == Repair::both;
@@ -51,8 +51,8 @@ Drifted drifted(const Motion& motion, const RigidBodyState<>& start, double dura
 inline Table length_table() {
   Table table({"q normalised", "|q| − 1 at worst", "60 steps a second", "120", "240", "order"});
   constexpr int seconds = 10;
-  const RigidBodyMotion motion(handle());
-  const RigidBodyState<> exact = FreeMotion(handle(), handle_start()).at(seconds);
+  const RigidBodyRhs motion(handle());
+  const RigidBodyState<> exact = FreeTrajectory(handle(), handle_start()).at(seconds);
   for (const auto& [name, repair] : repairs) {
     const auto off = [&, repair = repair](int rate) {
       const Drifted run = drifted(motion, handle_start(), seconds, rate * seconds, repair);
@@ -71,7 +71,7 @@ inline Table length_table() {
 /// The mug's weight and a spring to a point of it that is turned with Eigen's q * p, which is right
 /// for |q| = 1 only.
 struct TrustingSpring {
-  RigidBodyMotion<double, Weight> rest{mug(), weight};
+  RigidBodyRhs<double, Weight> rest{mug(), weight};
 
   PackedState<double> operator()(double t, const PackedState<double>& y) const {
     const RigidBodyState<> state = unpack<double>(y);

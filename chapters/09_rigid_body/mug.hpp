@@ -17,7 +17,8 @@ inline WithLoss rate_with_loss(double t, const WithLoss& y) {
   const PackedState<double> packed = y.head<13>();
   const Derived<> now = derived(mug(), unpack<double>(packed));
   WithLoss rate;
-  rate << motion(t, packed), drag.k * now.v.squaredNorm() + drag.k_spin * now.omega.squaredNorm();
+  rate << motion(t, packed),
+      drag.linear * now.v.squaredNorm() + drag.angular * now.omega.squaredNorm();
   return rate;
 }
 

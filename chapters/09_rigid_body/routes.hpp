@@ -20,8 +20,8 @@ inline MatrixState<> as_matrix_state(const RigidBodyState<>& s) {
   return {s.x, to_matrix(s.q), s.P, s.L};
 }
 
-template <class Motion>
-MatrixState<> stepped_by_matrix(const Motion& motion, const MatrixState<>& start, double duration,
+template <class Rhs>
+MatrixState<> stepped_by_matrix(const Rhs& motion, const MatrixState<>& start, double duration,
                                 int steps) {
   return unpack<double>(integrate_fixed<Rk4>(motion, pack(start), 0, duration, steps));
 }
@@ -39,8 +39,8 @@ template <class... Forces>
 TwoWays both_ways(const RigidBody<>& body, const RigidBodyState<>& start, double duration,
                   int steps, const Forces&... forces) {
   return {
-      to_matrix(stepped<Rk4>(RigidBodyMotion(body, forces...), start, duration, steps).q),
-      stepped_by_matrix(MatrixStateMotion(body, forces...), as_matrix_state(start), duration, steps)
+      to_matrix(stepped<Rk4>(RigidBodyRhs(body, forces...), start, duration, steps).q),
+      stepped_by_matrix(MatrixStateRhs(body, forces...), as_matrix_state(start), duration, steps)
           .R};
 }
 
@@ -55,7 +55,7 @@ inline void add_ways(Table& table, const std::string& scene, int rate, const Two
 
 inline Table matrix_table() {
   Table table({"scene", "steps a second", "by q: off", "by R: off", "apart", "‖RᵀR − 1‖"});
-  const Mat3 handle_end = to_matrix(FreeMotion(handle(), handle_start()).at(10).q);
+  const Mat3 handle_end = to_matrix(FreeTrajectory(handle(), handle_start()).at(10).q);
   for (const int rate : {60, 240, 960})
     add_ways(table, "free handle, 10 s", rate, both_ways(handle(), handle_start(), 10, 10 * rate),
              handle_end);
@@ -74,7 +74,8 @@ inline double off_with(const Mat3& I_body, double t) {
   RigidBodyState<> start = handle_start();
   const Vec3 omega = derived(handle(), start).omega;
   start.L = angular_momentum(body, to_matrix(start.q), omega);
-  return turned_apart(FreeMotion(body, start).at(t), FreeMotion(handle(), handle_start()).at(t));
+  return turned_apart(FreeTrajectory(body, start).at(t),
+                      FreeTrajectory(handle(), handle_start()).at(t));
 }
 
 inline double moment_error(const Mat3& I) {

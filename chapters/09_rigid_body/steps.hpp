@@ -20,8 +20,8 @@ struct MomentaFirst {
 };
 
 /// What is asked once, where the step begins, pushes until it ends.
-template <class Method, class Motion>
-RigidBodyState<> with_stale_forces(const Motion& motion, const RigidBodyState<>& start,
+template <class Method, class Rhs>
+RigidBodyState<> with_stale_forces(const Rhs& motion, const RigidBodyState<>& start,
                                    double duration, int steps) {
   const double h = duration / steps;
   PackedState<double> y = pack(start);
@@ -90,12 +90,12 @@ inline Table stale_table() {
 
 inline Table free_table() {
   Table table({"steps a second", "after 1 s", "order", "after 10 s", "order", "energy after 10 s"});
-  const FreeMotion exact(handle(), handle_start());
+  const FreeTrajectory exact(handle(), handle_start());
   const double energy = kinetic_energy(handle(), handle_start());
   double before1 = 0, before10 = 0;
   for (const int rate : {30, 60, 120, 240, 480, 960}) {
     const auto end = [&](int seconds) {
-      return stepped<Rk4>(RigidBodyMotion(handle()), handle_start(), seconds, seconds * rate);
+      return stepped<Rk4>(RigidBodyRhs(handle()), handle_start(), seconds, seconds * rate);
     };
     const double off1 = turned_apart(end(1), exact.at(1));
     const double off10 = turned_apart(end(10), exact.at(10));
@@ -115,7 +115,7 @@ inline Table free_table() {
 /// The energy of the free handle over time, with as many evaluations a second for every method.
 template <class Method>
 support::Series energy_series(const std::string& name, int rate) {
-  const RigidBodyMotion motion(handle());
+  const RigidBodyRhs motion(handle());
   const double energy = kinetic_energy(handle(), handle_start());
   support::Series series{name, {}, {}};
   int next = 1, i = 0;

@@ -27,7 +27,7 @@ inline std::string nut_figure() {
     const double t = turn * std::round((flips * (0.5 + i) / pictures) / turn);
     const double x = cell * (i + 0.5);
     const RigidBodyState<> state =
-        stepped<Rk4>(RigidBodyMotion(nut()), nut_start(), t, static_cast<int>(2000 * t));
+        stepped<Rk4>(RigidBodyRhs(nut()), nut_start(), t, static_cast<int>(2000 * t));
     svg += support::draw_mesh(mesh, view * to_matrix(state.q), {x, 84, 3000});
     svg += "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(row - 8) +
            "\" fill=\"var(--ink)\" font-size=\"16\" text-anchor=\"middle\">" +
@@ -39,7 +39,7 @@ inline std::string nut_figure() {
 /// ω along the three axes of the nut, over some flips.
 inline std::string spin_figure() {
   support::Plot plot{"the nut's ω, in its own axes", {"time [s]"}, {"[rad/s]"}, {}};
-  const FreeMotion motion(nut(), nut_start());
+  const FreeTrajectory motion(nut(), nut_start());
   const std::array<std::string, 3> names{"least moment", "middle moment", "largest moment"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     support::Series series{names[axis], {}, {}};
@@ -63,7 +63,7 @@ inline std::vector<Vec3> way_through(const Vec3& moments, const Vec3& direction)
   const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
   const double round =
       4 * complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) / std::abs(polhode->lambda);
-  const FreeMotion motion(body, start);
+  const FreeTrajectory motion(body, start);
   std::vector<Vec3> points;
   constexpr int count = 72;
   for (int i = 0; i <= count; ++i) {

@@ -35,7 +35,7 @@ inline support::Series by_fixed_steps(const KnownTurning& scene, const Steps& me
 template <class Method>
 support::Series by_tolerances(const KnownTurning& scene, const std::string& name) {
   support::Series series{name, {}, {}};
-  const HeldMotion motion(scene.body, scene.forces);
+  const HeldRhs motion(scene.body, scene.forces);
   for (int i = 4; i <= 26; ++i) {
     const double tolerance = std::pow(10, -0.5 * i);
     const auto solution = integrate_adaptive<Method>(motion, pack(scene.start), 0.0, scene.duration,

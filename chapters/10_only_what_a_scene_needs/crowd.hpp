@@ -38,7 +38,7 @@ template <class StateOf>
 double crowd_error(const Crowd& crowd, const StateOf& state_of) {
   double sum = 0;
   for (std::size_t i = 0; i < crowd.bodies.size(); ++i) {
-    const Quat truth = FreeMotion(crowd.bodies[i], crowd.states[i]).at(1).q;
+    const Quat truth = FreeTrajectory(crowd.bodies[i], crowd.states[i]).at(1).q;
     const double error = angle_between(state_of(i).q, truth);
     sum += error * error;
   }
@@ -57,7 +57,7 @@ CrowdWay one_by_one(const std::string& name, int steps) {
             std::vector<RigidBodyState<>> ends;
             for (std::size_t i = 0; i < crowd.bodies.size(); ++i)
               ends.push_back(unpack<double>(integrate_fixed<Method>(
-                  RigidBodyMotion(crowd.bodies[i]), pack(crowd.states[i]), 0, 1, steps)));
+                  RigidBodyRhs(crowd.bodies[i]), pack(crowd.states[i]), 0, 1, steps)));
             return ends;
           }};
 }
@@ -78,7 +78,7 @@ inline CrowdWay by_closed_forms() {
   return {"each by its closed form, no steps", [](const Crowd& crowd) {
             std::vector<RigidBodyState<>> ends;
             for (std::size_t i = 0; i < crowd.bodies.size(); ++i)
-              ends.push_back(FreeMotion(crowd.bodies[i], crowd.states[i]).at(1));
+              ends.push_back(FreeTrajectory(crowd.bodies[i], crowd.states[i]).at(1));
             return ends;
           }};
 }

@@ -45,7 +45,7 @@ inline std::vector<Vec3> round_of(const Vec3& moments, const Vec3& direction, in
   const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
   const double round =
       4 * complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) / std::abs(polhode->lambda);
-  const FreeMotion motion(body, start);
+  const FreeTrajectory motion(body, start);
   std::vector<Vec3> points;
   for (int i = 0; i <= count; ++i)
     points.push_back(to_matrix(motion.at(round * i / count).q).transpose() * direction);
@@ -127,14 +127,14 @@ inline RigidBody<> one_two_three() { return {1, Vec3(1, 2, 3).asDiagonal()}; }
 inline double future_error(const KnownFuture& known, std::size_t i) {
   const RigidBodyState<> start = turning_state(one_two_three(), Quat::Identity(), known.omega);
   const double t = std::pow(10, i);
-  return angle_between(FreeMotion(one_two_three(), start).at(t).q, known.ends[i]);
+  return angle_between(FreeTrajectory(one_two_three(), start).at(t).q, known.ends[i]);
 }
 
 /// Errors at 1 s, 10 s, … as far as somebody has the patience: 10⁴ s.
 template <class Method>
 std::vector<double> stepped_errors(const KnownFuture& known, int rate) {
   const RigidBodyState<> start = turning_state(one_two_three(), Quat::Identity(), known.omega);
-  const RigidBodyMotion motion(one_two_three());
+  const RigidBodyRhs motion(one_two_three());
   std::vector<double> errors;
   PackedState<double> y = pack(start);
   for (int i = 0, before = 0; i <= 4; ++i) {
@@ -202,8 +202,8 @@ inline Table condition_table() {
     const RigidBodyState<> start = turning_state(one_two_three(), Quat::Identity(), omega);
     RigidBodyState<> other = start;
     other.q = turn({0, 0, by});
-    return error_number(angle_between(FreeMotion(one_two_three(), start).at(100).q,
-                                      FreeMotion(one_two_three(), other).at(100).q)) +
+    return error_number(angle_between(FreeTrajectory(one_two_three(), start).at(100).q,
+                                      FreeTrajectory(one_two_three(), other).at(100).q)) +
            " rad";
   };
   for (const double by : {1e-4, 1e-6, 1e-8, 1e-10})

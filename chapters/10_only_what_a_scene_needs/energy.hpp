@@ -37,7 +37,7 @@ class Witness {
 
 template <class Method>
 void add_free_row(Table& table, const std::string& name, int rate) {
-  const RigidBodyMotion motion(handle());
+  const RigidBodyRhs motion(handle());
   const double first = kinetic_energy(handle(), handle_start());
   Witness after_20(1.0 / rate), after_200(1.0 / rate);
   after_20.see(0), after_200.see(0);
@@ -71,7 +71,7 @@ inline const KnownTurning& nodding_top() {
   return scene;
 }
 
-using HeldMotion = RigidBodyMotion<double, SteadyForces>;
+using HeldRhs = RigidBodyRhs<double, SteadyForces>;
 
 /// One step of some method: (t, state, h) → state.
 using Stepping = std::function<RigidBodyState<>(double, const RigidBodyState<>&, double)>;
@@ -85,7 +85,7 @@ struct Steps {
 
 template <class Method>
 Steps of_method(const KnownTurning& scene, const std::string& name, int evaluations) {
-  const HeldMotion motion(scene.body, scene.forces);
+  const HeldRhs motion(scene.body, scene.forces);
   return {name, evaluations, [motion](double t, const RigidBodyState<>& state, double h) {
             return unpack<double>(PackedState<double>(Method::step(motion, t, pack(state), h)));
           }};
@@ -93,7 +93,7 @@ Steps of_method(const KnownTurning& scene, const std::string& name, int evaluati
 
 template <class Scheme>
 Steps of_splitting(const KnownTurning& scene, const std::string& name) {
-  const HeldMotion motion(scene.body, scene.forces);
+  const HeldRhs motion(scene.body, scene.forces);
   const Splitting<Scheme, SteadyForces> splitting(motion);
   constexpr int parts = static_cast<int>(Scheme::composition.parts.size());
   // A kick that ends a step and the one that begins the next are at the same place.
@@ -103,7 +103,7 @@ Steps of_splitting(const KnownTurning& scene, const std::string& name) {
 }
 
 inline Steps of_turns(const KnownTurning& scene) {
-  const HeldMotion motion(scene.body, scene.forces);
+  const HeldRhs motion(scene.body, scene.forces);
   return {"Lie-group RK4", 4, [motion](double t, const RigidBodyState<>& state, double h) {
             return LieGroupRk4::step(motion, t, state, h);
           }};
@@ -223,10 +223,10 @@ inline Witness with_changing_steps() {
 }
 
 /// The order that a splitting shows with a drag that it takes for a force of the place alone.
-inline std::vector<double> with_drag(double spin_drag) {
+inline std::vector<double> with_drag(double angular_drag) {
   KnownTurning scene = nodding_top();
-  scene.forces.spin_drag = spin_drag;
-  const HeldMotion motion(scene.body, scene.forces);
+  scene.forces.angular_drag = angular_drag;
+  const HeldRhs motion(scene.body, scene.forces);
   const RigidBodyState<> exact = followed(motion, scene.start, 2);
   const Steps method = of_splitting<BlanesMoan4>(scene, "");
   std::vector<double> errors;

@@ -101,7 +101,7 @@ inline Table hard_flips_table() {
     const std::vector<double> truth =
         reference::LongFreeTurning(c.turning()).flips(ours.front(), duration);
     FlipTimes steps;
-    integrate_adaptive<Dop853>(RigidBodyMotion(c.body()), pack(c.start()), 0.0, duration,
+    integrate_adaptive<Dop853>(RigidBodyRhs(c.body()), pack(c.start()), 0.0, duration,
                                {1e-13, 1e-13}, std::ref(steps));
     const auto add = [&](const std::string& name, const std::vector<double>& times) {
       const double first = std::abs(times.front() - truth.front());
@@ -134,7 +134,7 @@ inline double free_error(const Case& c, double t) {
 }
 
 inline double long_error(const Case& c, double t) {
-  return off(FreeMotion(c.body(), c.start()).at(t).q,
+  return off(FreeTrajectory(c.body(), c.start()).at(t).q,
              reference::LongFreeTurning(c.turning()).at(t).q);
 }
 
@@ -273,7 +273,7 @@ inline Table hard_million_table() {
   };
   add("RK4, ensemble", million_steps<Rk4>(c.body(), c.start()));
   add("Magnus series of order 6, ensemble", million_steps<TaylorMagnus<6>>(c.body(), c.start()));
-  add("closed form", FreeMotion(c.body(), c.start()).at(duration));
+  add("closed form", FreeTrajectory(c.body(), c.start()).at(duration));
   return table;
 }
 
@@ -281,7 +281,7 @@ inline Table hard_million_table() {
 
 template <class T>
 double minute_by_rk4(const Case& c, int rate, const Quat& truth) {
-  const RigidBodyMotion motion(
+  const RigidBodyRhs motion(
       RigidBody<T>(MassProperties{c.mass, Vec3::Zero(), Mat3(c.J.asDiagonal())}));
   const PackedState<T> start = pack(c.start()).template cast<T>();
   const RigidBodyState<T> end =

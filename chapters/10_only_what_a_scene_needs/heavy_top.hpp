@@ -99,7 +99,7 @@ inline Table sleep_table() {
 /// A top that is slowed down by the air, and slowly stops to stand.
 inline Trajectory sleepy_top() {
   KnownTurning scene = tilted_top(25, 1e-3, 0);
-  scene.forces.spin_drag = 0.01;
+  scene.forces.angular_drag = 0.01;
   return simulate(scene.body, scene.start, {0, 60, 1e-6}, scene.forces);
 }
 

@@ -73,8 +73,8 @@ template <class... Forces>
 void add_rung(Table& table, const std::string& name, const RigidBody<>& body,
               const RigidBodyState<>& start, const SimulationTask& task, const Forces&... forces) {
   const Trajectory way = simulate(body, start, task, forces...);
-  const auto full = integrate_adaptive<Dop853>(RigidBodyMotion(body, forces...), pack(start),
-                                               task.t0, task.t1, {1e-10, 1e-10});
+  const auto full = integrate_adaptive<Dop853>(RigidBodyRhs(body, forces...), pack(start), task.t0,
+                                               task.t1, {1e-10, 1e-10});
   const RigidBodyState<> end = unpack<double>(full.y), here = way.end();
   const double apart =
       task.wanted == Wanted::path_only ? (end.x - here.x).norm() : angle_between(end.q, here.q);
@@ -121,9 +121,9 @@ inline Table times_of(const std::string& heading, const support::Stopwatch& stop
 inline Table rungs_table() {
   static double t = 7;
   static const SteadyPath path(ball(), thrown(ball()), weight.steady(ball()));
-  static const FreeMotion round(die(), thrown(die())), top(gear(), thrown(gear())),
+  static const FreeTrajectory round(die(), thrown(die())), top(gear(), thrown(gear())),
       full(racket(), thrown(racket()));
-  static const RigidBodyMotion motion(racket(), weight);
+  static const RigidBodyRhs motion(racket(), weight);
   static PackedState<double> y = pack(thrown(racket()));
   support::Stopwatch stopwatch;
   const auto add = [&](const std::string& name, auto&& action) {
@@ -138,7 +138,7 @@ inline Table rungs_table() {
   add("symmetric top", [] { return top.at(t); });
   add("full body", [] { return full.at(t); });
   add("full body, set up and asked once",
-      [] { return FreeMotion(racket(), thrown(racket())).at(t); });
+      [] { return FreeTrajectory(racket(), thrown(racket())).at(t); });
   add("full body, one step of RK4", [] { return rk4_step(motion, 0, y, 0.01); });
   return times_of("what is asked", stopwatch);
 }
@@ -160,10 +160,10 @@ struct OnlyFalling {
 inline Table absent_table() {
   static PackedState<double> y = pack(thrown(racket()));
   static const OnlyFalling by_hand{racket()};
-  static const RigidBodyMotion falling(racket(), weight);
-  static const RigidBodyMotion with_zero(racket(), weight, BodyDrag{0, 0});
-  static const RigidBodyMotion with_two_zeros(racket(), weight, BodyDrag{0, 0},
-                                              SpringToWorld{Vec3::Zero(), {0, 0, 9}, 0, 1});
+  static const RigidBodyRhs falling(racket(), weight);
+  static const RigidBodyRhs with_zero(racket(), weight, BodyDrag{0, 0});
+  static const RigidBodyRhs with_two_zeros(racket(), weight, BodyDrag{0, 0},
+                                           SpringToWorld{Vec3::Zero(), {0, 0, 9}, 0, 1});
   support::Stopwatch stopwatch;
   const auto add = [&](const std::string& name, const auto& motion) {
     stopwatch.add(name, [&motion] {
@@ -181,7 +181,7 @@ inline Table absent_table() {
 // ── How equal is equal enough ──
 
 /// The largest angle between two free motions on the way to T [rad].
-inline double largest_angle(const FreeMotion& a, const FreeMotion& b, double T) {
+inline double largest_angle(const FreeTrajectory& a, const FreeTrajectory& b, double T) {
   constexpr int moments = 400;
   double largest = 0;
   for (int i = 1; i <= moments; ++i) {
@@ -213,7 +213,7 @@ inline std::vector<Stretched> stretched() {
 inline double true_error(const Stretched& s, double T) {
   const RigidBody<> body(1, s.moments.asDiagonal()), simple(1, s.simpler.asDiagonal());
   const RigidBodyState<> start = turning_state(body, Quat::Identity(), s.about.normalized());
-  return largest_angle(FreeMotion(body, start), FreeMotion(simple, start), T);
+  return largest_angle(FreeTrajectory(body, start), FreeTrajectory(simple, start), T);
 }
 
 inline Table equal_table() {

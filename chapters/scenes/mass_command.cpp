@@ -11,7 +11,7 @@ namespace {
 
 /// What can be said about a mesh: the numbers only if there is a body.
 struct Answer {
-  std::vector<Finding> findings;
+  std::vector<MeshDefect> findings;
   bool usable = true;
   BoundedMassProperties body;
 };
@@ -24,7 +24,7 @@ Accuracy accuracy_of(const std::string& name) {
 Answer answer(const MassCommand& command, const PolygonMesh& mesh) {
   require_density(command.density);
   Answer result{diagnose(mesh), true, {}};
-  for (const Finding& finding : result.findings)
+  for (const MeshDefect& finding : result.findings)
     result.usable &=
         command.accept ? !prevents_integrals(finding.kind) : !spoils_integrals(finding.kind);
   if (!result.usable) return result;
@@ -33,8 +33,8 @@ Answer answer(const MassCommand& command, const PolygonMesh& mesh) {
   return result;
 }
 
-Json finding_json(const Finding& finding) {
-  Json json = {{"kind", name(finding.kind)}, {"message", finding.message}};
+Json finding_json(const MeshDefect& finding) {
+  Json json = {{"kind", name_of(finding.kind)}, {"message", finding.message}};
   if (finding.face >= 0) json["face"] = finding.face + 1;
   if (finding.edge[0] >= 0) json["edge"] = {finding.edge[0] + 1, finding.edge[1] + 1};
   json["refused"] = spoils_integrals(finding.kind);
@@ -58,7 +58,8 @@ Json answer_json(const Answer& found, const MassCommand& command) {
                       {"inertia", body.inertia_error_bound}};
   }
   json["findings"] = Json::array();
-  for (const Finding& finding : found.findings) json["findings"].push_back(finding_json(finding));
+  for (const MeshDefect& finding : found.findings)
+    json["findings"].push_back(finding_json(finding));
   return json;
 }
 
@@ -69,8 +70,9 @@ std::string numbers(std::initializer_list<double> list) {
 }
 
 void print(const Answer& found, const MassCommand& command) {
-  for (const Finding& finding : found.findings)
-    std::cout << support::fitted(std::string(name(finding.kind)) + ": " + finding.message) << '\n';
+  for (const MeshDefect& finding : found.findings)
+    std::cout << support::fitted(std::string(name_of(finding.kind)) + ": " + finding.message)
+              << '\n';
   if (!found.usable) return;
   const BoundedMassProperties& body = found.body;
   const Mat3& I = body.inertia;

@@ -96,14 +96,14 @@ void add_force(const Place& force, const Vec3& centre, SceneBody& body) {
     const Place d = force["drag"];
     d.require_only({"linear", "angular"});
     const BodyDrag drag{d.number_or("linear", 0), d.number_or("angular", 0)};
-    d.refused_here([&] { drag.check(); });
+    d.refused_here([&] { drag.require_valid(); });
     body.steady = body.steady + drag.steady(body.body);
   } else {
     const Place s = force["spring"];
     s.require_only({"at", "anchor", "stiffness", "length"});
     const SpringToWorld spring{point(s["at"]), s["anchor"].vector(), s["stiffness"].number(),
                                s.number_or("length", 0)};
-    s.refused_here([&] { spring.check(); });
+    s.refused_here([&] { spring.require_valid(); });
     body.springs.push_back(spring);
   }
 }

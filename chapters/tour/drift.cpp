@@ -33,8 +33,8 @@ bool is_sampled(int step) {
 
 /// Steps a state on; `repair` gives the state to go on with, `shape_error` how far it is
 /// from a rotation.
-template <class Motion, class State, class Repair, class ShapeError>
-State run(const Motion& motion, State y, Repair&& repair, ShapeError&& shape_error, Run& result) {
+template <class Rhs, class State, class Repair, class ShapeError>
+State run(const Rhs& motion, State y, Repair&& repair, ShapeError&& shape_error, Run& result) {
   for (int step = 1; step <= all_steps; ++step) {
     y = repair(rk4_step(motion, h * (step - 1), y, h));
     if (!is_sampled(step)) continue;
@@ -45,8 +45,8 @@ State run(const Motion& motion, State y, Repair&& repair, ShapeError&& shape_err
 }
 
 /// Times the bare steps, without the bookkeeping of run().
-template <class Motion, class State, class Repair>
-double seconds_per_step(const Motion& motion, const State& start, Repair&& repair) {
+template <class Rhs, class State, class Repair>
+double seconds_per_step(const Rhs& motion, const State& start, Repair&& repair) {
   constexpr int timed = 1000;
   const double seconds = support::shortest_run(0.02, [&] {
     State y = start;
@@ -58,7 +58,7 @@ double seconds_per_step(const Motion& motion, const State& start, Repair&& repai
 
 template <class Repair>
 Run run_matrix(const RigidBody<>& body, const RigidBodyState<>& start, Repair&& repair) {
-  const MatrixStateMotion motion(body);
+  const MatrixStateRhs motion(body);
   const PackedMatrixState<double> y0 =
       pack(MatrixState<>{start.x, to_matrix(start.q), start.P, start.L});
   const auto repaired = [&](const PackedMatrixState<double>& y) {
@@ -78,7 +78,7 @@ Run run_matrix(const RigidBody<>& body, const RigidBodyState<>& start, Repair&& 
 
 template <class Repair>
 Run run_quaternion(const RigidBody<>& body, const RigidBodyState<>& start, Repair&& repair) {
-  const RigidBodyMotion motion(body);
+  const RigidBodyRhs motion(body);
   const auto repaired = [&](const PackedState<double>& y) {
     RigidBodyState<> state = unpack<double>(y);
     state.q = repair(state.q);
@@ -102,8 +102,8 @@ void show_drift(const Subject& subject, Output& output) {
   const RigidBody<> body(subject.exact);
   const RigidBodyState<> start = spinning(body, slow_spin);
   progress("reference orientation after " + std::to_string(all_steps) + " steps");
-  const Quat exact = unpack<double>(integrate_adaptive<Dop853>(RigidBodyMotion(body), pack(start),
-                                                               0.0, h * all_steps, {1e-14, 1e-14})
+  const Quat exact = unpack<double>(integrate_adaptive<Dop853>(RigidBodyRhs(body), pack(start), 0.0,
+                                                               h * all_steps, {1e-14, 1e-14})
                                         .y)
                          .q;
 

@@ -25,7 +25,7 @@ struct Moment {
 
 std::vector<Moment> simulate(const RigidBody<>& body) {
   const Mat3 principal = principal_axes(body.I_body()).R;
-  const RigidBodyMotion motion(body);
+  const RigidBodyRhs motion(body);
   PackedState<double> y = pack(spinning(body, flight_spin));
   std::vector<Moment> list;
   for (int i = 0; i <= moments; ++i) {

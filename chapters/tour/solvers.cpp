@@ -28,7 +28,7 @@ struct Curve {
 
 /// The problem that all methods are given, and its answer.
 struct Problem {
-  RigidBodyMotion<double> motion;
+  RigidBodyRhs<double> motion;
   PackedState<double> start;
   Quat exact;
 
@@ -45,11 +45,11 @@ Problem make_problem(const RigidBody<>& body, const MassProperties& properties) 
   const double tolerance =
       std::max(1e-18, 4 * static_cast<double>(std::numeric_limits<long double>::epsilon()));
   const PackedState<long double> end =
-      integrate_adaptive<Dop853>(RigidBodyMotion(precise),
+      integrate_adaptive<Dop853>(RigidBodyRhs(precise),
                                  PackedState<long double>(start.cast<long double>()), 0.0L,
                                  static_cast<long double>(duration), {tolerance, tolerance})
           .y;
-  return {RigidBodyMotion(body), start, unpack<double>(PackedState<double>(end.cast<double>())).q};
+  return {RigidBodyRhs(body), start, unpack<double>(PackedState<double>(end.cast<double>())).q};
 }
 
 /// A method run once counted and then timed; `solve(rhs)` gives the end state.

@@ -25,8 +25,8 @@ inline const Weight weight{};
 inline const SpringToWorld spring{mug_hook(), {0, 0, 0}, 12, 0.3};  // [m], [m], [N/m], [m]
 inline const BodyDrag drag{0.02, 1e-5};                             // [kg/s], [kg m²/s]
 
-inline RigidBodyMotion<double, Weight, SpringToWorld, BodyDrag> hanging_mug() {
-  return RigidBodyMotion(mug(), weight, spring, drag);
+inline RigidBodyRhs<double, Weight, SpringToWorld, BodyDrag> hanging_mug() {
+  return RigidBodyRhs(mug(), weight, spring, drag);
 }
 
 /// Let go of 40 cm to the side of the hook, upright, with a little spin.
@@ -36,8 +36,8 @@ inline RigidBodyState<> mug_start() {
 }
 
 /// To 12 digits or so.
-template <class Motion>
-RigidBodyState<> followed(const Motion& motion, const RigidBodyState<>& start, double t) {
+template <class Rhs>
+RigidBodyState<> followed(const Rhs& motion, const RigidBodyState<>& start, double t) {
   return unpack<double>(integrate_adaptive<Dop853>(motion, pack(start), 0.0, t, {1e-14, 1e-14}).y);
 }
 

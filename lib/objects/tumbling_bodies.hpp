@@ -8,7 +8,7 @@
 #include "objects/objects.hpp"
 #include "tumble/body.hpp"
 #include "tumble/elliptic/integrals.hpp"
-#include "tumble/free_body/free_motion.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/ode.hpp"
 #include "tumble/quaternion.hpp"
@@ -72,8 +72,8 @@ inline double turned_apart(const RigidBodyState<>& a, const RigidBodyState<>& b)
 }
 
 /// The state after so many steps of one length.
-template <class Method, class Motion>
-RigidBodyState<> stepped(const Motion& motion, const RigidBodyState<>& start, double duration,
+template <class Method, class Rhs>
+RigidBodyState<> stepped(const Rhs& motion, const RigidBodyState<>& start, double duration,
                          int steps) {
   return unpack<double>(integrate_fixed<Method>(motion, pack(start), 0, duration, steps));
 }

@@ -4,7 +4,7 @@
 
 #include "tumble/free_body/free_asymmetric_top.hpp"
 #include "tumble/free_body/free_flow.hpp"
-#include "tumble/free_body/free_motion.hpp"
 #include "tumble/free_body/free_symmetric_top.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/free_body/polhode.hpp"
 #include "tumble/free_body/uniform_rotation.hpp"

@@ -3,8 +3,8 @@
 /// State the error, get the cheapest way.
 
 #include "tumble/simulate/first_event.hpp"
-#include "tumble/simulate/general_motion.hpp"
+#include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/simulate.hpp"
 #include "tumble/simulate/stated_error.hpp"
-#include "tumble/simulate/steady_motion.hpp"
+#include "tumble/simulate/steady_trajectory.hpp"
 #include "tumble/simulate/trajectory.hpp"

@@ -5,6 +5,6 @@
 #include "tumble/steady/lagrange_top.hpp"
 #include "tumble/steady/steady_path.hpp"
 #include "tumble/steady/steady_torque.hpp"
-#include "tumble/steady/top_motion.hpp"
+#include "tumble/steady/top_constants.hpp"
 #include "tumble/steady/turning_by_series.hpp"
 #include "tumble/steady/turning_series.hpp"

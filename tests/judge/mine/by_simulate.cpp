@@ -9,7 +9,7 @@ namespace tumble::judge::mine {
 namespace {
 
 Trajectory simulated(const Problem& problem, double tolerance) {
-  const SimulationTask task{0, problem.duration, tolerance, Wanted::motion};
+  const SimulationTask task{0, problem.duration, tolerance, Wanted::trajectory};
   if (!problem.pull) return simulate(problem.body, problem.start, task);
   return simulate(problem.body, problem.start, task, Weight{problem.pull->gravity},
                   problem.pull->spring);

@@ -77,7 +77,7 @@ DriftResult drift_of(const OwnEngine& engine, const ProblemResult& result) {
   const PackedState<double> start = pack(result.problem.start);
   std::vector<Numbers> states{start};
   const double h = result.problem.duration / steps;
-  const RigidBodyMotion motion(result.problem.body);
+  const RigidBodyRhs motion(result.problem.body);
   for (int i = 0; i < steps; ++i) states.push_back(Midpoint::step(motion, i * h, states.back(), h));
   try {
     drift.right = right_drift(result, states, h);

@@ -10,9 +10,9 @@ namespace tumble::judge::mine {
 template <class T, class Action>
 auto with_motion(const Problem& problem, Action&& action) {
   const RigidBody<T> body(problem.exact);
-  using End = decltype(action(RigidBodyMotion(body)));
-  if (!problem.pull) return action(RigidBodyMotion(body));
-  return End(action(RigidBodyMotion(body, Weight{problem.pull->gravity}, problem.pull->spring)));
+  using End = decltype(action(RigidBodyRhs(body)));
+  if (!problem.pull) return action(RigidBodyRhs(body));
+  return End(action(RigidBodyRhs(body, Weight{problem.pull->gravity}, problem.pull->spring)));
 }
 
 }  // namespace tumble::judge::mine

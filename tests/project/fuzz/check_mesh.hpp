@@ -63,8 +63,9 @@ inline bool closed_by_counting(const PolygonMesh& mesh) {
 }
 
 inline void check_mesh(const PolygonMesh& mesh) {
-  const std::vector<Finding> findings = diagnose(mesh);
-  for (const Finding& finding : findings) demand(!finding.message.empty(), "a finding has words");
+  const std::vector<MeshDefect> findings = diagnose(mesh);
+  for (const MeshDefect& finding : findings)
+    demand(!finding.message.empty(), "a finding has words");
   if (find_bad_indices(mesh).empty())
     demand(is_closed(mesh) == closed_by_counting(mesh), "the fingerprint knows what is closed");
   const bool spoilt = refuses([&] { require_body(findings); });

@@ -18,11 +18,11 @@ namespace tumble {
 /// A body and the forces on it, as a right-hand side for the solvers in ode/. The types of the
 /// forces are known at compile time: one that is not there costs nothing.
 template <class T, BodyForce<T>... Forces>
-class RigidBodyMotion {
+class RigidBodyRhs {
  public:
   /// @throws std::invalid_argument if a force refuses what it was made of
-  explicit RigidBodyMotion(const RigidBody<T>& body, const Forces&... forces)
-      : body_(body), forces_(checked_forces(forces...)) {}
+  explicit RigidBodyRhs(const RigidBody<T>& body, const Forces&... forces)
+      : body_(body), forces_(valid_forces(forces...)) {}
 
   const RigidBody<T>& body() const { return body_; }
 
@@ -46,6 +46,6 @@ class RigidBodyMotion {
 };
 
 template <class T, class... Forces>
-RigidBodyMotion(const RigidBody<T>&, const Forces&...) -> RigidBodyMotion<T, Forces...>;
+RigidBodyRhs(const RigidBody<T>&, const Forces&...) -> RigidBodyRhs<T, Forces...>;
 
 }  // namespace tumble

@@ -33,7 +33,9 @@ struct Weight {
   SteadyForces steady(const RigidBody<>& body) const { return {body.mass() * g, {}, 0, 0}; }
 
   /// @throws std::invalid_argument if g is not finite
-  void check() const { require(g.allFinite(), "weight: g = (", g.transpose(), ") is not finite"); }
+  void require_valid() const {
+    require(g.allFinite(), "weight: g = (", g.transpose(), ") is not finite");
+  }
 };
 
 /// A constant world force at a point that is fixed in the body.
@@ -48,26 +50,26 @@ struct ForceAtBodyPoint {
   SteadyForces steady(const RigidBody<>&) const { return {force, {{force, p_body}}, 0, 0}; }
 
   /// @throws std::invalid_argument if a number is not finite
-  void check() const {
+  void require_valid() const {
     require(force.allFinite() && p_body.allFinite(), "force (", force.transpose(),
             ") at the point (", p_body.transpose(), "): not finite");
   }
 };
 
-/// Drag in proportion to velocity and to angular velocity: F = −k v, τ = −k_spin ω.
+/// Drag in proportion to velocity and to angular velocity: F = −linear v, τ = −angular ω.
 struct BodyDrag {
-  double k;       ///< [kg/s]
-  double k_spin;  ///< [kg m²/s]
+  double linear;   ///< [kg/s]
+  double angular;  ///< [kg m²/s]
 
   template <class T>
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
-    return {-static_cast<T>(k) * now.v, -static_cast<T>(k_spin) * now.omega};
+    return {-static_cast<T>(linear) * now.v, -static_cast<T>(angular) * now.omega};
   }
-  SteadyForces steady(const RigidBody<>&) const { return {Vec3::Zero(), {}, k, k_spin}; }
+  SteadyForces steady(const RigidBody<>&) const { return {Vec3::Zero(), {}, linear, angular}; }
 
   /// @throws std::invalid_argument if a constant is negative or not finite
-  void check() const {
-    for (const double constant : {k, k_spin})
+  void require_valid() const {
+    for (const double constant : {linear, angular})
       require(constant >= 0 && std::isfinite(constant), "body drag: ", constant,
               " is not a finite number ≥ 0");
   }
@@ -92,7 +94,7 @@ struct SpringToWorld {
   }
 
   /// @throws std::invalid_argument if a constant is negative, or a number is not finite
-  void check() const {
+  void require_valid() const {
     require(p_body.allFinite() && anchor.allFinite(), "spring from (", p_body.transpose(), ") to (",
             anchor.transpose(), "): not finite");
     for (const double constant : {stiffness, rest_length})
@@ -102,15 +104,15 @@ struct SpringToWorld {
 };
 
 template <class Force>
-void check_force(const Force& force) {
-  if constexpr (requires { force.check(); }) force.check();
+void require_valid_force(const Force& force) {
+  if constexpr (requires { force.require_valid(); }) force.require_valid();
 }
 
-/// Forces that are fit for use: check() is asked of all that have it.
+/// The forces, each checked by its require_valid() if it has one.
 /// @throws std::invalid_argument as they do
 template <class... Forces>
-std::tuple<Forces...> checked_forces(const Forces&... forces) {
-  (check_force(forces), ...);
+std::tuple<Forces...> valid_forces(const Forces&... forces) {
+  (require_valid_force(forces), ...);
   return {forces...};
 }
 

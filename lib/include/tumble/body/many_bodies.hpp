@@ -51,11 +51,11 @@ std::vector<RigidBodyState<T>> unpack(const PackedScene<T>& y) {
 
 /// Bodies and the forces on and between them, as a right-hand side for the solvers in ode/.
 template <class T, class... Forces>
-requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneMotion {
+requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneRhs {
  public:
   /// @throws std::invalid_argument if a force refuses what it was made of
-  explicit SceneMotion(std::vector<RigidBody<T>> bodies, const Forces&... forces)
-      : bodies_(std::move(bodies)), forces_(checked_forces(forces...)) {}
+  explicit SceneRhs(std::vector<RigidBody<T>> bodies, const Forces&... forces)
+      : bodies_(std::move(bodies)), forces_(valid_forces(forces...)) {}
 
   const std::vector<RigidBody<T>>& bodies() const { return bodies_; }
 
@@ -97,6 +97,6 @@ requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneMotion
 };
 
 template <class T, class... Forces>
-SceneMotion(std::vector<RigidBody<T>>, const Forces&...) -> SceneMotion<T, Forces...>;
+SceneRhs(std::vector<RigidBody<T>>, const Forces&...) -> SceneRhs<T, Forces...>;
 
 }  // namespace tumble

@@ -43,11 +43,11 @@ MatrixState<T> unpack(const PackedMatrixState<T>& y) {
 
 /// A body and the forces on it as a right-hand side on the eighteen numbers.
 template <class T, BodyForce<T>... Forces>
-class MatrixStateMotion {
+class MatrixStateRhs {
  public:
   /// @throws std::invalid_argument if a force refuses what it was made of
-  explicit MatrixStateMotion(const RigidBody<T>& body, const Forces&... forces)
-      : body_(body), forces_(checked_forces(forces...)) {}
+  explicit MatrixStateRhs(const RigidBody<T>& body, const Forces&... forces)
+      : body_(body), forces_(valid_forces(forces...)) {}
 
   /// dy/dt of the packed state y at time t [s]. R enters as it is, drift and all.
   PackedMatrixState<T> operator()(T t, const PackedMatrixState<T>& y) const {
@@ -63,6 +63,6 @@ class MatrixStateMotion {
 };
 
 template <class T, class... Forces>
-MatrixStateMotion(const RigidBody<T>&, const Forces&...) -> MatrixStateMotion<T, Forces...>;
+MatrixStateRhs(const RigidBody<T>&, const Forces&...) -> MatrixStateRhs<T, Forces...>;
 
 }  // namespace tumble

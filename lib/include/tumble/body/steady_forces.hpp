@@ -23,13 +23,13 @@ struct SteadyForces {
 
   Vec3 force = Vec3::Zero();      ///< all constant forces together [N]
   std::vector<AtPoint> at_point;  ///< those of them that may turn the body
-  double drag = 0;                ///< k in F = −k v [kg/s]
-  double spin_drag = 0;           ///< k in τ = −k ω [kg m²/s]
+  double linear_drag = 0;         ///< k in F = −k v [kg/s]
+  double angular_drag = 0;        ///< k in τ = −k ω [kg m²/s]
 
   template <class T>
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
-    Wrench<T> sum{force.cast<T>() - static_cast<T>(drag) * now.v,
-                  -static_cast<T>(spin_drag) * now.omega};
+    Wrench<T> sum{force.cast<T>() - static_cast<T>(linear_drag) * now.v,
+                  -static_cast<T>(angular_drag) * now.omega};
     for (const AtPoint& f : at_point)
       sum.torque += Vector3<T>(now.R * f.p_body.cast<T>()).cross(f.force.cast<T>());
     return sum;
@@ -39,8 +39,8 @@ struct SteadyForces {
   friend SteadyForces operator+(SteadyForces a, const SteadyForces& b) {
     a.force += b.force;
     a.at_point.insert(a.at_point.end(), b.at_point.begin(), b.at_point.end());
-    a.drag += b.drag;
-    a.spin_drag += b.spin_drag;
+    a.linear_drag += b.linear_drag;
+    a.angular_drag += b.angular_drag;
     return a;
   }
 };

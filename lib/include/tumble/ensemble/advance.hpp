@@ -19,7 +19,7 @@ namespace ensemble {
 /// The method for these forces if nobody asks for another one.
 template <class... Forces>
 using DefaultMethod =
-    std::conditional_t<LawsOf<simd::FourDoubles, Forces...>::steady, TaylorMagnus<4>, Rk4>;
+    std::conditional_t<ForceKernelsOf<simd::FourDoubles, Forces...>::steady, TaylorMagnus<4>, Rk4>;
 
 }  // namespace ensemble
 
@@ -38,7 +38,7 @@ template <class Method = void, class... Forces>
                                  const Forces&... forces) {
   using Chosen =
       std::conditional_t<std::is_void_v<Method>, ensemble::DefaultMethod<Forces...>, Method>;
-  ensemble::check_steps(bodies.size(), steps, forces...);
+  ensemble::require_valid_steps(bodies.size(), steps, forces...);
   FixedSteps all = steps;
   if (steps.h == 0) all.h = 1, all.count = 0;  // h divides
   const ensemble::PacksInTurn<Chosen, Forces...> take_steps(bodies, all, forces...);

@@ -15,7 +15,7 @@ inline constexpr int eight = 8;  ///< bodies in a structure: the lanes of the wi
 using Row = double[eight];
 
 /// Where eight bodies are and how they move.
-struct alignas(64) EightMotions {
+struct alignas(64) EightKinematics {
   Row x[3], v[3];  ///< centre of mass [m], velocity [m/s], world coordinates
   Row q[4];        ///< (w, x, y, z), principal axes → world
   Row omega[3];    ///< angular velocity about the principal axes [rad/s]

@@ -23,7 +23,7 @@ class Ensemble {
   /// @throws std::invalid_argument if there are not as many states as bodies, or a state is not
   ///         finite or stands for no rotation; the message says which
   Ensemble(std::span<const RigidBody<>> bodies, std::span<const RigidBodyState<>> states)
-      : size_(bodies.size()), bodies_(eights(size_)), motions_(eights(size_)) {
+      : size_(bodies.size()), bodies_(eights(size_)), kinematics_(eights(size_)) {
     require(bodies.size() == states.size(), "an ensemble of ", bodies.size(), " bodies has ",
             states.size(), " states");
     for (std::size_t i = 0; i < size_; ++i) set(i, bodies[i], states[i]);
@@ -37,7 +37,7 @@ class Ensemble {
   /// @throws std::invalid_argument if there is no body i
   TUMBLE_ONE_COPY RigidBodyState<> state(std::size_t i) const {
     require(i < size_, "there is no body ", i, " in an ensemble of ", size_);
-    const auto& [x, v, q, omega] = motions_[i / ensemble::eight];
+    const auto& [x, v, q, omega] = kinematics_[i / ensemble::eight];
     const auto& [mass, moments, asymmetry, axes] = bodies_[i / ensemble::eight];
     const int lane = lane_of(i);
     const Quat turn = quaternion(q, lane);
@@ -48,7 +48,7 @@ class Ensemble {
 
   /// The structures of eight, for kernels.
   std::span<const ensemble::EightBodies> bodies() const { return bodies_; }
-  std::span<ensemble::EightMotions> motions() { return motions_; }
+  std::span<ensemble::EightKinematics> kinematics() { return kinematics_; }
 
  private:
   static std::size_t eights(std::size_t n) { return (n + ensemble::eight - 1) / ensemble::eight; }
@@ -75,17 +75,17 @@ class Ensemble {
             "ensemble: x = (", state.x.transpose(), "), v = (", v.transpose(), "), omega = (",
             omega.transpose(), ") about its principal axes is not finite");
     auto& constants = bodies_[i / ensemble::eight];
-    auto& motion = motions_[i / ensemble::eight];
+    auto& kinematics = kinematics_[i / ensemble::eight];
     const int lane = lane_of(i);
     constants.mass[lane] = body.mass();
     put(I, constants.moments, lane);
     put<3>({(I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]}, constants.asymmetry,
            lane);
     put(coefficients(axes), constants.axes, lane);
-    put(state.x, motion.x, lane);
-    put(v, motion.v, lane);
-    put(coefficients(q), motion.q, lane);
-    put(omega, motion.omega, lane);
+    put(state.x, kinematics.x, lane);
+    put(v, kinematics.v, lane);
+    put(coefficients(q), kinematics.q, lane);
+    put(omega, kinematics.omega, lane);
   }
 
   static Quat unit(std::size_t i, const Quat& q) {
@@ -97,7 +97,7 @@ class Ensemble {
 
   std::size_t size_;
   std::vector<ensemble::EightBodies> bodies_;
-  std::vector<ensemble::EightMotions> motions_;
+  std::vector<ensemble::EightKinematics> kinematics_;
 };
 
 }  // namespace tumble

@@ -22,15 +22,15 @@ namespace ensemble {
 
 /// @throws std::invalid_argument as advance() does
 template <class... Forces>
-void check_steps([[maybe_unused]] std::size_t bodies, const FixedSteps& steps,
-                 const Forces&... forces) {
+void require_valid_steps([[maybe_unused]] std::size_t bodies, const FixedSteps& steps,
+                         const Forces&... forces) {
   require(std::isfinite(steps.h) && std::isfinite(steps.t0), "advance: the step is ", steps.h,
           " s and the time ", steps.t0, " s, but both must be finite");
   require(steps.count >= 0, "advance: the number of steps is ", steps.count);
   require(steps.loop.threads >= 1, "advance: the number of threads is ", steps.loop.threads);
   require(steps.loop.instructions <= simd::best_instruction_set(),
           "advance: this processor does not have the instructions that were asked for");
-  (check_forces(forces, bodies), ...);
+  (require_valid_forces(forces, bodies), ...);
 }
 
 }  // namespace ensemble

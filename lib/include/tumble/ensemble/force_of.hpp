@@ -30,23 +30,23 @@ const Force& force_of(const Force& all, std::size_t) {
   return all;
 }
 
-/// @throws std::invalid_argument as check_force() does, saying which body the force is for
+/// @throws std::invalid_argument as require_valid_force() does, saying which body the force is for
 template <class Force>
-void check_force_on(std::size_t body, const Force& force) {
-  detail::require_at([&] { check_force(force); }, "force on body ", body, ": ");
+void require_valid_force_on(std::size_t body, const Force& force) {
+  detail::require_at([&] { require_valid_force(force); }, "force on body ", body, ": ");
 }
 
 /// @throws std::invalid_argument if a force refuses what it is made of, or there is not one for
 ///         each body
 template <class Force>
-void check_forces(const PerBody<Force>& each, std::size_t bodies) {
+void require_valid_forces(const PerBody<Force>& each, std::size_t bodies) {
   require(each.forces.size() == bodies, "there are ", each.forces.size(), " forces for ", bodies,
           " bodies");
-  for (std::size_t i = 0; i < bodies; ++i) check_force_on(i, each.forces[i]);
+  for (std::size_t i = 0; i < bodies; ++i) require_valid_force_on(i, each.forces[i]);
 }
 template <class Force>
-void check_forces(const Force& all, std::size_t) {
-  check_force(all);
+void require_valid_forces(const Force& all, std::size_t) {
+  require_valid_force(all);
 }
 
 }  // namespace ensemble

@@ -7,7 +7,7 @@
 ///       double k;
 ///       template <class P>
 ///       TUMBLE_INLINE PackWrench<P> operator()(double t, const PackBody<P>& body,
-///                                              const PackMotion<P>& now) const {
+///                                              const PackKinematics<P>& now) const {
 ///         return {-k * now.x, {}};
 ///       }
 ///     };
@@ -33,7 +33,7 @@ struct PackBody {
 
 /// Their motion at one moment, in world coordinates.
 template <class P>
-struct PackMotion {
+struct PackKinematics {
   simd::Point<P> x;       ///< centre of mass [m]
   simd::Quaternion<P> q;  ///< orientation, the body's own axes → world; of length 1, but
                           ///< within a step for (h |ω|)⁴/40 at most
@@ -51,7 +51,7 @@ struct PackWrench {
 /// A callable (t, body, now) → PackWrench for every Pack.
 template <class F>
 concept PackForce = requires(const F& force, double t, const PackBody<simd::FourDoubles>& body,
-                             const PackMotion<simd::FourDoubles>& now) {
+                             const PackKinematics<simd::FourDoubles>& now) {
   { force(t, body, now) } -> std::same_as<PackWrench<simd::FourDoubles>>;
 };
 

@@ -20,12 +20,12 @@ inline constexpr std::size_t in_turn = 4;
 
 /// NaN in the lanes where a component is not finite, else 0.
 template <class P>
-TUMBLE_INLINE P nan_unless_finite(const EightMotions& motion, int lane) {
+TUMBLE_INLINE P nan_unless_finite(const EightKinematics& kinematics, int lane) {
   P sum{};
-  for (const Row& row : motion.q) sum += 0 * load<P>(row, lane);
+  for (const Row& row : kinematics.q) sum += 0 * load<P>(row, lane);
   for (int k = 0; k < 3; ++k)
-    sum += 0 * load<P>(motion.x[k], lane) + 0 * load<P>(motion.v[k], lane) +
-           0 * load<P>(motion.omega[k], lane);
+    sum += 0 * load<P>(kinematics.x[k], lane) + 0 * load<P>(kinematics.v[k], lane) +
+           0 * load<P>(kinematics.omega[k], lane);
   return sum;
 }
 
@@ -72,7 +72,7 @@ class PacksInTurn {
   template <class P>
   void advance(std::size_t first, std::size_t eights, LostBodies& lost) const {
     constexpr std::size_t packs_in_eight = eight / simd::lanes<P>;
-    Stepper<Method, P, LawsOf<P, Forces...>> steppers[in_turn * packs_in_eight];
+    Stepper<Method, P, ForceKernelsOf<P, Forces...>> steppers[in_turn * packs_in_eight];
     const std::size_t packs = eights * packs_in_eight;
     const auto place = [first](std::size_t i) {
       return Place{first + i / packs_in_eight,
@@ -96,7 +96,7 @@ class PacksInTurn {
       const EightBodies& from = bodies_.bodies()[at];
       const PackBody<P> body{place.body(), load<P>(from.mass, lane), load<P>(from.moments, lane),
                              load<P>(from.asymmetry, lane), load<P>(from.axes, lane)};
-      stepper.begin(bodies_.motions()[at], lane, body, forces_, steps_.h);
+      stepper.begin(bodies_.kinematics()[at], lane, body, forces_, steps_.h);
     });
   }
 
@@ -107,11 +107,11 @@ class PacksInTurn {
 
   template <class P>
   void end_steps(const Place& place, const auto& stepper, LostBodies& lost) const {
-    EightMotions& motion = bodies_.motions()[place.at];
+    EightKinematics& kinematics = bodies_.kinematics()[place.at];
     P finite;
     with_pack<P>([&]() __attribute__((always_inline)) {
-      stepper.end(motion, place.lane, steps_.h, steps_.count);
-      finite = nan_unless_finite<P>(motion, place.lane);
+      stepper.end(kinematics, place.lane, steps_.h, steps_.count);
+      finite = nan_unless_finite<P>(kinematics, place.lane);
     });
     for (int i = 0; i < simd::lanes<P>; ++i) {
       const std::size_t body = place.body() + static_cast<std::size_t>(i);

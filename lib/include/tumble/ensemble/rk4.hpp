@@ -44,21 +44,21 @@ TUMBLE_INLINE State runge_kutta_4(const State& y, const Rate& rate) {
 }
 
 /// By the method of Runge and Kutta.
-template <class P, class Laws>
-class Stepper<Rk4, P, Laws> {
+template <class P, class Kernels>
+class Stepper<Rk4, P, Kernels> {
  public:
   template <class Forces>
-  TUMBLE_INLINE void begin(const EightMotions& from, int lane, const PackBody<P>& body,
+  TUMBLE_INLINE void begin(const EightKinematics& from, int lane, const PackBody<P>& body,
                            const Forces& forces, double h) {
     body_ = body;
-    laws_.prepare(forces, body, h);
+    kernels_.prepare(forces, body, h);
     now_.spin = load_spin<P>(from, lane, h);
-    if constexpr (!Laws::steady) begin_path(from, lane, h);
+    if constexpr (!Kernels::steady) begin_path(from, lane, h);
     begin_ = now_;
   }
 
   TUMBLE_INLINE void step(double t) {
-    if constexpr (Laws::steady) {
+    if constexpr (Kernels::steady) {
       const auto rate = [&](const Spin<P>& y, double) __attribute__((always_inline)) {
         return spin_rate(y);
       };
@@ -72,10 +72,10 @@ class Stepper<Rk4, P, Laws> {
     now_.spin.q = nearly_normalised(now_.spin.q);
   }
 
-  TUMBLE_INLINE void end(EightMotions& to, int lane, double h, int steps) const {
+  TUMBLE_INLINE void end(EightKinematics& to, int lane, double h, int steps) const {
     store_spin(now_.spin, begin_.spin.b, to, lane, h);
-    if constexpr (Laws::steady) {
-      store_drift<P>(laws_, to, lane, h * steps);
+    if constexpr (Kernels::steady) {
+      store_drift<P>(kernels_, to, lane, h * steps);
     } else {
       store(now_.x, to.x, lane);
       store(changed(load<P>(to.v, lane), begin_.u, now_.u, h), to.v, lane);
@@ -83,35 +83,35 @@ class Stepper<Rk4, P, Laws> {
   }
 
  private:
-  TUMBLE_INLINE void begin_path(const EightMotions& from, int lane, double h) {
+  TUMBLE_INLINE void begin_path(const EightKinematics& from, int lane, double h) {
     now_.x = load<P>(from.x, lane);
     now_.u = h * load<P>(from.v, lane);
     h_ = h;
     per_mass_ = h * h / body_.mass;
     per_moments_ = quotient(P{} + h * h, body_.moments);
-    laws_.add_push(push_);
+    kernels_.add_push(push_);
     push_ = {h * h * push_.acceleration, h * push_.drag};
   }
 
   TUMBLE_INLINE Spin<P> spin_rate(const Spin<P>& y) const {
     Point<P> rate = scaled_axes(body_.asymmetry, cyclic_products(y.b, y.b));
-    laws_.add_spin(y.q, y.b, rate);
+    kernels_.add_spin(y.q, y.b, rate);
     return {times_vector(y.q, y.b), rate};
   }
 
   TUMBLE_INLINE SpinAndPath<P> whole_rate(double t, const SpinAndPath<P>& y) const {
     const Quaternion<P> q = nearly_normalised(y.spin.q);
-    const PackMotion<P> now{y.x, q * conjugate(body_.axes), 1 / h_ * y.u,
-                            1 / h_ * rotate(q, y.spin.b)};
+    const PackKinematics<P> now{y.x, q * conjugate(body_.axes), 1 / h_ * y.u,
+                                1 / h_ * rotate(q, y.spin.b)};
     PackWrench<P> wrench{};
-    laws_.add_wrench(t, body_, now, wrench);
+    kernels_.add_wrench(t, body_, now, wrench);
     Spin<P> spin = spin_rate(y.spin);
     spin.b = spin.b + scaled_axes(per_moments_, rotate(conjugate(q), wrench.torque));
     return {spin, y.u, push_.acceleration - push_.drag * y.u + per_mass_ * wrench.force};
   }
 
   PackBody<P> body_;
-  Laws laws_;
+  Kernels kernels_;
   SpinAndPath<P> begin_, now_;  // without a path where the forces push steadily, as what follows:
   double h_;
   P per_mass_;            // h²/m

@@ -3,23 +3,23 @@
 /// What takes the steps of a Pack of bodies, by some method; and how their centres of mass go where
 /// the forces do not depend on the way: without steps.
 
-#include "tumble/ensemble/law_list.hpp"
+#include "tumble/ensemble/force_kernel_list.hpp"
 #include "tumble/ensemble/spin.hpp"
 
 namespace tumble::ensemble {
 
 /// The motion of a Pack of bodies between memory and memory: begin(), then a step() for each step,
 /// then end(). Specialised for each method.
-template <class Method, class P, class Laws>
+template <class Method, class P, class Kernels>
 class Stepper;
 
 /// The path over the time T [s] under forces that push steadily.
-template <class P, class Laws>
-TUMBLE_INLINE void store_drift(const Laws& laws, EightMotions& to, int lane, double T) {
+template <class P, class Kernels>
+TUMBLE_INLINE void store_drift(const Kernels& kernels, EightKinematics& to, int lane, double T) {
   Push<P> push;
-  laws.add_push(push);
+  kernels.add_push(push);
   Point<P> x = load<P>(to.x, lane), v = load<P>(to.v, lane);
-  drift<Laws::drags>(x, v, push, T);
+  drift<Kernels::drags>(x, v, push, T);
   store(x, to.x, lane);
   store(v, to.v, lane);
 }

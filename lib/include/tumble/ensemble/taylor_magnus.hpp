@@ -25,16 +25,16 @@ struct TaylorMagnus {
 namespace ensemble {
 
 /// By the series of ω and the turn that it makes.
-template <int N, class P, class Laws>
-class Stepper<TaylorMagnus<N>, P, Laws> {
+template <int N, class P, class Kernels>
+class Stepper<TaylorMagnus<N>, P, Kernels> {
  public:
   static constexpr std::size_t terms = N + 1;
-  static_assert(Laws::steady, "TaylorMagnus: a force of your own has no series here; use Rk4");
+  static_assert(Kernels::steady, "TaylorMagnus: a force of your own has no series here; use Rk4");
 
   template <class Forces>
-  TUMBLE_INLINE void begin(const EightMotions& from, int lane, const PackBody<P>& body,
+  TUMBLE_INLINE void begin(const EightKinematics& from, int lane, const PackBody<P>& body,
                            const Forces& forces, double h) {
-    laws_.prepare(forces, body, h);
+    kernels_.prepare(forces, body, h);
     spin_ = load_spin<P>(from, lane, h);
     begin_ = spin_.b;
     for (int k = 0; k < N; ++k) asymmetry_over_[k] = 1.0 / (k + 1) * body.asymmetry;
@@ -43,12 +43,12 @@ class Stepper<TaylorMagnus<N>, P, Laws> {
   TUMBLE_INLINE void step(double) {
     Point<P> b[terms];
     b[0] = spin_.b;
-    typename Laws::template Series<N> torques;
-    laws_.template start<N>(torques, spin_.q);
+    typename Kernels::template Series<N> torques;
+    kernels_.template start<N>(torques, spin_.q);
 #pragma GCC unroll 16
     for (int k = 0; k < N; ++k) {
       b[k + 1] = scaled_axes(asymmetry_over_[k], cyclic_products_of_series(b, k));
-      laws_.template add<N>(torques, k, b, b[k + 1]);
+      kernels_.template add<N>(torques, k, b, b[k + 1]);
     }
     spin_.q = spin_.q * exp_small(rotation_vector(b));
     // The small terms first.
@@ -58,9 +58,9 @@ class Stepper<TaylorMagnus<N>, P, Laws> {
     spin_.b = spin_.b + change;
   }
 
-  TUMBLE_INLINE void end(EightMotions& to, int lane, double h, int steps) const {
+  TUMBLE_INLINE void end(EightKinematics& to, int lane, double h, int steps) const {
     store_spin(spin_, begin_, to, lane, h);
-    store_drift<P>(laws_, to, lane, h * steps);
+    store_drift<P>(kernels_, to, lane, h * steps);
   }
 
  private:
@@ -76,7 +76,7 @@ class Stepper<TaylorMagnus<N>, P, Laws> {
     return sum;
   }
 
-  Laws laws_;
+  Kernels kernels_;
   Spin<P> spin_;
   Point<P> begin_;                           // spin_.b before the first step
   Point<P> asymmetry_over_[std::size_t{N}];  // 1, 2, … N

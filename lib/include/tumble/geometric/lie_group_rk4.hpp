@@ -21,7 +21,7 @@ struct LieGroupRk4 {
 
   /// The state a time h [s] after `state` at time t, four evaluations of the forces.
   template <class T, class... Forces>
-  static RigidBodyState<T> step(const RigidBodyMotion<T, Forces...>& motion, T t,
+  static RigidBodyState<T> step(const RigidBodyRhs<T, Forces...>& motion, T t,
                                 const RigidBodyState<T>& state, T h) {
     const T half = h / 2;
     const Rate<T> k1 = rate(motion, t, state);
@@ -53,7 +53,7 @@ struct LieGroupRk4 {
   };
 
   template <class T, class... Forces>
-  static Rate<T> rate(const RigidBodyMotion<T, Forces...>& motion, T t,
+  static Rate<T> rate(const RigidBodyRhs<T, Forces...>& motion, T t,
                       const RigidBodyState<T>& state) {
     const Derived<T> now = derived(motion.body(), state);
     return {now.v, now.omega, motion.net(t, now)};

@@ -24,7 +24,7 @@ class Splitting {
  public:
   static constexpr int order = Scheme::order;
 
-  explicit Splitting(const RigidBodyMotion<double, Forces...>& motion)
+  explicit Splitting(const RigidBodyRhs<double, Forces...>& motion)
       : motion_(motion), flow_(motion.body()) {}
 
   /// The state a time h [s] after `state` at time t.
@@ -56,7 +56,7 @@ class Splitting {
     state.q = flow_.advance(state.q, state.L, h);
   }
 
-  RigidBodyMotion<double, Forces...> motion_;
+  RigidBodyRhs<double, Forces...> motion_;
   FreeFlow flow_;
 };
 

@@ -70,9 +70,9 @@ ColumnMassProperties sum_of_columns(const PolygonMesh& mesh, double density, con
 /// Refuses what columns cannot be drawn through.
 inline void require_columns(const PolygonMesh& mesh, double density, int columns) {
   require_density(density);
-  constexpr int most = 100'000'000;
-  require(columns > 0 && columns <= most, "the number of columns is ", columns, ", not in 1 … ",
-          most);
+  constexpr int max_columns = 100'000'000;
+  require(columns > 0 && columns <= max_columns, "the number of columns is ", columns,
+          ", not in 1 … ", max_columns);
   require_closed(mesh);
 }
 

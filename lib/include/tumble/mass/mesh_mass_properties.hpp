@@ -45,7 +45,7 @@ inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, 
 
 /// Mass properties of a mesh, and everything that was found about it.
 struct MeshMassProperties : BoundedMassProperties {
-  std::vector<Finding> findings;  ///< what diagnose() says; with Policy::refuse nothing that spoils
+  std::vector<MeshDefect> findings;  ///< of diagnose(); with Policy::refuse nothing that spoils
 };
 
 /// Mass, centre of mass and inertia of the body that a mesh encloses, with bounds of their rounding
@@ -60,7 +60,7 @@ struct MeshMassProperties : BoundedMassProperties {
 inline MeshMassProperties mesh_mass_properties(const PolygonMesh& mesh, double density,
                                                const MassOptions& options = {}) {
   require_density(density);
-  const std::vector<Finding> findings = diagnose(mesh, options.loop);
+  const std::vector<MeshDefect> findings = diagnose(mesh, options.loop);
   require_body(findings, options.policy);
   const BoundedMassProperties body =
       unchecked_mass_properties(mesh, density, options.accuracy, options.loop);

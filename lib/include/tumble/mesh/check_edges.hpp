@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tumble/mesh/edge_balance.hpp"
-#include "tumble/mesh/finding.hpp"
+#include "tumble/mesh/mesh_defect.hpp"
 #include "tumble/mesh/weld.hpp"
 
 namespace tumble {
@@ -55,7 +55,7 @@ void for_each_uneven_edge(const std::vector<EdgeUse>& uses, Visit&& visit) {
 
 /// Finds faces that have exactly the vertices of an earlier face. Only worth asking for a mesh that
 /// is not closed: a face and its mirror image add nothing, and are a part that touches itself.
-inline std::vector<Finding> find_duplicate_faces(const PolygonMesh& mesh) {
+inline std::vector<MeshDefect> find_duplicate_faces(const PolygonMesh& mesh) {
   std::vector<std::vector<int>> keys;
   std::vector<int> order;
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -68,7 +68,7 @@ inline std::vector<Finding> find_duplicate_faces(const PolygonMesh& mesh) {
   };
   std::sort(order.begin(), order.end(),
             [&](int f, int g) { return key(f) != key(g) ? key(f) < key(g) : f < g; });
-  FindingsOfOneKind duplicates(FindingKind::duplicate_face);
+  MeshDefectsOfOneKind duplicates(MeshDefectKind::duplicate_face);
   for (std::size_t i = 1; i < order.size(); ++i) {
     const int f = order[i], original = order[i - 1];
     if (key(f) != key(original) || key(f).size() < 3) continue;
@@ -77,7 +77,7 @@ inline std::vector<Finding> find_duplicate_faces(const PolygonMesh& mesh) {
              std::to_string(original + 1) + ": take one of them away";
     });
   }
-  std::vector<Finding> findings;
+  std::vector<MeshDefect> findings;
   duplicates.append_to(findings);
   return findings;
 }
@@ -102,7 +102,7 @@ inline std::string describe_faces(std::span<const EdgeUse> uses) {
 /// Finds where the surface is not closed: open edges, neighbours that disagree on what is outside,
 /// and edges with an odd company of faces.
 /// @param mesh indices in range
-inline std::vector<Finding> find_uneven_edges(const PolygonMesh& mesh) {
+inline std::vector<MeshDefect> find_uneven_edges(const PolygonMesh& mesh) {
   const std::vector<EdgeUse> uses = edge_uses(mesh);
   int open_count = 0;
   for_each_uneven_edge(uses,
@@ -111,8 +111,8 @@ inline std::vector<Finding> find_uneven_edges(const PolygonMesh& mesh) {
                                ? "; the surface is closed once vertices at equal positions are "
                                  "merged: call weld()"
                                : "";
-  FindingsOfOneKind open(FindingKind::open_edge), uneven(FindingKind::uneven_edge);
-  FindingsOfOneKind turned(FindingKind::inconsistent_orientation);
+  MeshDefectsOfOneKind open(MeshDefectKind::open_edge), uneven(MeshDefectKind::uneven_edge);
+  MeshDefectsOfOneKind turned(MeshDefectKind::inconsistent_orientation);
   for_each_uneven_edge(uses, [&](std::span<const EdgeUse> edge) {
     const EdgeUse& first = edge.front();
     if (edge.size() == 1)
@@ -132,7 +132,7 @@ inline std::vector<Finding> find_uneven_edges(const PolygonMesh& mesh) {
                " faces, unequally many in the two directions: " + describe_faces(edge);
       });
   });
-  std::vector<Finding> findings;
+  std::vector<MeshDefect> findings;
   open.append_to(findings);
   turned.append_to(findings);
   uneven.append_to(findings);

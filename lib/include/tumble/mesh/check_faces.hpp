@@ -7,15 +7,15 @@
 #include <sstream>
 #include <vector>
 
-#include "tumble/mesh/finding.hpp"
+#include "tumble/mesh/mesh_defect.hpp"
 #include "tumble/mesh/orientation.hpp"
 
 namespace tumble {
 
 /// Finds corners that name no vertex. Nothing else may be asked of a mesh that has any.
-inline std::vector<Finding> find_bad_indices(const PolygonMesh& mesh) {
-  std::vector<Finding> findings;
-  FindingsOfOneKind bad(FindingKind::index_out_of_range);
+inline std::vector<MeshDefect> find_bad_indices(const PolygonMesh& mesh) {
+  std::vector<MeshDefect> findings;
+  MeshDefectsOfOneKind bad(MeshDefectKind::index_out_of_range);
   const int vertex_count = static_cast<int>(mesh.vertices.size());
   // The table of faces itself: from 0 to the end, never back.
   const std::vector<int>& first = mesh.first_corner;
@@ -45,8 +45,8 @@ inline std::vector<Finding> find_bad_indices(const PolygonMesh& mesh) {
 }
 
 /// Finds vertices, used or not, with a coordinate that is NaN or infinite.
-inline std::vector<Finding> find_not_finite(const PolygonMesh& mesh) {
-  FindingsOfOneKind bad(FindingKind::not_finite);
+inline std::vector<MeshDefect> find_not_finite(const PolygonMesh& mesh) {
+  MeshDefectsOfOneKind bad(MeshDefectKind::not_finite);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     // x − x is 0 for a finite x, NaN otherwise
     const Vec3& p = mesh.vertices[i];
@@ -54,7 +54,7 @@ inline std::vector<Finding> find_not_finite(const PolygonMesh& mesh) {
     const int v = static_cast<int>(i);
     bad.add(-1, {v, v}, [&] { return describe_vertex(mesh, v) + " is not at a finite position"; });
   }
-  std::vector<Finding> findings;
+  std::vector<MeshDefect> findings;
   bad.append_to(findings);
   return findings;
 }
@@ -98,8 +98,8 @@ inline bool has_short_faces(const PolygonMesh& mesh) {
 }
 
 /// Finds faces without area.
-inline std::vector<Finding> find_degenerate_faces(const PolygonMesh& mesh) {
-  FindingsOfOneKind bad(FindingKind::degenerate_face);
+inline std::vector<MeshDefect> find_degenerate_faces(const PolygonMesh& mesh) {
+  MeshDefectsOfOneKind bad(MeshDefectKind::degenerate_face);
   for (int f = 0; f < mesh.face_count(); ++f) {
     const char* what = degeneracy(mesh, mesh.face(f));
     if (what == nullptr) continue;
@@ -110,7 +110,7 @@ inline std::vector<Finding> find_degenerate_faces(const PolygonMesh& mesh) {
       return text;
     });
   }
-  std::vector<Finding> findings;
+  std::vector<MeshDefect> findings;
   bad.append_to(findings);
   return findings;
 }
@@ -147,8 +147,8 @@ inline Planarity planarity(const PolygonMesh& mesh, std::span<const int> face) {
 
 /// Finds polygons that are not plane by more than a millionth of their size: what a file with seven
 /// digits makes of a plane one is not told.
-inline std::vector<Finding> find_nonplanar_faces(const PolygonMesh& mesh) {
-  FindingsOfOneKind bad(FindingKind::nonplanar_face);
+inline std::vector<MeshDefect> find_nonplanar_faces(const PolygonMesh& mesh) {
+  MeshDefectsOfOneKind bad(MeshDefectKind::nonplanar_face);
   const std::size_t faces = mesh.first_corner.size() - 1;
   if (mesh.corners.size() == 3 * faces && !has_short_faces(mesh)) return {};  // all triangles
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -165,7 +165,7 @@ inline std::vector<Finding> find_nonplanar_faces(const PolygonMesh& mesh) {
       return text.str();
     });
   }
-  std::vector<Finding> findings;
+  std::vector<MeshDefect> findings;
   bad.append_to(findings);
   return findings;
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tumble/mesh/depth.hpp"
-#include "tumble/mesh/finding.hpp"
+#include "tumble/mesh/mesh_defect.hpp"
 
 namespace tumble {
 
@@ -42,12 +42,12 @@ inline std::string describe_wrong_depth(const WrongDepth& wrong) {
 }
 
 /// Finds the parts of a closed surface that enclose nothing.
-inline std::vector<Finding> find_flat_parts(const PolygonMesh& mesh, const Components& surface) {
+inline std::vector<MeshDefect> find_flat_parts(const PolygonMesh& mesh, const Components& surface) {
   const auto is_flat = [](const Component& part) {
     return !(std::abs(part.volume) > part.rounding);
   };
   if (std::none_of(surface.parts.begin(), surface.parts.end(), is_flat)) return {};
-  FindingsOfOneKind flat(FindingKind::flat);
+  MeshDefectsOfOneKind flat(MeshDefectKind::flat);
   const std::vector<int> faces = first_faces(mesh, surface);
   for (std::size_t i = 0; i < surface.parts.size(); ++i) {
     if (!is_flat(surface.parts[i])) continue;
@@ -56,15 +56,15 @@ inline std::vector<Finding> find_flat_parts(const PolygonMesh& mesh, const Compo
              " encloses no volume that could be told from 0";
     });
   }
-  std::vector<Finding> findings;
+  std::vector<MeshDefect> findings;
   flat.append_to(findings);
   return findings;
 }
 
 /// Says of each part whether it is inverted or nested wrongly, as `depths` tell.
-inline std::vector<Finding> find_wrong_parts(const PolygonMesh& mesh, const Components& surface,
-                                             const std::vector<PartDepth>& depths) {
-  FindingsOfOneKind inverted(FindingKind::inverted), nested(FindingKind::nested_wrong);
+inline std::vector<MeshDefect> find_wrong_parts(const PolygonMesh& mesh, const Components& surface,
+                                                const std::vector<PartDepth>& depths) {
+  MeshDefectsOfOneKind inverted(MeshDefectKind::inverted), nested(MeshDefectKind::nested_wrong);
   const std::vector<int> faces = first_faces(mesh, surface);
   for (std::size_t i = 0; i < surface.parts.size(); ++i) {
     const Component& part = surface.parts[i];
@@ -86,7 +86,7 @@ inline std::vector<Finding> find_wrong_parts(const PolygonMesh& mesh, const Comp
                " times: reverse the corners of its faces if it is a cavity, else take it away";
       });
   }
-  std::vector<Finding> findings;
+  std::vector<MeshDefect> findings;
   inverted.append_to(findings);
   nested.append_to(findings);
   return findings;
@@ -94,20 +94,20 @@ inline std::vector<Finding> find_wrong_parts(const PolygonMesh& mesh, const Comp
 
 /// What a bundle of lines says: parts that are inside out or nested wrongly, and places where the
 /// surface crosses itself.
-inline std::vector<Finding> find_wrong_depth(const PolygonMesh& mesh, const Components& surface,
-                                             const LineHits& hits) {
+inline std::vector<MeshDefect> find_wrong_depth(const PolygonMesh& mesh, const Components& surface,
+                                                const LineHits& hits) {
   const std::vector<WrongDepth> wrong = find_wrong_depths(hits);
   const bool one_looks_inwards = std::any_of(surface.parts.begin(), surface.parts.end(),
                                              [](const Component& part) { return part.volume < 0; });
   if (wrong.empty() && !one_looks_inwards) return {};
   const std::vector<PartDepth> depths = measure_parts(hits, surface);
-  std::vector<Finding> findings = find_wrong_parts(mesh, surface, depths);
+  std::vector<MeshDefect> findings = find_wrong_parts(mesh, surface, depths);
   const auto crosses = [&](const LineHit& hit) {
     const PartDepth& depth = depths[static_cast<std::size_t>(hit.part)];
     return depth.crosses_itself || depth.crosses_another();
   };
   const bool unexplained = findings.empty();
-  FindingsOfOneKind crossing(FindingKind::self_crossing);
+  MeshDefectsOfOneKind crossing(MeshDefectKind::self_crossing);
   for (const WrongDepth& place : wrong)
     if (unexplained || crosses(place.here) || crosses(place.before))
       crossing.add(place.here.face, {-1, -1}, [&] { return describe_wrong_depth(place); });

@@ -13,7 +13,7 @@ namespace tumble {
 ///         finite, no faces, or an open edge
 inline void require_closed(const PolygonMesh& mesh) {
   for (const auto& find : {find_bad_indices, find_not_finite})
-    for (const Finding& finding : find(mesh)) require(false, finding.message);
+    for (const MeshDefect& finding : find(mesh)) require(false, finding.message);
   require(mesh.face_count() > 0, "the mesh has no faces");
   require(is_closed(mesh), "the mesh is not closed: diagnose() says where");
 }

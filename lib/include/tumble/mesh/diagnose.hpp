@@ -18,8 +18,8 @@
 #include "tumble/mesh/check_parts.hpp"
 #include "tumble/mesh/components.hpp"
 #include "tumble/mesh/edge_balance.hpp"
-#include "tumble/mesh/finding.hpp"
 #include "tumble/mesh/finite_bounds.hpp"
+#include "tumble/mesh/mesh_defect.hpp"
 
 namespace tumble {
 
@@ -54,12 +54,12 @@ inline Survey survey(const PolygonMesh& mesh, const LatticeFilter& filter,
 
 /// Everything that is wrong with the mesh; empty when it bounds a body. At most a few findings of
 /// each kind are listed, and the last one says how many more there are.
-inline std::vector<Finding> diagnose(const PolygonMesh& mesh, const LoopOptions& options = {}) {
-  std::vector<Finding> findings = find_bad_indices(mesh);
+inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh, const LoopOptions& options = {}) {
+  std::vector<MeshDefect> findings = find_bad_indices(mesh);
   if (!findings.empty()) return findings;
   if (mesh.face_count() == 0)
-    return {Finding{FindingKind::no_faces, -1, {-1, -1}, "the mesh has no faces"}};
-  const auto add = [&findings](const std::vector<Finding>& more) {
+    return {MeshDefect{MeshDefectKind::no_faces, -1, {-1, -1}, "the mesh has no faces"}};
+  const auto add = [&findings](const std::vector<MeshDefect>& more) {
     findings.insert(findings.end(), more.begin(), more.end());
   };
   const auto add_open_edges = [&] {
@@ -86,10 +86,10 @@ inline std::vector<Finding> diagnose(const PolygonMesh& mesh, const LoopOptions&
 }
 
 /// All findings, one a line: what a refusal says.
-inline std::string findings_text(const std::vector<Finding>& findings) {
+inline std::string findings_text(const std::vector<MeshDefect>& findings) {
   std::string text;
-  for (const Finding& finding : findings)
-    text += std::string("\n  ") + name(finding.kind) + ": " + finding.message;
+  for (const MeshDefect& finding : findings)
+    text += std::string("\n  ") + name_of(finding.kind) + ": " + finding.message;
   return text;
 }
 
@@ -103,10 +103,10 @@ enum class Policy {
 /// least possible. Real meshes have faces without area; they add nothing to an integral and alone
 /// are no reason to refuse here: require_faultless() does.
 /// @throws std::invalid_argument with all findings, one a line
-inline void require_body(const std::vector<Finding>& findings, Policy policy = Policy::refuse) {
+inline void require_body(const std::vector<MeshDefect>& findings, Policy policy = Policy::refuse) {
   const auto refused = policy == Policy::refuse ? spoils_integrals : prevents_integrals;
   const bool good = std::none_of(findings.begin(), findings.end(),
-                                 [&](const Finding& finding) { return refused(finding.kind); });
+                                 [&](const MeshDefect& finding) { return refused(finding.kind); });
   require(good, "the mesh does not bound a body:", findings_text(findings));
 }
 
@@ -118,7 +118,7 @@ inline void require_body(const PolygonMesh& mesh) { require_body(diagnose(mesh))
 /// asks that divides by a face's area or needs its normal.
 /// @throws std::invalid_argument with all findings, one a line
 inline void require_faultless(const PolygonMesh& mesh) {
-  const std::vector<Finding> findings = diagnose(mesh);
+  const std::vector<MeshDefect> findings = diagnose(mesh);
   require(findings.empty(), "the mesh has faults:", findings_text(findings));
 }
 

@@ -41,8 +41,8 @@ inline void require_stl_size(std::string_view bytes, std::string_view name) {
   const std::uint64_t needed = stl_header_size + stl_facet_size * count;
   require(bytes.size() == needed, name, ", byte 80: the header names ", count,
           " facets, which take ", needed, " bytes, but the file has ", bytes.size());
-  constexpr std::uint64_t most = 0x7FFFFFFF / 3;
-  require(count <= most, name, ", byte 80: ", count, " facets are more than the ", most,
+  constexpr std::uint64_t max_facets = 0x7FFFFFFF / 3;
+  require(count <= max_facets, name, ", byte 80: ", count, " facets are more than the ", max_facets,
           " that a mesh holds");
 }
 

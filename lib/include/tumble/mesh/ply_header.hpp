@@ -26,8 +26,8 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 struct PlyTypeName {
   std::string_view name, name_with_size;
-  std::size_t size;    ///< [bytes]
-  double least, most;  ///< of an integer type
+  std::size_t size;  ///< [bytes]
+  double min, max;   ///< of an integer type
 };
 
 inline constexpr std::array<PlyTypeName, 8> ply_types = {

@@ -44,7 +44,7 @@ class PlyText {
       refuse("has '", shown(word), "' for '", shown(property.name),
              "', which is not a finite number");
     const PlyTypeName& limits = about(type);
-    if (is_integer(type) && !(value.value >= limits.least && value.value <= limits.most &&
+    if (is_integer(type) && !(value.value >= limits.min && value.value <= limits.max &&
                               value.value == std::floor(value.value)))
       refuse("has '", shown(word), "' for '", shown(property.name), "', which is not of the type ",
              limits.name);

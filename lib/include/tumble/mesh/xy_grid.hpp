@@ -54,8 +54,8 @@ class XyGrid {
  private:
   XyGrid(const Eigen::AlignedBox3d& box, int nx, double cells)
       : XyGrid(box, nx, count(cells / nx, cells)) {}
-  static int count(double wanted, double most) {
-    return wanted > 1 ? static_cast<int>(std::min(wanted, most)) : 1;
+  static int count(double wanted, double max_count) {
+    return wanted > 1 ? static_cast<int>(std::min(wanted, max_count)) : 1;
   }
   static int place(double t, int n) {
     // 0 for NaN; no branches.

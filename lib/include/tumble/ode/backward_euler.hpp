@@ -29,7 +29,7 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
   using Matrix = JacobianOf<State>;
   constexpr int max_iterations = 25;
   // Newton converges quadratically: after a correction of √ε, what is left is of the size of ε.
-  const Scalar enough = sqrt(std::numeric_limits<Scalar>::epsilon());
+  const Scalar tolerance = sqrt(std::numeric_limits<Scalar>::epsilon());
 
   State y1 = y;
   for (int i = 0; i < max_iterations; ++i) {
@@ -40,7 +40,7 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
     const State correction = A.partialPivLu().solve(residual);
     y1 += correction;
     if (!y1.allFinite()) break;  // the matrix is singular, or f has no value there
-    if (correction.norm() <= enough * max(y.norm(), y1.norm())) return y1;
+    if (correction.norm() <= tolerance * max(y.norm(), y1.norm())) return y1;
   }
   std::ostringstream text;
   text << "backward_euler_step: Newton's iteration does not converge from t = " << t

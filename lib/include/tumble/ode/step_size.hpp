@@ -25,11 +25,11 @@ namespace tumble {
 template <class Scalar>
 Scalar adaptive_step_size(Scalar h, std::type_identity_t<Scalar> error, int order) {
   using std::pow;
-  constexpr auto safety = Scalar(0.9), shrink_limit = Scalar(0.2), growth_limit = Scalar(10);
-  if (error != error) return h * shrink_limit;
-  if (error == 0) return h * growth_limit;
+  constexpr auto safety = Scalar(0.9), min_factor = Scalar(0.2), max_factor = Scalar(10);
+  if (error != error) return h * min_factor;
+  if (error == 0) return h * max_factor;
   const Scalar factor = safety * pow(error, Scalar(-1) / static_cast<Scalar>(order + 1));
-  return h * std::clamp(factor, shrink_limit, growth_limit);
+  return h * std::clamp(factor, min_factor, max_factor);
 }
 
 /// A first step, from the sizes of y, y' and y'' at the start: what a step of Euler's method that

@@ -25,7 +25,7 @@ struct LinearDrag {
   }
 
   /// @throws std::invalid_argument if k is negative or not finite
-  void check(int) const {
+  void require_valid(int) const {
     require(k >= 0 && std::isfinite(k), "linear drag: k = ", k, " is not a finite number ≥ 0");
   }
 };
@@ -41,7 +41,7 @@ struct QuadraticDrag {
   }
 
   /// @throws std::invalid_argument if k is negative or not finite
-  void check(int) const {
+  void require_valid(int) const {
     require(k >= 0 && std::isfinite(k), "quadratic drag: k = ", k, " is not a finite number ≥ 0");
   }
 };

@@ -68,10 +68,10 @@ concept SystemForce = requires(const F& force, T t, const ParticlesView<T>& part
 template <class F, class T>
 concept Force = ParticleForce<F, T> || SystemForce<F, T>;
 
-/// A force with a method check(n) that refuses what makes no sense for n particles.
+/// A force with a method require_valid(n) that refuses what makes no sense for n particles.
 template <class F>
-concept CheckedForce = requires(const F& force, int n) {
-  force.check(n);
+concept ValidatedForce = requires(const F& force, int n) {
+  force.require_valid(n);
 };
 
 }  // namespace tumble

@@ -75,7 +75,7 @@ class ParticleSystem {
  private:
   template <class AForce>
   void check(const AForce& force) const {
-    if constexpr (CheckedForce<AForce>) force.check(size());
+    if constexpr (ValidatedForce<AForce>) force.require_valid(size());
   }
 
   template <class AForce>

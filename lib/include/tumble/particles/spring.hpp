@@ -38,7 +38,7 @@ struct Spring {
 
   /// @throws std::invalid_argument if i or j is none of n particles or both are the same, or a
   ///         constant is negative or not finite
-  void check(int n) const {
+  void require_valid(int n) const {
     for (const int end : {i, j})
       require(0 <= end && end < n, "spring: there is no particle ", end, " among ", n);
     require(i != j, "spring: both ends are particle ", i);

@@ -20,7 +20,7 @@ struct UniformGravity {
   }
 
   /// @throws std::invalid_argument if g is not finite
-  void check(int) const {
+  void require_valid(int) const {
     require(g.allFinite(), "gravity: g = (", g.transpose(), ") is not finite");
   }
 };

@@ -37,9 +37,9 @@ inline Mat3 newton_rotation_step(const Mat3& M) { return (M + inverse_transpose(
 /// @throws std::invalid_argument unless det M is positive and finite
 inline Mat3 newton_rotation(const Mat3& M) {
   constexpr double converged = 1e-8;  // what is left is about the square of this change: below eps
-  constexpr int enough = 20;          // a cap that scaled steps do not come near
+  constexpr int max_iterations = 20;  // a cap that scaled steps do not come near
   Mat3 X = M;
-  for (int i = 0; i < enough; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const Mat3 Y = inverse_transpose(X);
     const double gamma = std::sqrt(Y.norm() / X.norm());
     const Mat3 next = (gamma * X + Y / gamma) / 2;

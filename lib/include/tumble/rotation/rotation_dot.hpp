@@ -26,7 +26,7 @@ Matrix3<T> rotation_dot_body(const Matrix3<T>& R, const Vector3<T>& omega_body) 
 
 /// The angular velocity in world coordinates [rad/s] that turns R at the rate R_dot: [ω]× = Ṙ Rᵀ.
 template <class T>
-Vector3<T> angular_velocity(const Matrix3<T>& R, const Matrix3<T>& R_dot) {
+Vector3<T> angular_velocity_of(const Matrix3<T>& R, const Matrix3<T>& R_dot) {
   return unskew<T>(R_dot * R.transpose());
 }
 

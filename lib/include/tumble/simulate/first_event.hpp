@@ -51,13 +51,12 @@ template <EventFunction G, class Visit>
 void visit_events(const Trajectory& trajectory, const G& g, const Visit& visit) {
   constexpr int parts = 8;
   const auto value = [&](double t) { return static_cast<double>(g(t, trajectory.at(t))); };
-  const std::vector<double>& moments = trajectory.moments();
-  double before = moments.front(), g_before = value(before);
-  for (std::size_t i = 1; i < moments.size(); ++i)
+  const std::vector<double>& times = trajectory.times();
+  double before = times.front(), g_before = value(before);
+  for (std::size_t i = 1; i < times.size(); ++i)
     for (int part = 1; part <= parts; ++part) {
-      const double t = part == parts
-                           ? moments[i]
-                           : moments[i - 1] + part * (moments[i] - moments[i - 1]) / parts;
+      const double t =
+          part == parts ? times[i] : times[i - 1] + part * (times[i] - times[i - 1]) / parts;
       const double g_now = value(t);
       if (g_before != 0 && (g_now == 0 || std::signbit(g_now) != std::signbit(g_before))) {
         const double root = change_of_sign(value, before, t, g_before, g_now);
@@ -82,7 +81,7 @@ std::optional<Event> first_event(const Trajectory& trajectory, const G& g) {
   return first;
 }
 
-/// All such moments, ascending, each found as first_event() finds the first.
+/// All such times, ascending, each found as first_event() finds the first.
 template <EventFunction G>
 std::vector<Event> every_event(const Trajectory& trajectory, const G& g) {
   std::vector<Event> all;

@@ -18,9 +18,9 @@
 #include <string>
 
 #include "tumble/body/forces.hpp"
-#include "tumble/free_body/free_motion.hpp"
-#include "tumble/simulate/general_motion.hpp"
-#include "tumble/simulate/steady_motion.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
+#include "tumble/simulate/general_trajectory.hpp"
+#include "tumble/simulate/steady_trajectory.hpp"
 #include "tumble/simulate/trajectory.hpp"
 #include "tumble/steady/lagrange_top.hpp"
 
@@ -28,8 +28,8 @@ namespace tumble {
 
 /// What a simulation is to give.
 enum class Wanted {
-  motion,     ///< everything
-  path_only,  ///< x and P; q and L stay as they were at the start
+  trajectory,  ///< everything
+  path_only,   ///< x and P; q and L stay as they were at the start
 };
 
 /// What to simulate beside the body and its forces.
@@ -37,36 +37,36 @@ struct SimulationTask {
   double t0 = 0;            ///< [s]
   double t1 = 1;            ///< [s], not before t0
   double tolerance = 1e-6;  ///< of the orientation in radians, of all else relative to its size
-  Wanted wanted = Wanted::motion;
+  Wanted wanted = Wanted::trajectory;
 };
 
 namespace detail {
 
 /// Moments between which a closed form does not turn by more than a quarter of a radian.
-inline std::vector<double> moments_of_turning(double t0, double t1, double omega) {
-  constexpr double most = 1e6;
-  const double parts = std::clamp(std::ceil(4 * omega * (t1 - t0)), 8.0, most);
-  std::vector<double> moments;
+inline std::vector<double> times_of_turning(double t0, double t1, double omega) {
+  constexpr double max_parts = 1e6;
+  const double parts = std::clamp(std::ceil(4 * omega * (t1 - t0)), 8.0, max_parts);
+  std::vector<double> times;
   for (int i = 0; i <= static_cast<int>(parts); ++i)
-    moments.push_back(i == static_cast<int>(parts) ? t1 : t0 + i * (t1 - t0) / parts);
-  return moments;
+    times.push_back(i == static_cast<int>(parts) ? t1 : t0 + i * (t1 - t0) / parts);
+  return times;
 }
 
 /// A trajectory that owns its run.
 template <class Run>
 Trajectory trajectory_of(Run&& run, const SimulationReport& report) {
   const auto kept = std::make_shared<const std::decay_t<Run>>(std::forward<Run>(run));
-  return {[kept](double t) { return kept->at(t); }, kept->moments(), report};
+  return {[kept](double t) { return kept->at(t); }, kept->times(), report};
 }
 
-/// The error of closed forms: what FreeMotion promises.
+/// The error of closed forms: what FreeTrajectory promises.
 inline double closed_form_error(double omega, double t0, double t1) {
   return 1e-14 * std::max(1.0, omega * (t1 - t0));
 }
 
 inline Trajectory free_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
                                   const SteadyPath& path, const SimulationTask& task) {
-  const auto motion = std::make_shared<const FreeMotion>(body, start);
+  const auto motion = std::make_shared<const FreeTrajectory>(body, start);
   const double omega = derived(body, start).omega.norm();
   const ModelChoice choice = choose_model(body);
   const SimulationReport report{choice.model, std::string("closed form: ") + motion->name(),
@@ -76,7 +76,7 @@ inline Trajectory free_trajectory(const RigidBody<>& body, const RigidBodyState<
     const RigidBodyState<> turned = motion->at(t - t0);
     return {path.x(t - t0), turned.q, path.P(t - t0), turned.L};
   };
-  return {at, moments_of_turning(task.t0, task.t1, omega), report};
+  return {at, times_of_turning(task.t0, task.t1, omega), report};
 }
 
 inline Trajectory particle_trajectory(const RigidBodyState<>& start, const SteadyPath& path,
@@ -87,7 +87,7 @@ inline Trajectory particle_trajectory(const RigidBodyState<>& start, const Stead
   const auto at = [start, path, t0 = task.t0](double t) -> RigidBodyState<> {
     return {path.x(t - t0), start.q, path.P(t - t0), start.L};
   };
-  return {at, moments_of_turning(task.t0, task.t1, 0), report};
+  return {at, times_of_turning(task.t0, task.t1, 0), report};
 }
 
 inline Trajectory top_trajectory(const LagrangeTop& top, const RigidBody<>& body,
@@ -102,7 +102,7 @@ inline Trajectory top_trajectory(const LagrangeTop& top, const RigidBody<>& body
     return {path.x(t - t0), turned.q, path.P(t - t0), turned.L};
   };
   const double omega = derived(body, start).omega.norm() + top.rate();
-  return {at, moments_of_turning(task.t0, task.t1, omega), report};
+  return {at, times_of_turning(task.t0, task.t1, omega), report};
 }
 
 template <int rank>
@@ -114,7 +114,7 @@ Trajectory turning_trajectory(const SteadyTorque& torque, const SteadyPath& path
   const MotionScale scale{1, 1, std::max(turning, inertia / span)};
   SimulationReport report{Model::full_body, "", "steady forces turn the body", task.tolerance, 0};
   const auto run = [&](const RigidBodyState<>& from, double tolerance) {
-    return SteadyMotion<rank>(torque, path, from, task.t0, task.t1, tolerance);
+    return SteadyTrajectory<rank>(torque, path, from, task.t0, task.t1, tolerance);
   };
   auto motion = run_to_tolerance(run, start, scale, task.t0, task.t1, report);
   report.method = "Taylor series of order " + std::to_string(motion.order());
@@ -146,14 +146,14 @@ inline Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyStat
 template <class... Forces>
 Trajectory general_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
                               const SimulationTask& task, const Forces&... forces) {
-  using Motion = RigidBodyMotion<double, Forces...>;
-  const Motion motion(body, forces...);
-  const MotionScale scale = scale_of(motion, start, task.t0, task.t1);
+  using Rhs = RigidBodyRhs<double, Forces...>;
+  const Rhs rhs(body, forces...);
+  const MotionScale scale = scale_of(rhs, start, task.t0, task.t1);
   SimulationReport report{Model::full_body, "Dormand–Prince 8(5,3)",
                           "a force depends on where the body is or how it is turned",
                           task.tolerance, 0};
   const auto run = [&](const RigidBodyState<>& from, double tolerance) {
-    return GeneralMotion<Motion>(motion, scale, from, task.t0, task.t1, tolerance);
+    return GeneralTrajectory<Rhs>(rhs, scale, from, task.t0, task.t1, tolerance);
   };
   auto solution = run_to_tolerance(run, start, scale, task.t0, task.t1, report);
   return trajectory_of(std::move(solution), report);
@@ -179,7 +179,7 @@ Trajectory simulate(const RigidBody<>& body, const RigidBodyState<>& start,
   require(pack(start).allFinite(), "simulate: the state (", pack(start).transpose(),
           ") is not finite");
   require(start.q.squaredNorm() > 0, "simulate: the quaternion is zero");
-  (check_force(forces), ...);
+  (require_valid_force(forces), ...);
   RigidBodyState<> from = start;
   from.q.normalize();
   if constexpr ((SteadyForce<Forces> && ...))

@@ -33,13 +33,13 @@ class Trajectory {
  public:
   /// @param at     the state at any time of the span
   /// @param moments t0 … t1, ascending, so close that the motion between two of them is simple
-  Trajectory(std::function<RigidBodyState<>(double)> at, std::vector<double> moments,
+  Trajectory(std::function<RigidBodyState<>(double)> at, std::vector<double> times,
              SimulationReport report)
-      : at_(std::move(at)), moments_(std::move(moments)), report_(std::move(report)) {}
+      : at_(std::move(at)), times_(std::move(times)), report_(std::move(report)) {}
 
-  double t0() const { return moments_.front(); }                   ///< [s]
-  double t1() const { return moments_.back(); }                    ///< [s]
-  const std::vector<double>& moments() const { return moments_; }  ///< [s]
+  double t0() const { return times_.front(); }                 ///< [s]
+  double t1() const { return times_.back(); }                  ///< [s]
+  const std::vector<double>& times() const { return times_; }  ///< [s]
   const SimulationReport& report() const { return report_; }
   RigidBodyState<> end() const { return at_(t1()); }
 
@@ -52,7 +52,7 @@ class Trajectory {
 
  private:
   std::function<RigidBodyState<>(double)> at_;
-  std::vector<double> moments_;
+  std::vector<double> times_;
   SimulationReport report_;
 };
 

@@ -27,7 +27,7 @@
 #include "tumble/elliptic/complementary_theta_series.hpp"
 #include "tumble/elliptic/theta_series.hpp"
 #include "tumble/steady/steady_torque.hpp"
-#include "tumble/steady/top_motion.hpp"
+#include "tumble/steady/top_constants.hpp"
 
 namespace tumble {
 
@@ -73,7 +73,7 @@ class LagrangeTop {
  private:
   using Theta = std::variant<ThetaSeries, ComplementaryThetaSeries>;
 
-  LagrangeTop(const TopMotion& motion, const Vec3& up, const Vec3& axis, double slip);
+  LagrangeTop(const TopConstants& motion, const Vec3& up, const Vec3& axis, double slip);
 
   static Theta series_for(const Modulus& k, const Amplitude& eta) {
     if (k.k2 <= k.kc2) return ThetaSeries(k, eta);
@@ -101,7 +101,7 @@ class LagrangeTop {
     return along_n * n + along_up * up_ + (motion_.A * w_rate / sin2) * up_.cross(n);
   }
 
-  TopMotion motion_;
+  TopConstants motion_;
   Vec3 up_, axis_;  ///< e in the world, n in the body
   Quat upright_;    ///< z → e
   Quat frame_;      ///< body → coordinates with n along z
@@ -112,7 +112,8 @@ class LagrangeTop {
   std::complex<double> a0_ = 1, b0_ = 1;
 };
 
-inline LagrangeTop::LagrangeTop(const TopMotion& m, const Vec3& up, const Vec3& axis, double slip)
+inline LagrangeTop::LagrangeTop(const TopConstants& m, const Vec3& up, const Vec3& axis,
+                                double slip)
     : motion_(m),
       up_(up),
       axis_(axis),
@@ -149,7 +150,7 @@ inline std::optional<LagrangeTop> LagrangeTop::from(const SteadyTorque& torque, 
     const detail::Vec3dd p = detail::principal_momentum(torque.axes(), q, v);
     return {p[x], p[y], p[z]};
   };
-  const auto motion = detail::top_motion(J[x], std::abs(arm[z]), into_top(L), into_top(up));
+  const auto motion = detail::top_constants(J[x], std::abs(arm[z]), into_top(L), into_top(up));
   if (!motion) return {};
   const double slip = motion->L_axis * (J[x] - J[z]) / J[x] / J[z];
   LagrangeTop top(*motion, up, torque.axes().R.col(z), slip);

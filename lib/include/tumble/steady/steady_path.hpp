@@ -33,7 +33,7 @@ class SteadyPath {
         P_(start.P),
         force_(forces.force),
         mass_(body.mass()),
-        rate_(forces.drag / body.mass()) {}
+        rate_(forces.linear_drag / body.mass()) {}
 
   /// [m]
   Vec3 x(double t) const {

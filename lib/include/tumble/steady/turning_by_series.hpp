@@ -19,7 +19,7 @@ namespace tumble {
 /// An even order that is good for steps with this tolerance: measured on free bodies and tops.
 inline int order_for(double tolerance) {
   const int order = 2 * static_cast<int>(std::lround((10 - 1.3 * std::log10(tolerance)) / 2));
-  return std::clamp(order, 8, TurningSeries<0>::highest_order);
+  return std::clamp(order, 8, TurningSeries<0>::max_order);
 }
 
 /// The steps of a turning, and what is between them.

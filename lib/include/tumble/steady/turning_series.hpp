@@ -28,11 +28,11 @@ namespace tumble {
 template <int rank>
 class TurningSeries {
  public:
-  static constexpr int highest_order = 32;                     ///< even, as all orders are
+  static constexpr int max_order = 32;                         ///< even, as all orders are
   static constexpr std::size_t slots = std::size_t{rank} + 1;  // 0 would be no array
 
   /// @param torque with this rank
-  /// @param order  even, 2 … highest_order
+  /// @param order  even, 2 … max_order
   TurningSeries(const SteadyTorque& torque, int order)
       : order_(order), instructions_(simd::best_instruction_set()), drag_(four(torque.drag())) {
     const Vec3& J = torque.axes().moments;
@@ -192,9 +192,9 @@ class TurningSeries {
   FourDoubles euler_, drag_;
   Vec3 directions_[slots];
   FourDoubles plus_[slots], minus_[slots];  // the arms over J
-  Omega w_[highest_order + 1];
-  Orientation q_[highest_order + 1];
-  Direction u_[slots][highest_order + 1];
+  Omega w_[max_order + 1];
+  Orientation q_[max_order + 1];
+  Direction u_[slots][max_order + 1];
 };
 
 }  // namespace tumble

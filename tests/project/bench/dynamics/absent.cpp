@@ -2,7 +2,7 @@
 
 #include "project/bench/least_times.hpp"
 #include "tumble/body/dydt.hpp"
-#include "tumble/free_body/free_motion.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/ode/integrate_fixed.hpp"
 #include "tumble/ode/rk4.hpp"
 #include "tumble/steady/steady_path.hpp"
@@ -66,9 +66,9 @@ std::string compare_forces(Table& table, const Budget& budget) {
   const SpringToWorld spring{Vec3(0.6, 0, 0.8), Vec3(0, 0, 2), 10, 1};
   const RigidBody<>& body = full_body();
   const std::vector<double> t = measured(
-      {stepping(free_by_hand), stepping(RigidBodyMotion(body)), stepping(falling_by_hand),
-       stepping(RigidBodyMotion(body, Weight{})), stepping(RigidBodyMotion(body, Weight{}, drag)),
-       stepping(RigidBodyMotion(body, Weight{}, drag, spring))},
+      {stepping(free_by_hand), stepping(RigidBodyRhs(body)), stepping(falling_by_hand),
+       stepping(RigidBodyRhs(body, Weight{})), stepping(RigidBodyRhs(body, Weight{}, drag)),
+       stepping(RigidBodyRhs(body, Weight{}, drag, spring))},
       budget);
   std::string broken;
   const auto add = [&](const std::string& name, double seconds, double by_hand) {
@@ -92,8 +92,8 @@ struct Asked {
 
 Asked asked(const Vec3& moments) {
   const RigidBody<> body(2, Mat3(moments.asDiagonal()));
-  return {[body, start = thrown()] { return FreeMotion(body, start).at(1.5).q.w(); },
-          [motion = FreeMotion(body, thrown())] { return motion.at(1.5).q.w(); }};
+  return {[body, start = thrown()] { return FreeTrajectory(body, start).at(1.5).q.w(); },
+          [motion = FreeTrajectory(body, thrown())] { return motion.at(1.5).q.w(); }};
 }
 
 Asked asked_for_path() {

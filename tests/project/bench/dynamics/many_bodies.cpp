@@ -22,8 +22,8 @@ constexpr double promised = 1e-7;  // [rad]: what all of ours come to, those of 
 
 /// To 1e-12 rad or so.
 Quat truth(const Body& body) {
-  const auto end = integrate_adaptive<Dop853>(RigidBodyMotion(rigid_body(body)),
-                                              pack(start_of(body)), 0.0, second, {1e-13, 1e-13});
+  const auto end = integrate_adaptive<Dop853>(RigidBodyRhs(rigid_body(body)), pack(start_of(body)),
+                                              0.0, second, {1e-13, 1e-13});
   return unpack<double>(end.y).q;
 }
 

@@ -25,9 +25,9 @@ struct Held {
 /// Calls use(motion of a body) with the forces that there are: with none where nothing pushes.
 template <class Use>
 auto with_motion_of(const Scene& scene, const Use& use) {
-  if (scene.free()) return use([](const Body& body) { return RigidBodyMotion(rigid_body(body)); });
+  if (scene.free()) return use([](const Body& body) { return RigidBodyRhs(rigid_body(body)); });
   return use([held = Held{{scene.push.force, scene.push.p_body}}](const Body& body) {
-    return RigidBodyMotion(rigid_body(body), held);
+    return RigidBodyRhs(rigid_body(body), held);
   });
 }
 
@@ -48,7 +48,7 @@ Method adaptive(const std::string& name, double roundings) {
 }
 
 /// Steps of one length, body after body.
-template <class StepMethod, class Motion>
+template <class StepMethod, class Rhs>
 class FixedSteps : public Simulation {
  public:
   FixedSteps(const Scene& scene, const auto& motion_of, double h) : h_(h) {
@@ -74,7 +74,7 @@ class FixedSteps : public Simulation {
 
  private:
   double h_, t_ = 0;
-  std::vector<Motion> motions_;
+  std::vector<Rhs> motions_;
   std::vector<PackedState<double>> start_, y_;
 };
 
@@ -82,15 +82,15 @@ template <class StepMethod>
 Stepper fixed_steps(const std::string& name, double roundings) {
   const auto make = [](const Scene& scene, double h) {
     return with_motion_of(scene, [&](const auto& motion_of) -> std::unique_ptr<Simulation> {
-      using Motion = decltype(motion_of(scene.bodies.front()));
-      return std::make_unique<FixedSteps<StepMethod, Motion>>(scene, motion_of, h);
+      using Rhs = decltype(motion_of(scene.bodies.front()));
+      return std::make_unique<FixedSteps<StepMethod, Rhs>>(scene, motion_of, h);
     });
   };
   return {"tumble", name, make, roundings};
 }
 
 /// Bodies that take steps by `step(motion, t, state, h)`.
-template <class Motion, class Step>
+template <class Rhs, class Step>
 class GeometricSteps : public Simulation {
  public:
   GeometricSteps(const Scene& scene, const auto& motion_of, double h) : h_(h) {
@@ -116,40 +116,40 @@ class GeometricSteps : public Simulation {
 
  private:
   double h_, t_ = 0;
-  std::vector<Motion> motions_;
+  std::vector<Rhs> motions_;
   std::vector<Step> steps_;
   std::vector<RigidBodyState<>> start_, states_;
 };
 
 /// LieGroupRk4 for one motion.
-template <class Motion>
+template <class Rhs>
 struct TurnSteps {
-  Motion motion;
-  explicit TurnSteps(const Motion& m) : motion(m) {}
+  Rhs motion;
+  explicit TurnSteps(const Rhs& m) : motion(m) {}
   RigidBodyState<> step(double t, const RigidBodyState<>& state, double h) const {
     return LieGroupRk4::step(motion, t, state, h);
   }
 };
 
 template <class Scheme, class... Forces>
-Splitting<Scheme, Forces...> splitting_of(const RigidBodyMotion<double, Forces...>&);
-template <class Scheme, class Motion>
-using SplittingOf = decltype(splitting_of<Scheme>(std::declval<Motion>()));
+Splitting<Scheme, Forces...> splitting_of(const RigidBodyRhs<double, Forces...>&);
+template <class Scheme, class Rhs>
+using SplittingOf = decltype(splitting_of<Scheme>(std::declval<Rhs>()));
 
 template <template <class> class StepOf>
 Stepper geometric_steps(const std::string& name, double roundings) {
   const auto make = [](const Scene& scene, double h) {
     return with_motion_of(scene, [&](const auto& motion_of) -> std::unique_ptr<Simulation> {
-      using Motion = decltype(motion_of(scene.bodies.front()));
-      return std::make_unique<GeometricSteps<Motion, StepOf<Motion>>>(scene, motion_of, h);
+      using Rhs = decltype(motion_of(scene.bodies.front()));
+      return std::make_unique<GeometricSteps<Rhs, StepOf<Rhs>>>(scene, motion_of, h);
     });
   };
   return {"tumble", name, make, roundings};
 }
-template <class Motion>
-using Splitting4 = SplittingOf<BlanesMoan4, Motion>;
-template <class Motion>
-using Splitting6 = SplittingOf<BlanesMoan6, Motion>;
+template <class Rhs>
+using Splitting4 = SplittingOf<BlanesMoan4, Rhs>;
+template <class Rhs>
+using Splitting6 = SplittingOf<BlanesMoan6, Rhs>;
 
 /// All bodies of a scene side by side in vector lanes.
 template <class EnsembleMethod>
@@ -219,7 +219,7 @@ Method free_closed_form() {
 Method free_evaluation() {
   const auto prepare = [](const Problem& problem, double) -> Run {
     if (!problem.scene.free()) return {};
-    return [motion = FreeMotion(rigid_body(problem.body()), start_of(problem.body())),
+    return [motion = FreeTrajectory(rigid_body(problem.body()), start_of(problem.body())),
             t = problem.duration] { return motion.at(t).q; };
   };
   return {"tumble", "one more", Knob::tolerance, prepare, 1e3};

@@ -20,20 +20,20 @@ namespace {
 
 const Tolerances tight{1e-13, 1e-13};
 
-template <class Motion, class State>
-State end_state(const Motion& motion, const State& start, double duration) {
+template <class Rhs, class State>
+State end_state(const Rhs& motion, const State& start, double duration) {
   return unpack<double>(integrate_adaptive<Dop853>(motion, pack(start), 0.0, duration, tight).y);
 }
 
 }  // namespace
 
-static_assert(OdeRhs<RigidBodyMotion<double>, PackedState<double>>);
-static_assert(OdeRhs<RigidBodyMotion<float, Weight>, PackedState<float>>);
+static_assert(OdeRhs<RigidBodyRhs<double>, PackedState<double>>);
+static_assert(OdeRhs<RigidBodyRhs<float, Weight>, PackedState<float>>);
 
 TEST_CASE("dydt: a worked number, all four parts") {
   const RigidBodyState<> state{Vec3(1, 2, 3), Quat(1, 0, 0, 0), Vec3(2, 0, 0), Vec3(0, 0, 5)};
-  const RigidBodyMotion motion(body, Weight{Vec3(0, 0, -10)},
-                               ForceAtBodyPoint{Vec3(0, 1, 0), Vec3(1, 0, 0)});
+  const RigidBodyRhs motion(body, Weight{Vec3(0, 0, -10)},
+                            ForceAtBodyPoint{Vec3(0, 1, 0), Vec3(1, 0, 0)});
   const RigidBodyState<> rate = motion.rate(0, state);
   CHECK(rate.x == Vec3(1, 0, 0));                              // P/m
   CHECK(coefficients(rate.q) == Eigen::Vector4d(0, 0, 0, 1));  // ½⟨0, (0,0,2)⟩
@@ -46,7 +46,7 @@ TEST_CASE("dydt: with nothing pushing, P, L and the energy stay and the body mov
   test::Random rng(141);
   for (int i = 0; i < 10; ++i) {
     const RigidBodyState<> start = random_state(rng);
-    const RigidBodyState<> end = end_state(RigidBodyMotion(body), start, 20);
+    const RigidBodyState<> end = end_state(RigidBodyRhs(body), start, 20);
     CHECK(end.P == start.P);
     CHECK(end.L == start.L);
     CHECK((end.x - (start.x + 20 * start.P / 2)).norm() <= 100 * eps * 20);
@@ -56,8 +56,7 @@ TEST_CASE("dydt: with nothing pushing, P, L and the energy stay and the body mov
 
 TEST_CASE("dydt: free fall is a parabola, and gravity does not turn the body") {
   const RigidBodyState<> start{Vec3(0, 0, 1), Quat(1, 0, 0, 0), Vec3(2, 0, 8), Vec3::Zero()};
-  const RigidBodyState<> end =
-      end_state(RigidBodyMotion(body, Weight{Vec3(0, 0, -10)}), start, 1.5);
+  const RigidBodyState<> end = end_state(RigidBodyRhs(body, Weight{Vec3(0, 0, -10)}), start, 1.5);
   CHECK((end.x - Vec3(1.5, 0, 1 + 4 * 1.5 - 5 * 2.25)).norm() <= 100 * eps);
   CHECK(end.q.coeffs() == start.q.coeffs());
 }
@@ -72,7 +71,7 @@ TEST_CASE("dydt: a spring conserves kinetic plus elastic energy") {
   test::Random rng(142);
   for (int i = 0; i < 5; ++i) {
     const RigidBodyState<> start = random_state(rng);
-    const RigidBodyState<> end = end_state(RigidBodyMotion(body, spring), start, 10);
+    const RigidBodyState<> end = end_state(RigidBodyRhs(body, spring), start, 10);
     CHECK(end.L != start.L);
     CHECK(test::relative_error(energy(end), energy(start)) <= 1e-10);
   }
@@ -80,7 +79,7 @@ TEST_CASE("dydt: a spring conserves kinetic plus elastic energy") {
 
 TEST_CASE("dydt: reaches the end of the heavy top's motion, known to 35 digits") {
   const RigidBody<> top(1, reference::top.I_body);
-  const RigidBodyState<> end = end_state(RigidBodyMotion(top, reference::TopTorque{}),
+  const RigidBodyState<> end = end_state(RigidBodyRhs(top, reference::TopTorque{}),
                                          reference::start(reference::top), reference::top.duration);
   // About 1000 steps at a tolerance of 1e-13.
   CHECK(angle_between(end.q, reference::top.q_end) <= 1e-10);
@@ -93,7 +92,7 @@ TEST_CASE(
   const ForceAtBodyPoint& weight = reference::heavy_force;
   const ForceAtBodyPoint reaction{-weight.force, Vec3::Zero()};
   const RigidBodyState<> end =
-      end_state(RigidBodyMotion(RigidBody<>(1, reference::heavy.I_body), weight, reaction),
+      end_state(RigidBodyRhs(RigidBody<>(1, reference::heavy.I_body), weight, reaction),
                 reference::start(reference::heavy), reference::heavy.duration);
   // A few hundred steps at a tolerance of 1e-13; an error grows fiftyfold.
   CHECK(angle_between(end.q, reference::heavy.q_end) <= 50 * 300 * 1e-13);
@@ -107,9 +106,9 @@ TEST_CASE("dydt: quaternion and matrix state tell the same motion") {
   const ForceAtBodyPoint push{Vec3(0.3, -0.2, 0.5), Vec3(0.1, 0.4, 0)};
   for (int i = 0; i < 5; ++i) {
     const RigidBodyState<> start = random_state(rng);
-    const RigidBodyState<> end = end_state(RigidBodyMotion(body, push), start, 5);
+    const RigidBodyState<> end = end_state(RigidBodyRhs(body, push), start, 5);
     const MatrixState<> other =
-        end_state(MatrixStateMotion(body, push),
+        end_state(MatrixStateRhs(body, push),
                   MatrixState<>{start.x, to_matrix(start.q), start.P, start.L}, 5);
     CHECK((to_matrix(end.q) - other.R).norm() <= 1e-11);
     CHECK((end.x - other.x).norm() <= 1e-11);
@@ -123,9 +122,9 @@ TEST_CASE("dydt: with RK4, the length of q and the shape of R drift off at the m
   const MatrixState<> matrix_start{start.x, to_matrix(start.q), start.P, start.L};
   const auto drifts = [&](int steps) {
     const PackedState<double> y =
-        integrate_fixed<Rk4>(RigidBodyMotion(body), pack(start), 0.0, 10.0, steps);
+        integrate_fixed<Rk4>(RigidBodyRhs(body), pack(start), 0.0, 10.0, steps);
     const PackedMatrixState<double> z =
-        integrate_fixed<Rk4>(MatrixStateMotion(body), pack(matrix_start), 0.0, 10.0, steps);
+        integrate_fixed<Rk4>(MatrixStateRhs(body), pack(matrix_start), 0.0, 10.0, steps);
     return std::pair{std::abs(unpack<double>(y).q.norm() - 1),
                      orthonormality_error(unpack<double>(z).R)};
   };
@@ -138,11 +137,11 @@ TEST_CASE("dydt: with RK4, the length of q and the shape of R drift off at the m
 TEST_CASE("dydt: float works, and is as far from double as float is") {
   test::Random rng(145);
   const RigidBodyState<> start = random_state(rng);
-  const RigidBodyMotion motion(RigidBody<float>(2, body.I_body()), Weight{});
+  const RigidBodyRhs motion(RigidBody<float>(2, body.I_body()), Weight{});
   const PackedState<float> y =
       integrate_fixed<Rk4>(motion, PackedState<float>(pack(start).cast<float>()), 0.0f, 1.0f, 100);
   const PackedState<double> exact =
-      integrate_fixed<Rk4>(RigidBodyMotion(body, Weight{}), pack(start), 0.0, 1.0, 100);
+      integrate_fixed<Rk4>(RigidBodyRhs(body, Weight{}), pack(start), 0.0, 1.0, 100);
   const double error = (y.cast<double>() - exact).norm() / exact.norm();
   CHECK(error > 0);
   CHECK(error <= 100 * 4 * 0x1p-24);  // 100 steps of a few roundings each

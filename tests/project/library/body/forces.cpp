@@ -98,13 +98,13 @@ TEST_CASE("net_wrench: adds all forces, a user's own lambda among them") {
         Vec3(7, 0, -20));
 }
 
-TEST_CASE("RigidBodyMotion: a force that makes no sense is refused") {
-  CHECK_REFUSED(RigidBodyMotion(body, Weight{Vec3(0, 0, NAN)}), "weight", "nan");
-  CHECK_REFUSED(RigidBodyMotion(body, ForceAtBodyPoint{Vec3(INFINITY, 0, 0), Vec3::Zero()}),
-                "force", "inf");
-  CHECK_REFUSED(RigidBodyMotion(body, Weight{}, BodyDrag{-0.5, 0}), "drag", "-0.5");
-  CHECK_REFUSED(RigidBodyMotion(body, SpringToWorld{Vec3::Zero(), Vec3::Zero(), -2, 0}), "spring",
+TEST_CASE("RigidBodyRhs: a force that makes no sense is refused") {
+  CHECK_REFUSED(RigidBodyRhs(body, Weight{Vec3(0, 0, NAN)}), "weight", "nan");
+  CHECK_REFUSED(RigidBodyRhs(body, ForceAtBodyPoint{Vec3(INFINITY, 0, 0), Vec3::Zero()}), "force",
+                "inf");
+  CHECK_REFUSED(RigidBodyRhs(body, Weight{}, BodyDrag{-0.5, 0}), "drag", "-0.5");
+  CHECK_REFUSED(RigidBodyRhs(body, SpringToWorld{Vec3::Zero(), Vec3::Zero(), -2, 0}), "spring",
                 "-2");
-  CHECK_REFUSED(RigidBodyMotion(body, SpringToWorld{Vec3::Zero(), Vec3(NAN, 0, 0), 1, 0}), "spring",
+  CHECK_REFUSED(RigidBodyRhs(body, SpringToWorld{Vec3::Zero(), Vec3(NAN, 0, 0), 1, 0}), "spring",
                 "nan");
 }

@@ -44,26 +44,25 @@ struct SpringBetween {
 }  // namespace
 
 static_assert(SceneForce<SpringBetween, double> && !BodyForce<SpringBetween, double>);
-static_assert(OdeRhs<SceneMotion<double, Weight, SpringBetween>, PackedScene<double>>);
+static_assert(OdeRhs<SceneRhs<double, Weight, SpringBetween>, PackedScene<double>>);
 
-TEST_CASE("SceneMotion: bodies that do not meet move as if alone, bit for bit") {
+TEST_CASE("SceneRhs: bodies that do not meet move as if alone, bit for bit") {
   test::Random rng(151);
   const std::vector<RigidBodyState<>> states = two_states(rng);
-  const SceneMotion scene(two_bodies(), Weight{});
+  const SceneRhs scene(two_bodies(), Weight{});
   const PackedScene<double> rate = scene(0, pack(states));
   REQUIRE(rate.size() == 26);
   for (std::size_t i = 0; i < 2; ++i) {
-    const PackedState<double> alone =
-        RigidBodyMotion(scene.bodies()[i], Weight{})(0, pack(states[i]));
+    const PackedState<double> alone = RigidBodyRhs(scene.bodies()[i], Weight{})(0, pack(states[i]));
     CHECK(PackedState<double>(rate.segment<13>(13 * static_cast<int>(i))) == alone);
   }
 }
 
 TEST_CASE(
-    "SceneMotion: a spring between two bodies keeps total momentum, angular momentum and energy") {
+    "SceneRhs: a spring between two bodies keeps total momentum, angular momentum and energy") {
   test::Random rng(152);
   const std::vector<RigidBodyState<>> start = two_states(rng);
-  const SceneMotion scene(two_bodies(), SpringBetween{});
+  const SceneRhs scene(two_bodies(), SpringBetween{});
   const PackedScene<double> y =
       integrate_adaptive<Dop853>(scene, pack(start), 0.0, 10.0, {1e-13, 1e-13}).y;
   const std::vector<RigidBodyState<>> end = unpack<double>(y);
@@ -82,12 +81,12 @@ TEST_CASE(
   CHECK((total(end) - total(start)).norm() <= 1e-11 * total(start).norm());
 }
 
-TEST_CASE("SceneMotion: a state that does not fit is refused") {
-  const SceneMotion scene(two_bodies());
+TEST_CASE("SceneRhs: a state that does not fit is refused") {
+  const SceneRhs scene(two_bodies());
   CHECK_REFUSED(scene(0, PackedScene<double>::Zero(25)), "13", "25");
   CHECK_REFUSED(scene(0, PackedScene<double>::Zero(39)), "2 bodies", "3");
 }
 
-TEST_CASE("SceneMotion: an empty scene has an empty rate") {
-  CHECK(SceneMotion(std::vector<RigidBody<double>>{})(0, PackedScene<double>(0)).size() == 0);
+TEST_CASE("SceneRhs: an empty scene has an empty rate") {
+  CHECK(SceneRhs(std::vector<RigidBody<double>>{})(0, PackedScene<double>(0)).size() == 0);
 }

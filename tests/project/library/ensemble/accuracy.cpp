@@ -27,7 +27,7 @@ template <class... Forces>
 std::vector<RigidBodyState<>> truth(const test::Bodies& all, const Forces&... forces) {
   std::vector<RigidBodyState<>> ends;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const RigidBodyMotion motion(all.bodies[i], forces...);
+    const RigidBodyRhs motion(all.bodies[i], forces...);
     ends.push_back(unpack<double>(
         integrate_adaptive<Dop853>(motion, pack(all.states[i]), 0.0, duration, {1e-14, 1e-14}).y));
   }
@@ -108,7 +108,7 @@ TEST_CASE("advance: Rk4 errs as integrate_fixed<Rk4> on the library's equation o
   std::vector<RigidBodyState<>> fixed;
   for (std::size_t i = 0; i < all.size(); ++i)
     fixed.push_back(unpack<double>(integrate_fixed<Rk4>(
-        RigidBodyMotion(all.bodies[i], pull, drag), pack(all.states[i]), 0.0, duration, steps)));
+        RigidBodyRhs(all.bodies[i], pull, drag), pack(all.states[i]), 0.0, duration, steps)));
   double peer = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
     peer = std::max(peer, angle_between(fixed[i].q, ends[i].q));
@@ -176,7 +176,7 @@ TEST_CASE("advance: Rk4 begins every step with a q of length 1") {
   const test::Bodies all = test::random_bodies(4, 3, 608);
   constexpr double h = 0.1;
   double worst = 0;
-  const auto look = [&]<class P>(double t, const PackBody<P>&, const PackMotion<P>& now)
+  const auto look = [&]<class P>(double t, const PackBody<P>&, const PackKinematics<P>& now)
       __attribute__((always_inline)) {
     const P squares = now.q.w * now.q.w + now.q.x * now.q.x + now.q.y * now.q.y + now.q.z * now.q.z;
     if (std::abs(t / h - std::round(t / h)) < 0.25)

@@ -109,7 +109,7 @@ TEST_CASE("company: a body that is lost is named, and takes no other with it") {
 
 TEST_CASE("company: a user's force that is not defined everywhere, nor in lanes without a body") {
   const test::Bodies all = test::random_bodies(7, 1, 614);
-  const auto spoil = []<class P>(double, const PackBody<P>& body, const PackMotion<P>& now)
+  const auto spoil = []<class P>(double, const PackBody<P>& body, const PackKinematics<P>& now)
       __attribute__((always_inline)) {
     P zero{};  // for body 3 and behind the last
     for (int i = 0; i < simd::lanes<P>; ++i) {

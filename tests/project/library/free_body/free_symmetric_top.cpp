@@ -51,7 +51,7 @@ TEST_CASE("free_symmetric_top: is where the equation of motion goes") {
     const RigidBody<> body = top(1, C, rng);
     const RigidBodyState<> start = random_state(rng);
     const auto solution =
-        integrate_adaptive<Dop853>(RigidBodyMotion(body), pack(start), 0.0, 10.0, {1e-13, 1e-13});
+        integrate_adaptive<Dop853>(RigidBodyRhs(body), pack(start), 0.0, 10.0, {1e-13, 1e-13});
     const RigidBodyState<> end = free_symmetric_top(body, start, 10);
     CHECK(angle_between(end.q, unpack<double>(solution.y).q) <= solution.steps * 1e-13 * 10);
     CHECK((end.x - unpack<double>(solution.y).x).norm() <= solution.steps * 1e-13 * 10);

@@ -16,7 +16,7 @@ const RigidBody<> heavy(2, Mat3(Vec3(1, 1.3, 0.6).asDiagonal()));
 
 template <class... Forces>
 RigidBodyState<> after(int steps, const Forces&... forces) {
-  const RigidBodyMotion motion(heavy, forces...);
+  const RigidBodyRhs motion(heavy, forces...);
   RigidBodyState<> s = start();
   for (int i = 0; i < steps; ++i) s = LieGroupRk4::step(motion, i * 2.0 / steps, s, 2.0 / steps);
   return s;
@@ -38,7 +38,7 @@ TEST_CASE("LieGroupRk4: what does not turn goes as in RK4, forces in time too") 
   const auto push = [](double t, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
     return {Vec3(std::sin(3 * t), 1, 0) - 0.3 * now.v, Vec3::Zero()};
   };
-  const RigidBodyMotion motion(heavy, push);
+  const RigidBodyRhs motion(heavy, push);
   const RigidBodyState<> found = LieGroupRk4::step(motion, 1.0, start(), 0.3);
   const auto classic =
       unpack<double>(PackedState<double>(integrate_fixed<Rk4>(motion, pack(start()), 1.0, 1.3, 1)));

@@ -5,7 +5,7 @@
 #include "project/harness/inputs.hpp"
 #include "project/library/geometric/pulled.hpp"
 #include "reference/double_double_motion.hpp"
-#include "tumble/free_body/free_motion.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 
 using namespace tumble;
 using test::pull, test::start;
@@ -22,7 +22,7 @@ double energy(const RigidBody<>& body, const RigidBodyState<>& s) {
 
 template <class Scheme>
 RigidBodyState<> after(const RigidBody<>& body, double t, int steps) {
-  const RigidBodyMotion motion(body, pull);
+  const RigidBodyRhs motion(body, pull);
   const Splitting<Scheme, ForceAtBodyPoint> splitting(motion);
   RigidBodyState<> s = start();
   for (int i = 0; i < steps; ++i) s = splitting.step(i * t / steps, s, t / steps);
@@ -44,7 +44,7 @@ void check_order(int steps) {
 
 template <class Scheme>
 void check_geometry() {
-  const RigidBodyMotion motion(full, pull);
+  const RigidBodyRhs motion(full, pull);
   const Splitting<Scheme, ForceAtBodyPoint> splitting(motion);
   const RigidBodyState<> s = start(), there = splitting.step(0, s, 0.05);
   const RigidBodyState<> back = splitting.step(0.05, there, -0.05);
@@ -81,10 +81,10 @@ TEST_CASE("Splitting: goes back where it came from, keeps a unit quaternion and 
 }
 
 TEST_CASE("Splitting: without forces one step is exact, L to the last bit") {
-  const RigidBodyMotion motion(full);
+  const RigidBodyRhs motion(full);
   const Splitting<Strang> splitting(motion);
   const RigidBodyState<> s = splitting.step(0, start(), 10);
-  CHECK(angle_between(s.q, FreeMotion(full, start()).at(10).q) < 1e-14);
+  CHECK(angle_between(s.q, FreeTrajectory(full, start()).at(10).q) < 1e-14);
   CHECK(s.L == start().L);
   CHECK(s.P == start().P);
 }

@@ -15,7 +15,7 @@ using test::eps;
 
 TEST_CASE("fast spin: 1e4 rad/s is 1 rad/s in 1e-4 of the time") {
   const Vec3 J(1, 2, 2.5);
-  const RigidBodyMotion motion(test::body_with(J));
+  const RigidBodyRhs motion(test::body_with(J));
   const RigidBodyState<> slow = test::turning(J, Vec3(1, 1, 0.2));
   RigidBodyState<> fast = slow;
   fast.L *= 1e4;

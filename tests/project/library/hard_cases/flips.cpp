@@ -66,9 +66,8 @@ TEST_CASE("flips: steps of order 8 pass the first ones, with what the condition 
   const RigidBody<> body(1, reference::free_body.I_body);
   const RigidBodyState<> start = reference::start(reference::free_body);
   const double tolerance = 1e-15;
-  const auto result =
-      integrate_adaptive<Dop853>(RigidBodyMotion(body), pack(start), 0.0,
-                                 reference::free_body.duration, {tolerance, tolerance});
+  const auto result = integrate_adaptive<Dop853>(
+      RigidBodyRhs(body), pack(start), 0.0, reference::free_body.duration, {tolerance, tolerance});
   const RigidBodyState<> end = unpack<double>(result.y);
   // Every step may be wrong by the tolerance, and the condition number 2.7e6 stands before the end.
   const double allowed = 2.7e6 * result.steps * tolerance;

@@ -14,7 +14,7 @@ template <class T>
 double error_in(int rate) {
   const Vec3 J(1, 2, 3);
   const RigidBodyState<> start = test::turning(J, Vec3(0.5, 1, 0.7));
-  const RigidBodyMotion motion(RigidBody<T>(MassProperties{1, Vec3::Zero(), Mat3(J.asDiagonal())}));
+  const RigidBodyRhs motion(RigidBody<T>(MassProperties{1, Vec3::Zero(), Mat3(J.asDiagonal())}));
   const PackedState<T> y = pack(start).cast<T>();
   const RigidBodyState<T> end = unpack<T>(integrate_fixed<Rk4>(motion, y, T(0), T(60), 60 * rate));
   return angle_between(Quat(end.q.template cast<double>().normalized()),

@@ -45,10 +45,10 @@ TEST_CASE("game steps: a free body") {
   const RigidBodyState<> start = test::turning(J, Vec3(0.5, 1, 0.7));
   const Quat truth = test::truth_of(J, start).at(whole_time).q;
 
-  const Kept by_rk4 = kept(body, start,
-                           unpack<double>(integrate_fixed<Rk4>(RigidBodyMotion(body), pack(start),
-                                                               0, whole_time, steps)),
-                           truth);
+  const Kept by_rk4 = kept(
+      body, start,
+      unpack<double>(integrate_fixed<Rk4>(RigidBodyRhs(body), pack(start), 0, whole_time, steps)),
+      truth);
   CHECK(by_rk4.L == 0);  // a free body's rate of L is 0: nothing is ever added
   CHECK(by_rk4.energy < 1e-6);
   CHECK(by_rk4.length < 1e-6);
@@ -76,7 +76,7 @@ TEST_CASE("game steps: a top under its weight, by a splitting") {
   const auto held = [&](double t, const RigidBody<>& b, const Derived<>& now) -> Wrench<> {
     return {Vec3::Zero(), weight(t, b, now).torque};
   };
-  const RigidBodyMotion motion(body, held);
+  const RigidBodyRhs motion(body, held);
   const Splitting<Strang, std::decay_t<decltype(held)>> splitting(motion);
   const auto energy = [&](const RigidBodyState<>& s) {
     return kinetic_energy(body, s) + 5 * (s.q * Vec3(0, 0, 1)).z();

@@ -39,7 +39,7 @@ TEST_CASE("inertia: a rod with moments 1e6 : 1 precesses as the closed form says
   const Quat expected = exp_quaternion<double>(T / A * start.L) * start.q *
                         exp_quaternion(Vec3(0, 0, (1 / C - 1 / A) * 1e-3 * T));
   const PackedState<double> y =
-      integrate_adaptive<Dop853>(RigidBodyMotion(body), pack(start), 0.0, T, {1e-13, 1e-13}).y;
+      integrate_adaptive<Dop853>(RigidBodyRhs(body), pack(start), 0.0, T, {1e-13, 1e-13}).y;
   // ω is 1e-3/1e-6 = 1000 rad/s about the rod: 10 rad in all, and rounding of q enters as 1/C.
   CHECK(angle_between(unpack<double>(y).q, expected) <= 1e-9);
 }

@@ -1,7 +1,7 @@
 // A million seconds at once.
 #include <doctest/doctest.h>
 
-#include "tumble/free_body/free_motion.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/simulate/simulate.hpp"
 #include "turning.hpp"
 
@@ -14,7 +14,7 @@ TEST_CASE(
     CAPTURE(omega.transpose());
     const RigidBodyState<> start = test::turning(J, omega);
     const reference::LongFreeTurning truth = test::truth_of(J, start);
-    const FreeMotion motion(test::body_with(J), start);
+    const FreeTrajectory motion(test::body_with(J), start);
     for (const double t : {1e6, 1e9})
       CHECK(angle_between(motion.at(t).q, truth.at(t).q) <= 5e-15 * omega.norm() * t);
   }

@@ -13,7 +13,7 @@ namespace {
 
 PackedState<double> rk4(const RigidBody<>& body, const RigidBodyState<>& start, double duration,
                         int steps) {
-  return integrate_fixed<Rk4>(RigidBodyMotion(body), pack(start), 0.0, duration, steps);
+  return integrate_fixed<Rk4>(RigidBodyRhs(body), pack(start), 0.0, duration, steps);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace {
 
 constexpr Accuracy tiers[] = {Accuracy::fast, Accuracy::tight, Accuracy::textbook};
 
-bool has(const std::vector<Finding>& findings, FindingKind kind) {
+bool has(const std::vector<MeshDefect>& findings, MeshDefectKind kind) {
   return std::any_of(findings.begin(), findings.end(),
-                     [&](const Finding& finding) { return finding.kind == kind; });
+                     [&](const MeshDefect& finding) { return finding.kind == kind; });
 }
 
 }  // namespace
@@ -51,14 +51,14 @@ TEST_CASE("mesh_mass_properties: with Policy::accept the integrals come with the
     const MeshMassProperties open = mesh_mass_properties(test::without_face(cube, 0), 6, accept);
     // A twelfth of the surface is missing, and with it the pyramid between it and the middle.
     CHECK(std::abs(open.mass - 5.5) <= 1e-14);
-    CHECK(has(open.findings, FindingKind::open_edge));
+    CHECK(has(open.findings, MeshDefectKind::open_edge));
     const MeshMassProperties inverted = mesh_mass_properties(test::inside_out(cube), 6, accept);
     CHECK(std::abs(inverted.mass + 6) <= 1e-14);
-    CHECK(has(inverted.findings, FindingKind::inverted));
+    CHECK(has(inverted.findings, MeshDefectKind::inverted));
     const PolygonMesh small = test::moved(cube, 0.5, Vec3::Constant(0.125));
     const MeshMassProperties nested = mesh_mass_properties(test::together(cube, small), 8, accept);
     CHECK(std::abs(nested.mass - 9) <= 1e-14);
-    CHECK(has(nested.findings, FindingKind::nested_wrong));
+    CHECK(has(nested.findings, MeshDefectKind::nested_wrong));
   }
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("mesh_mass_properties: what does not spoil the integrals is told, not 
   bent.vertices[6].z() += 0.2;
   const MeshMassProperties body = mesh_mass_properties(bent, 1);
   REQUIRE(body.findings.size() == 1);  // the top; the two sides there stay plane
-  CHECK(body.findings[0].kind == FindingKind::nonplanar_face);
+  CHECK(body.findings[0].kind == MeshDefectKind::nonplanar_face);
 }
 
 TEST_CASE("require_volume: what the diagnosis may let through is refused after the integrals") {

@@ -51,7 +51,7 @@ TEST_CASE("find_nonplanar_faces: says how far a corner is from the plane, and fo
   PolygonMesh mesh = test::cube();
   CHECK(find_nonplanar_faces(mesh).empty());
   mesh.vertices.back() += Vec3(0.1, 0, 0);  // in the planes of two of its three faces
-  const std::vector<Finding> findings = find_nonplanar_faces(mesh);
+  const std::vector<MeshDefect> findings = find_nonplanar_faces(mesh);
   REQUIRE(findings.size() == 1);
   const Planarity one = planarity(mesh, mesh.face(findings[0].face));
   // Three corners of a square and one 0.1 off: the best plane is 0.1/4 from each, nearly.

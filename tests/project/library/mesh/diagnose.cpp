@@ -10,21 +10,22 @@
 #include "project/library/mesh/shapes.hpp"
 
 using namespace tumble;
-using Kinds = std::vector<FindingKind>;
-using enum FindingKind;
+using Kinds = std::vector<MeshDefectKind>;
+using enum MeshDefectKind;
 
 namespace {
 
 std::string words(const Kinds& kinds) {
   std::string text;
-  for (const FindingKind kind : kinds) text += std::string(text.empty() ? "" : " ") + name(kind);
+  for (const MeshDefectKind kind : kinds)
+    text += std::string(text.empty() ? "" : " ") + name_of(kind);
   return text;
 }
 
 /// The kinds that are found, each once, in the order of the enumeration.
 std::string kinds(const PolygonMesh& mesh) {
-  std::set<FindingKind> found;
-  for (const Finding& finding : diagnose(mesh)) found.insert(finding.kind);
+  std::set<MeshDefectKind> found;
+  for (const MeshDefect& finding : diagnose(mesh)) found.insert(finding.kind);
   return words({found.begin(), found.end()});
 }
 

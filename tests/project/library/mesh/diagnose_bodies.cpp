@@ -12,10 +12,11 @@ namespace {
 
 /// The names of the kinds that are found, each once, in the order of the enumeration.
 std::string found_in(const PolygonMesh& mesh) {
-  std::set<FindingKind> found;
-  for (const Finding& finding : diagnose(mesh)) found.insert(finding.kind);
+  std::set<MeshDefectKind> found;
+  for (const MeshDefect& finding : diagnose(mesh)) found.insert(finding.kind);
   std::string text;
-  for (const FindingKind kind : found) text += std::string(text.empty() ? "" : " ") + name(kind);
+  for (const MeshDefectKind kind : found)
+    text += std::string(text.empty() ? "" : " ") + name_of(kind);
   return text;
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// All sentences, one a line.
 std::string text(const PolygonMesh& mesh) {
   std::string all;
-  for (const Finding& finding : diagnose(mesh)) all += finding.message + "\n";
+  for (const MeshDefect& finding : diagnose(mesh)) all += finding.message + "\n";
   return all;
 }
 
@@ -20,10 +20,10 @@ PolygonMesh triangles() { return test::triangulated(test::cube()); }
 }  // namespace
 
 TEST_CASE("diagnose: fields are indices from 0, sentences count from #1") {
-  const std::vector<Finding> findings = diagnose(test::without_face(test::cube(), 0));
+  const std::vector<MeshDefect> findings = diagnose(test::without_face(test::cube(), 0));
   REQUIRE(findings.size() == 4);
-  const Finding& first = findings[0];
-  CHECK(first.kind == FindingKind::open_edge);
+  const MeshDefect& first = findings[0];
+  CHECK(first.kind == MeshDefectKind::open_edge);
   CHECK(first.face == 1);  // what was face 2 of the cube, at y = 0
   CHECK(first.edge == std::array<int, 2>{0, 1});
   CHECK(
@@ -49,8 +49,8 @@ TEST_CASE("diagnose: names the original of a doubled face") {
 }
 
 TEST_CASE("diagnose: lists a few findings of a kind, and counts the others") {
-  const std::vector<Finding> findings = diagnose(test::soup(test::sphere(3)));
-  CHECK(findings.size() == FindingsOfOneKind::most);
+  const std::vector<MeshDefect> findings = diagnose(test::soup(test::sphere(3)));
+  CHECK(findings.size() == MeshDefectsOfOneKind::max_shown);
   CHECK(findings.back().message.find("(and 3835 more)") != std::string::npos);  // 3 · 1280 − 5
 }
 
@@ -67,9 +67,9 @@ TEST_CASE("diagnose: names the part that is inside out or lies in another, and i
 }
 
 TEST_CASE("diagnose: shows a line on which the surface crosses itself") {
-  const std::vector<Finding> findings =
+  const std::vector<MeshDefect> findings =
       diagnose(test::together(test::cube(), test::moved(test::cube(), 1, Vec3(0.5, 0.5, 0.5))));
-  REQUIRE(findings.size() == FindingsOfOneKind::most);
+  REQUIRE(findings.size() == MeshDefectsOfOneKind::max_shown);
   CHECK(findings[0].face == 6);  // the bottom of the second cube
   CHECK(findings[0].message.find(
             "the body is entered at z = 0 (face #1) and again at z = 0.5 (face #7) "

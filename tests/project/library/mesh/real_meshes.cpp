@@ -14,7 +14,7 @@ TEST_CASE("diagnose: finds nothing wrong with closed real meshes") {
   if (!test::have_scanned_meshes()) return;
   for (const char* file : {"spot.obj", "spot_low.obj", "fish_low.obj"}) {
     CAPTURE(std::string(file));
-    for (const Finding& finding : diagnose(read_obj(test::scanned_mesh(file))))
+    for (const MeshDefect& finding : diagnose(read_obj(test::scanned_mesh(file))))
       FAIL_CHECK(finding.message);
   }
 }
@@ -24,9 +24,9 @@ TEST_CASE("diagnose: names the open edges of a scan") {
   const std::string path = test::scanned_mesh("demosthenes_open.obj");
   const PolygonMesh mesh = read_obj(path);
   CHECK(mesh.face_count() == 16719);
-  const std::vector<Finding> findings = diagnose(mesh);
-  REQUIRE(findings.size() == FindingsOfOneKind::most);
-  for (const Finding& finding : findings) CHECK(finding.kind == FindingKind::open_edge);
+  const std::vector<MeshDefect> findings = diagnose(mesh);
+  REQUIRE(findings.size() == MeshDefectsOfOneKind::max_shown);
+  for (const MeshDefect& finding : findings) CHECK(finding.kind == MeshDefectKind::open_edge);
   CHECK(findings.back().message.find("(open edges in all: 67) (and 62 more)") != std::string::npos);
   CHECK_THROWS_AS(require_body(mesh), std::invalid_argument);
 }
@@ -34,14 +34,14 @@ TEST_CASE("diagnose: names the open edges of a scan") {
 TEST_CASE("diagnose: a control cage of polygons passes through itself, and they are not plane") {
   if (!test::have_scanned_meshes()) return;
   const std::string path = test::scanned_mesh("spot_control.obj");
-  const std::vector<Finding> findings = diagnose(read_obj(path));
-  const auto count = [&](FindingKind kind) {
+  const std::vector<MeshDefect> findings = diagnose(read_obj(path));
+  const auto count = [&](MeshDefectKind kind) {
     return std::count_if(findings.begin(), findings.end(),
-                         [=](const Finding& finding) { return finding.kind == kind; });
+                         [=](const MeshDefect& finding) { return finding.kind == kind; });
   };
-  CHECK(count(FindingKind::self_crossing) > 0);
-  CHECK(count(FindingKind::nonplanar_face) == FindingsOfOneKind::most);
-  CHECK(count(FindingKind::self_crossing) + FindingsOfOneKind::most ==
+  CHECK(count(MeshDefectKind::self_crossing) > 0);
+  CHECK(count(MeshDefectKind::nonplanar_face) == MeshDefectsOfOneKind::max_shown);
+  CHECK(count(MeshDefectKind::self_crossing) + MeshDefectsOfOneKind::max_shown ==
         static_cast<std::ptrdiff_t>(findings.size()));
 }
 

@@ -60,7 +60,7 @@ template <class... Forces>
 RigidBodyState<long double> in_extended_precision(const Scene& scene, const Forces&... forces) {
   const RigidBody<long double> body(
       MassProperties{scene.size, Vec3::Zero(), Mat3(scene.J.asDiagonal())});
-  const RigidBodyMotion<long double, Forces...> motion(body, forces...);
+  const RigidBodyRhs<long double, Forces...> motion(body, forces...);
   const PackedState<long double> y = pack(scene.start).cast<long double>();
   return unpack<long double>(integrate_adaptive<Dop853>(motion, y, 0.0L,
                                                         static_cast<long double>(scene.t1),

@@ -21,7 +21,7 @@ RigidBodyState<> moving() {
 /// The same scene by the full equation of motion.
 template <class... Forces>
 RigidBodyState<> by_the_full_model(const RigidBody<>& body, double t1, const Forces&... forces) {
-  const RigidBodyMotion motion(body, forces...);
+  const RigidBodyRhs motion(body, forces...);
   const auto solution = integrate_adaptive<Dop853>(motion, pack(moving()), 0.0, t1, {1e-13, 1e-13});
   return unpack<double>(solution.y);
 }

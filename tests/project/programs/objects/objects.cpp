@@ -43,7 +43,7 @@ TEST_CASE("objects: bound a body at every resolution") {
     for (const int r : {1, 2, 3, 4, 5, 6, 7, 8, 12}) {
       CAPTURE(std::string(object.name));
       CAPTURE(r);
-      for (const Finding& finding : diagnose(object.mesh(r))) FAIL_CHECK(finding.message);
+      for (const MeshDefect& finding : diagnose(object.mesh(r))) FAIL_CHECK(finding.message);
     }
 }
 

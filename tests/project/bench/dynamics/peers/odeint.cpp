@@ -1,7 +1,7 @@
 // Boost.odeint: its adaptive methods, two of fixed steps, on the plain motion.
 #include <boost/numeric/odeint.hpp>
 
-#include "project/bench/dynamics/peers/plain_motion.hpp"
+#include "project/bench/dynamics/peers/plain_rhs.hpp"
 
 namespace tumble::bench {
 namespace {
@@ -14,8 +14,8 @@ const std::string software = "Boost.odeint";
 template <class Solve>
 Method adaptive(const std::string& name, const Solve& solve) {
   const auto prepare = [solve](const Problem& problem, double tolerance) {
-    return with_plain_motion(problem.scene, [&]<class Motion>() -> Run {
-      return [=, motion = Motion(problem.body(), problem.scene.push),
+    return with_plain_rhs(problem.scene, [&]<class Rhs>() -> Run {
+      return [=, motion = Rhs(problem.body(), problem.scene.push),
               start = plain_state(problem.body().start), duration = problem.duration] {
         PlainState y = start;
         solve(motion, y, duration, tolerance);
@@ -43,12 +43,12 @@ Method bulirsch_stoer() {
 }
 
 /// Steps of one length, body after body.
-template <class Method, class Motion>
+template <class Method, class Rhs>
 class FixedSteps : public Simulation {
  public:
   FixedSteps(const Scene& scene, double h) : h_(h) {
     for (const Body& body : scene.bodies) {
-      motions_.push_back(Motion(body, scene.push));
+      motions_.push_back(Rhs(body, scene.push));
       start_.push_back(plain_state(body.start));
     }
   }
@@ -64,7 +64,7 @@ class FixedSteps : public Simulation {
 
  private:
   double h_;
-  std::vector<Motion> motions_;
+  std::vector<Rhs> motions_;
   std::vector<Method> methods_;
   std::vector<PlainState> start_, y_;
 };
@@ -72,8 +72,8 @@ class FixedSteps : public Simulation {
 template <class Method>
 Stepper fixed_steps(const std::string& name) {
   const auto make = [](const Scene& scene, double h) {
-    return with_plain_motion(scene, [&]<class Motion>() -> std::unique_ptr<Simulation> {
-      return std::make_unique<FixedSteps<Method, Motion>>(scene, h);
+    return with_plain_rhs(scene, [&]<class Rhs>() -> std::unique_ptr<Simulation> {
+      return std::make_unique<FixedSteps<Method, Rhs>>(scene, h);
     });
   };
   return {software, name, make};

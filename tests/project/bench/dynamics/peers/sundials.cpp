@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "project/bench/dynamics/peers/plain_motion.hpp"
+#include "project/bench/dynamics/peers/plain_rhs.hpp"
 
 namespace tumble::bench {
 namespace {
@@ -20,9 +20,9 @@ void require_success(int status) {
 }
 
 /// A problem as SUNDIALS sees it: a state that it works in, and a function of a pointer.
-template <class Motion>
+template <class Rhs>
 struct Setup {
-  Motion motion;
+  Rhs motion;
   PlainState start;
   double duration;
   SUNContext context = nullptr;
@@ -49,17 +49,17 @@ struct Setup {
     return {data[0], data[1], data[2], data[3]};
   }
   static int rate(double, N_Vector y, N_Vector dydt, void* motion) {
-    (*static_cast<const Motion*>(motion))(NV_DATA_S(y), NV_DATA_S(dydt));
+    (*static_cast<const Rhs*>(motion))(NV_DATA_S(y), NV_DATA_S(dydt));
     return 0;
   }
 };
 
-template <class Motion>
+template <class Rhs>
 class Cvode {
  public:
   Cvode(const Problem& problem, double tolerance) : setup_(problem) {
     memory_ = CVodeCreate(CV_ADAMS, setup_.context);
-    CVodeInit(memory_, Setup<Motion>::rate, 0, setup_.y);
+    CVodeInit(memory_, Setup<Rhs>::rate, 0, setup_.y);
     CVodeSStolerances(memory_, tolerance, tolerance);
     CVodeSetUserData(memory_, &setup_.motion);
     CVodeSetMaxNumSteps(memory_, most_steps);
@@ -82,16 +82,16 @@ class Cvode {
   }
 
  private:
-  Setup<Motion> setup_;
+  Setup<Rhs> setup_;
   void* memory_;
   SUNNonlinearSolver solver_;
 };
 
-template <class Motion>
+template <class Rhs>
 class ErkStep {
  public:
   ErkStep(const Problem& problem, double tolerance, ARKODE_ERKTableID table) : setup_(problem) {
-    memory_ = ERKStepCreate(Setup<Motion>::rate, 0, setup_.y, setup_.context);
+    memory_ = ERKStepCreate(Setup<Rhs>::rate, 0, setup_.y, setup_.context);
     ERKStepSetTableNum(memory_, table);
     ERKStepSStolerances(memory_, tolerance, tolerance);
     ERKStepSetUserData(memory_, &setup_.motion);
@@ -102,7 +102,7 @@ class ErkStep {
 
   Quat end() {
     setup_.go_to_start();
-    ERKStepReInit(memory_, Setup<Motion>::rate, 0, setup_.y);
+    ERKStepReInit(memory_, Setup<Rhs>::rate, 0, setup_.y);
     ERKStepSetStopTime(memory_, setup_.duration);
     double t = 0;
     require_success(ERKStepEvolve(memory_, setup_.duration, setup_.y, &t, ARK_NORMAL));
@@ -110,15 +110,14 @@ class ErkStep {
   }
 
  private:
-  Setup<Motion> setup_;
+  Setup<Rhs> setup_;
   void* memory_;
 };
 
 Method adams() {
   const auto prepare = [](const Problem& problem, double tolerance) {
-    return with_plain_motion(problem.scene, [&]<class Motion>() -> Run {
-      return
-          [solver = std::make_shared<Cvode<Motion>>(problem, tolerance)] { return solver->end(); };
+    return with_plain_rhs(problem.scene, [&]<class Rhs>() -> Run {
+      return [solver = std::make_shared<Cvode<Rhs>>(problem, tolerance)] { return solver->end(); };
     });
   };
   return {"SUNDIALS", "CVODE Adams", Knob::tolerance, prepare};
@@ -126,8 +125,8 @@ Method adams() {
 
 Method runge_kutta(const std::string& name, ARKODE_ERKTableID table) {
   const auto prepare = [table](const Problem& problem, double tolerance) {
-    return with_plain_motion(problem.scene, [&]<class Motion>() -> Run {
-      return [solver = std::make_shared<ErkStep<Motion>>(problem, tolerance, table)] {
+    return with_plain_rhs(problem.scene, [&]<class Rhs>() -> Run {
+      return [solver = std::make_shared<ErkStep<Rhs>>(problem, tolerance, table)] {
         return solver->end();
       };
     });

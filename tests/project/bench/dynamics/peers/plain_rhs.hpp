@@ -53,9 +53,9 @@ struct PlainForce {
 
 /// @tparam Torque PlainNothing or PlainForce
 template <class Torque>
-class PlainMotion {
+class PlainRhs {
  public:
-  PlainMotion(const Body& body, const Push& push) : torque_(push) {
+  PlainRhs(const Body& body, const Push& push) : torque_(push) {
     const Vec3& I = body.moments;
     for (int i = 0; i < 3; ++i) {
       inverse_[i] = 1 / I[i];
@@ -89,9 +89,9 @@ class PlainMotion {
 
 /// Calls use with the type of the motion that a scene needs.
 template <class Use>
-auto with_plain_motion(const Scene& scene, const Use& use) {
-  if (scene.free()) return use.template operator()<PlainMotion<PlainNothing>>();
-  return use.template operator()<PlainMotion<PlainForce>>();
+auto with_plain_rhs(const Scene& scene, const Use& use) {
+  if (scene.free()) return use.template operator()<PlainRhs<PlainNothing>>();
+  return use.template operator()<PlainRhs<PlainForce>>();
 }
 
 }  // namespace tumble::bench

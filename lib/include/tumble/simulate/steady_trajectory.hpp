@@ -13,13 +13,13 @@ namespace tumble {
 
 /// One integration of the turning, beside the path.
 template <int rank>
-class SteadyMotion {
+class SteadyTrajectory {
  public:
   static constexpr double error_exponent = 1, margin = 100, first_epsilon = 10;
 
   /// @throws std::runtime_error as TurningBySeries does
-  SteadyMotion(const SteadyTorque& torque, const SteadyPath& path, const RigidBodyState<>& start,
-               double t0, double t1, double tolerance)
+  SteadyTrajectory(const SteadyTorque& torque, const SteadyPath& path,
+                   const RigidBodyState<>& start, double t0, double t1, double tolerance)
       : torque_(torque),
         path_(path),
         t0_(t0),
@@ -28,7 +28,7 @@ class SteadyMotion {
   int steps() const { return turning_.steps(); }
   int order() const { return turning_.order(); }
 
-  std::vector<double> moments() const {
+  std::vector<double> times() const {
     std::vector<double> times;
     for (int i = 0; i <= steps(); ++i) times.push_back(turning_.time(i));
     return times;

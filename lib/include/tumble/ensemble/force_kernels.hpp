@@ -1,10 +1,10 @@
 #pragma once
 /// @file
-/// What forces do to the bodies of a Pack, made ready for many steps: a Law each.
+/// What forces do to the bodies of a Pack, made ready for many steps: a kernel each.
 ///
 /// A step takes the time 1 and b = h ω: the spin's equation is b′ = diag(asymmetry) (b_y b_z,
-/// b_z b_x, b_x b_y) + h² I⁻¹ τ about the principal axes. A Law adds the last term, at a moment or
-/// as a Taylor series over a step.
+/// b_z b_x, b_x b_y) + h² I⁻¹ τ about the principal axes. A kernel adds the last term, at a
+/// moment or as a Taylor series over a step.
 /// Source: Euler's equations, Landau & Lifshitz, "Mechanics" (1976), §36.
 
 #include "tumble/ensemble/drift.hpp"
@@ -35,9 +35,9 @@ TUMBLE_INLINE Point<P> quotient(const P& n, const Point<P>& d) {
   return {n / d.x, n / d.y, n / d.z};
 }
 
-/// What a Law does unless it says otherwise: nothing.
+/// What a kernel does unless it says otherwise: nothing.
 template <class P>
-struct SilentLaw {
+struct SilentKernel {
   static constexpr bool drags = false;  ///< whether it adds to Push::drag
   static constexpr bool steady = true;  ///< whether push and spin are all it does
 
@@ -47,21 +47,21 @@ struct SilentLaw {
   TUMBLE_INLINE void add_spin(const Quaternion<P>&, const Point<P>&, Point<P>&) const {}
 
   /// Adds the wrench of a force that may depend on the whole motion.
-  TUMBLE_INLINE void add_wrench(double, const PackBody<P>&, const PackMotion<P>&,
+  TUMBLE_INLINE void add_wrench(double, const PackBody<P>&, const PackKinematics<P>&,
                                 PackWrench<P>&) const {}
 
   /// Of h² I⁻¹ τ over a step that begins with the orientation q.
   template <int N>
   struct Series {
-    TUMBLE_INLINE void start(const SilentLaw&, const Quaternion<P>&) {}
+    TUMBLE_INLINE void start(const SilentKernel&, const Quaternion<P>&) {}
     /// Adds its coefficient k divided by k + 1, from the coefficients 0 … k of b.
-    TUMBLE_INLINE void add(const SilentLaw&, int, const Point<P>*, Point<P>&) {}
+    TUMBLE_INLINE void add(const SilentKernel&, int, const Point<P>*, Point<P>&) {}
   };
 };
 
-/// The Law of a Force on the bodies of a Pack. @tparam Force one of those below, or a PackForce
+/// The kernel of a Force on the bodies of a Pack. @tparam Force one of those below, or a PackForce
 template <class Force, class P>
-struct Law {
+struct ForceKernel {
   static_assert(PackForce<Force>,
                 "an ensemble knows Weight, BodyDrag and ForceAtBodyPoint, each "
                 "also as PerBody, and any PackForce");
@@ -69,7 +69,7 @@ struct Law {
 
 /// Falls, and does not turn.
 template <class P>
-struct Law<Weight, P> : SilentLaw<P> {
+struct ForceKernel<Weight, P> : SilentKernel<P> {
   Point<P> g;
 
   template <class Forces>
@@ -81,35 +81,35 @@ struct Law<Weight, P> : SilentLaw<P> {
 
 /// Slows down v and ω.
 template <class P>
-struct Law<BodyDrag, P> : SilentLaw<P> {
+struct ForceKernel<BodyDrag, P> : SilentKernel<P> {
   static constexpr bool drags = true;
   P drag;
-  Point<P> spin_drag;  // h k_spin / I
+  Point<P> angular_drag;  // h angular / I
 
   template <class Forces>
   TUMBLE_INLINE void prepare(const Forces& forces, const PackBody<P>& body, double h) {
-    const P k = gather(body, [&](std::size_t i) { return force_of(forces, i).k; });
-    const P spin = gather(body, [&](std::size_t i) { return force_of(forces, i).k_spin; });
+    const P k = gather(body, [&](std::size_t i) { return force_of(forces, i).linear; });
+    const P spin = gather(body, [&](std::size_t i) { return force_of(forces, i).angular; });
     drag = k / body.mass;
-    spin_drag = h * quotient(spin, body.moments);
+    angular_drag = h * quotient(spin, body.moments);
   }
   TUMBLE_INLINE void add_push(Push<P>& push) const { push.drag = push.drag + drag; }
   TUMBLE_INLINE void add_spin(const Quaternion<P>&, const Point<P>& b, Point<P>& sum) const {
-    sum = sum - scaled_axes(spin_drag, b);
+    sum = sum - scaled_axes(angular_drag, b);
   }
   /// Of the slowing down, over a step.
   template <int N>
   struct Series {
-    TUMBLE_INLINE void start(const Law&, const Quaternion<P>&) {}
-    TUMBLE_INLINE void add(const Law& law, int k, const Point<P>* b, Point<P>& sum) {
-      sum = add_scaled(sum, -1.0 / (k + 1), scaled_axes(law.spin_drag, b[k]));
+    TUMBLE_INLINE void start(const ForceKernel&, const Quaternion<P>&) {}
+    TUMBLE_INLINE void add(const ForceKernel& kernel, int k, const Point<P>* b, Point<P>& sum) {
+      sum = add_scaled(sum, -1.0 / (k + 1), scaled_axes(kernel.angular_drag, b[k]));
     }
   };
 };
 
 /// τ = p × u with u = Rᵀ F, which is constant in the world: u′ = u × b.
 template <class P>
-struct Law<ForceAtBodyPoint, P> : SilentLaw<P> {
+struct ForceKernel<ForceAtBodyPoint, P> : SilentKernel<P> {
   Point<P> force, acceleration;
   Point<P> plus, minus;  // h² I⁻¹ (p_y, p_z, p_x) and h² I⁻¹ (p_z, p_x, p_y)
 
@@ -138,29 +138,29 @@ struct Law<ForceAtBodyPoint, P> : SilentLaw<P> {
   template <int N>
   struct Series {
     Point<P> u[std::size_t{N}];
-    TUMBLE_INLINE void start(const Law& law, const Quaternion<P>& q) {
-      u[0] = rotate(conjugate(q), law.force);
+    TUMBLE_INLINE void start(const ForceKernel& kernel, const Quaternion<P>& q) {
+      u[0] = rotate(conjugate(q), kernel.force);
     }
-    TUMBLE_INLINE void add(const Law& law, int k, const Point<P>* b, Point<P>& sum) {
+    TUMBLE_INLINE void add(const ForceKernel& kernel, int k, const Point<P>* b, Point<P>& sum) {
       if (k > 0) {
         Point<P> crosses = cross(u[0], b[k - 1]);
 #pragma GCC unroll 16
         for (int i = 1; i < k; ++i) crosses = add_cross(crosses, u[i], b[k - 1 - i]);
         u[k] = 1.0 / k * crosses;
       }
-      sum = add_scaled(sum, 1.0 / (k + 1), law.spin(u[k]));
+      sum = add_scaled(sum, 1.0 / (k + 1), kernel.spin(u[k]));
     }
   };
 };
 
 /// A user's own.
 template <PackForce Force, class P>
-struct Law<Force, P> : SilentLaw<P> {
+struct ForceKernel<Force, P> : SilentKernel<P> {
   static constexpr bool steady = false;
   const Force* force;
 
   TUMBLE_INLINE void prepare(const Force& all, const PackBody<P>&, double) { force = &all; }
-  TUMBLE_INLINE void add_wrench(double t, const PackBody<P>& body, const PackMotion<P>& now,
+  TUMBLE_INLINE void add_wrench(double t, const PackBody<P>& body, const PackKinematics<P>& now,
                                 PackWrench<P>& sum) const {
     const PackWrench<P> wrench = (*force)(t, body, now);
     sum = {sum.force + wrench.force, sum.torque + wrench.torque};

@@ -16,7 +16,7 @@
 namespace tumble {
 
 /// What can be wrong with a mesh.
-enum class FindingKind {
+enum class MeshDefectKind {
   no_faces,                  ///< nothing there
   index_out_of_range,        ///< a corner names a vertex that does not exist
   not_finite,                ///< a coordinate is NaN or infinite
@@ -33,60 +33,62 @@ enum class FindingKind {
 };
 
 /// One thing that is wrong, where it is, and what it means.
-struct Finding {
-  FindingKind kind{};
+struct MeshDefect {
+  MeshDefectKind kind{};
   int face = -1;                       ///< a face it can be seen at; −1: none
   std::array<int, 2> edge = {-1, -1};  ///< the edge, or twice the vertex; −1: none
   std::string message;                 ///< a sentence
 };
 
 /// The name of a kind, as in the code.
-inline const char* name(FindingKind kind) {
+inline const char* name_of(MeshDefectKind kind) {
   switch (kind) {
-    case FindingKind::no_faces:
+    case MeshDefectKind::no_faces:
       return "no_faces";
-    case FindingKind::index_out_of_range:
+    case MeshDefectKind::index_out_of_range:
       return "index_out_of_range";
-    case FindingKind::not_finite:
+    case MeshDefectKind::not_finite:
       return "not_finite";
-    case FindingKind::degenerate_face:
+    case MeshDefectKind::degenerate_face:
       return "degenerate_face";
-    case FindingKind::nonplanar_face:
+    case MeshDefectKind::nonplanar_face:
       return "nonplanar_face";
-    case FindingKind::open_edge:
+    case MeshDefectKind::open_edge:
       return "open_edge";
-    case FindingKind::inconsistent_orientation:
+    case MeshDefectKind::inconsistent_orientation:
       return "inconsistent_orientation";
-    case FindingKind::duplicate_face:
+    case MeshDefectKind::duplicate_face:
       return "duplicate_face";
-    case FindingKind::uneven_edge:
+    case MeshDefectKind::uneven_edge:
       return "uneven_edge";
-    case FindingKind::flat:
+    case MeshDefectKind::flat:
       return "flat";
-    case FindingKind::inverted:
+    case MeshDefectKind::inverted:
       return "inverted";
-    case FindingKind::nested_wrong:
+    case MeshDefectKind::nested_wrong:
       return "nested_wrong";
-    case FindingKind::self_crossing:
+    case MeshDefectKind::self_crossing:
       return "self_crossing";
   }
   return "?";
 }
 
-inline std::ostream& operator<<(std::ostream& out, FindingKind kind) { return out << name(kind); }
+inline std::ostream& operator<<(std::ostream& out, MeshDefectKind kind) {
+  return out << name_of(kind);
+}
 
 /// Whether an integral over the mesh is wrong with it. All are but a degenerate face, which has no
 /// area to add (a method that divides by the length of its normal gives NaN all the same), and a
 /// face that is not plane, which is what its fan of triangles is (other programs may cut it along
 /// another diagonal).
-inline bool spoils_integrals(FindingKind kind) {
-  return kind != FindingKind::degenerate_face && kind != FindingKind::nonplanar_face;
+inline bool spoils_integrals(MeshDefectKind kind) {
+  return kind != MeshDefectKind::degenerate_face && kind != MeshDefectKind::nonplanar_face;
 }
 
 /// Whether there is nothing that could be integrated over.
-inline bool prevents_integrals(FindingKind kind) {
-  return kind == FindingKind::no_faces || kind == FindingKind::index_out_of_range ||
-         kind == FindingKind::not_finite;
+inline bool prevents_integrals(MeshDefectKind kind) {
+  return kind == MeshDefectKind::no_faces || kind == MeshDefectKind::index_out_of_range ||
+         kind == MeshDefectKind::not_finite;
 }
 
 /// "vertex #3 at (0, 1, 0.5)".
@@ -99,29 +101,30 @@ inline std::string describe_vertex(const PolygonMesh& mesh, int v) {
 }
 
 /// Findings of one kind: the first few in words, the others counted.
-class FindingsOfOneKind {
+class MeshDefectsOfOneKind {
  public:
-  static constexpr int most = 5;
-  explicit FindingsOfOneKind(FindingKind kind) : kind_(kind) {}
+  static constexpr int max_shown = 5;
+  explicit MeshDefectsOfOneKind(MeshDefectKind kind) : kind_(kind) {}
 
   /// Adds one; `describe()` is called only when its sentence will be shown.
   template <class Describe>
   void add(int face, std::array<int, 2> edge, Describe&& describe) {
-    if (count_++ < most) shown_.push_back(Finding{kind_, face, edge, describe()});
+    if (count_++ < max_shown) shown_.push_back(MeshDefect{kind_, face, edge, describe()});
   }
 
   int count() const { return count_; }
 
   /// Moves them to the end of `findings`; the last one says how many more there are.
-  void append_to(std::vector<Finding>& findings) {
-    if (count_ > most) shown_.back().message += " (and " + std::to_string(count_ - most) + " more)";
+  void append_to(std::vector<MeshDefect>& findings) {
+    if (count_ > max_shown)
+      shown_.back().message += " (and " + std::to_string(count_ - max_shown) + " more)";
     findings.insert(findings.end(), shown_.begin(), shown_.end());
   }
 
  private:
-  FindingKind kind_;
+  MeshDefectKind kind_;
   int count_ = 0;
-  std::vector<Finding> shown_;
+  std::vector<MeshDefect> shown_;
 };
 
 }  // namespace tumble

@@ -20,7 +20,7 @@
 namespace tumble {
 
 /// The constants of a top's motion and the turning points of its axis.
-struct TopMotion {
+struct TopConstants {
   double A, mu;                    ///< [kg m²], [N m]
   double L_axis, L_along, excess;  ///< L_n, L_e and D = L_e − L_n [kg m²/s]
   double w1, w2, w3;               ///< of 1 − cos θ: w₃ ≤ 0 ≤ w₂ ≤ w ≤ w₁ ≤ 2
@@ -67,7 +67,7 @@ inline DoubleDouble least_root(const DoubleDouble& c2, const DoubleDouble& c1,
 
 /// sn v₀ and cn v₀ where the axis is so far from its turning points and rises so fast.
 /// @param back, down w − w₂ and w₁ − w
-inline Amplitude starting_amplitude(const TopMotion& m, double back, double down, double rise) {
+inline Amplitude starting_amplitude(const TopConstants& m, double back, double down, double rise) {
   // Next to the separatrix it takes long to leave w₂: how long, only the digits of cn tell.
   if (m.modulus().k2 > 0.5) {
     const double sn = std::sqrt(std::max(0.0, down / m.spread));
@@ -81,7 +81,8 @@ inline Amplitude starting_amplitude(const TopMotion& m, double back, double down
 
 /// The turning points of the axis, or nothing if one is too close to the vertical.
 /// @param L, up in the top's coordinates, its axis along z
-inline std::optional<TopMotion> top_motion(double A, double mu, const Vec3dd& L, const Vec3dd& up) {
+inline std::optional<TopConstants> top_constants(double A, double mu, const Vec3dd& L,
+                                                 const Vec3dd& up) {
   using T = DoubleDouble;
   // 1 − cos θ from the sine where the axis is nearly upright: of the cosine nothing is left there.
   const T sin2 = up[0] * up[0] + up[1] * up[1];
@@ -99,8 +100,8 @@ inline std::optional<TopMotion> top_motion(double A, double mu, const Vec3dd& L,
   const T spread = square_root(sum * sum - product * 4);
   const T w1 = (sum + spread) * 0.5, w2 = product / w1;
 
-  TopMotion m{A,          mu,         double(L[2]), double(L[2] + excess), double(excess),
-              double(w1), double(w2), double(w3),   double(spread),        {0, 1}};
+  TopConstants m{A,          mu,         double(L[2]), double(L[2] + excess), double(excess),
+                 double(w1), double(w2), double(w3),   double(spread),        {0, 1}};
   if (!(m.w2 > closest * closest * (m.w2 - m.w3)) || !(2 - m.w1 > closest * closest * (2 - m.w3)))
     return {};
   const double rise = double(L[1] * up[0] - L[0] * up[1]) / A;  // d(cos θ)/dt

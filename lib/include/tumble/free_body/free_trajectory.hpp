@@ -14,11 +14,11 @@ namespace tumble {
 ///
 /// The error of the orientation is below 1e-13 · max(1, |ω| t) rad. (It is the error for the
 /// doubles given: near the separatrix another last digit at the start means another motion.)
-class FreeMotion {
+class FreeTrajectory {
  public:
   /// @param start q of any length but zero; what comes out is of length 1
   /// @throws std::invalid_argument if a number of the state is not finite, or q is zero
-  FreeMotion(const RigidBody<>& body, const RigidBodyState<>& start)
+  FreeTrajectory(const RigidBody<>& body, const RigidBodyState<>& start)
       : start_(checked(start)),
         v_(start.P / body.mass()),
         rotation_(FreeFlow(body).from(start.q, start.L)) {}
@@ -37,9 +37,9 @@ class FreeMotion {
 
  private:
   static const RigidBodyState<>& checked(const RigidBodyState<>& start) {
-    require(pack(start).allFinite(), "FreeMotion: the state (", pack(start).transpose(),
+    require(pack(start).allFinite(), "FreeTrajectory: the state (", pack(start).transpose(),
             ") is not finite");
-    require(start.q.squaredNorm() > 0, "FreeMotion: the quaternion is zero");
+    require(start.q.squaredNorm() > 0, "FreeTrajectory: the quaternion is zero");
     return start;
   }
 

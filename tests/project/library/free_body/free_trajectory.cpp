@@ -1,4 +1,4 @@
-#include "tumble/free_body/free_motion.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,7 +31,7 @@ double error_in_roundings(const Vec3& J, const RigidBodyState<>& start, double t
   const Mat3 I = J.asDiagonal();
   const reference::Turning truth{J, start.q, t < 0 ? Vec3(-start.L) : start.L};
   const auto end = reference::turned(truth, std::abs(t));  // back in time: with −L
-  const double error = angle_between(FreeMotion(RigidBody<>(1, I), start).at(t).q, end.q);
+  const double error = angle_between(FreeTrajectory(RigidBody<>(1, I), start).at(t).q, end.q);
   return error / (1e-15 * std::max(1.0, end.omega.norm() * std::abs(t)));
 }
 
@@ -40,15 +40,16 @@ constexpr double kept = 5;
 
 }  // namespace
 
-TEST_CASE("FreeMotion: the separatrix problem, to more digits than its condition leaves others") {
+TEST_CASE(
+    "FreeTrajectory: the separatrix problem, to more digits than its condition leaves others") {
   const reference::Motion& m = reference::free_body;
   const RigidBody<> body(1, m.I_body);
-  const FreeMotion motion(body, {Vec3::Zero(), m.q0, Vec3::Zero(), m.L_end});
+  const FreeTrajectory motion(body, {Vec3::Zero(), m.q0, Vec3::Zero(), m.L_end});
   CHECK(angle_between(motion.at(m.duration).q, m.q_end) < 5e-14);
   CHECK(std::string(motion.name()) == "free asymmetric top (elliptic functions)");
 }
 
-TEST_CASE("FreeMotion: random bodies, forwards and backwards in time") {
+TEST_CASE("FreeTrajectory: random bodies, forwards and backwards in time") {
   test::Random rng(601);
   for (int i = 0; i < 60; ++i) {
     CAPTURE(i);
@@ -59,7 +60,7 @@ TEST_CASE("FreeMotion: random bodies, forwards and backwards in time") {
   }
 }
 
-TEST_CASE("FreeMotion: nearly about each axis, as close as 1e-12 and less") {
+TEST_CASE("FreeTrajectory: nearly about each axis, as close as 1e-12 and less") {
   test::Random rng(602);
   for (const int axis : {0, 1, 2})
     for (const double off : {1e-2, 1e-5, 1e-8, 1e-12, 1e-16, 1e-100}) {
@@ -72,7 +73,7 @@ TEST_CASE("FreeMotion: nearly about each axis, as close as 1e-12 and less") {
     }
 }
 
-TEST_CASE("FreeMotion: on the separatrix and next to it, on both sides") {
+TEST_CASE("FreeTrajectory: on the separatrix and next to it, on both sides") {
   test::Random rng(603);
   for (int i = 0; i < 40; ++i) {
     CAPTURE(i);
@@ -86,7 +87,7 @@ TEST_CASE("FreeMotion: on the separatrix and next to it, on both sides") {
   }
 }
 
-TEST_CASE("FreeMotion: nearly symmetric and nearly round bodies") {
+TEST_CASE("FreeTrajectory: nearly symmetric and nearly round bodies") {
   test::Random rng(604);
   for (int i = 0; i < 48; ++i) {
     CAPTURE(i);
@@ -99,7 +100,7 @@ TEST_CASE("FreeMotion: nearly symmetric and nearly round bodies") {
   }
 }
 
-TEST_CASE("FreeMotion: needles, plates and moments of very different size") {
+TEST_CASE("FreeTrajectory: needles, plates and moments of very different size") {
   test::Random rng(605);
   for (int i = 0; i < 60; ++i) {
     CAPTURE(i);
@@ -110,31 +111,31 @@ TEST_CASE("FreeMotion: needles, plates and moments of very different size") {
   }
 }
 
-TEST_CASE("FreeMotion: an exact spin about each axis stays, also about the middle one") {
+TEST_CASE("FreeTrajectory: an exact spin about each axis stays, also about the middle one") {
   const Vec3 J(1, 2, 2.5);
   const Mat3 I = J.asDiagonal();
   for (const int axis : {0, 1, 2}) {
     const Vec3 omega = 3 * Vec3::Unit(axis);
-    const FreeMotion motion(RigidBody<>(1, I), turning(J, Quat(1, 0, 0, 0), omega));
+    const FreeTrajectory motion(RigidBody<>(1, I), turning(J, Quat(1, 0, 0, 0), omega));
     CHECK(std::string(motion.name()) == "uniform rotation");
     CHECK(angle_between(motion.at(1000).q, exp_quaternion<double>(1000 * omega)) < 1e-12);
   }
-  const FreeMotion still(RigidBody<>(1, I), {});
+  const FreeTrajectory still(RigidBody<>(1, I), {});
   CHECK(still.at(1e9).q.coeffs() == Quat(1, 0, 0, 0).coeffs());
 }
 
-TEST_CASE("FreeMotion: a ball and a symmetric top need sines only") {
+TEST_CASE("FreeTrajectory: a ball and a symmetric top need sines only") {
   test::Random rng(606);
   const Vec3 omega = rng.vector();
   for (const Vec3& J : {Vec3(1, 1, 1), Vec3(1, 1, 1.5), Vec3(0.3, 1, 1)}) {
-    CHECK(std::string(
-              FreeMotion(RigidBody<>(1, Mat3(J.asDiagonal())), turning(J, rng.rotation(), omega))
-                  .name()) != "free asymmetric top (elliptic functions)");
+    CHECK(std::string(FreeTrajectory(RigidBody<>(1, Mat3(J.asDiagonal())),
+                                     turning(J, rng.rotation(), omega))
+                          .name()) != "free asymmetric top (elliptic functions)");
     CHECK(error_in_roundings(J, turning(J, rng.rotation(), omega), 10) < kept);
   }
 }
 
-TEST_CASE("FreeMotion: axes anywhere in the body, and the path of the centre") {
+TEST_CASE("FreeTrajectory: axes anywhere in the body, and the path of the centre") {
   test::Random rng(607);
   for (int i = 0; i < 20; ++i) {
     CAPTURE(i);
@@ -144,7 +145,7 @@ TEST_CASE("FreeMotion: axes anywhere in the body, and the path of the centre") {
     const RigidBodyState<> start = turning(J, rng.rotation(), rng.vector());
     const RigidBodyState<> turned{rng.vector(), start.q * turn.conjugate(), rng.vector(), start.L};
     const RigidBodyState<> end =
-        FreeMotion(RigidBody<>(2, Mat3((I + I.transpose()) / 2)), turned).at(3);
+        FreeTrajectory(RigidBody<>(2, Mat3((I + I.transpose()) / 2)), turned).at(3);
     const Quat truth = reference::turned({J, start.q, start.L}, 3).q * turn.conjugate();
     CHECK(angle_between(end.q, truth) < 1e-12);  // the tensor itself is rounded
     CHECK((end.x - (turned.x + 1.5 * turned.P)).norm() < 1e-15 * 10);
@@ -153,11 +154,11 @@ TEST_CASE("FreeMotion: axes anywhere in the body, and the path of the centre") {
   }
 }
 
-TEST_CASE("FreeMotion: one second a million times, or a million seconds at once") {
+TEST_CASE("FreeTrajectory: one second a million times, or a million seconds at once") {
   const Vec3 J(1, 2, 2.5);
   const Mat3 I = J.asDiagonal();
   const RigidBodyState<> start = turning(J, Quat(1, 0, 0, 0), Vec3(0.3, 0.2, 1));
-  const FreeMotion motion(RigidBody<>(1, I), start);
+  const FreeTrajectory motion(RigidBody<>(1, I), start);
   const double energy = kinetic_energy(RigidBody<>(1, I), start);
   for (const double t : {1e3, 1e5, 1e6}) {
     const RigidBodyState<> later = motion.at(t);
@@ -165,16 +166,16 @@ TEST_CASE("FreeMotion: one second a million times, or a million seconds at once"
     CHECK(std::abs(kinetic_energy(RigidBody<>(1, I), later) / energy - 1) < 1e-14);
   }
   const RigidBodyState<> middle = motion.at(5e5);
-  const Quat two_halves = FreeMotion(RigidBody<>(1, I), middle).at(5e5).q;
+  const Quat two_halves = FreeTrajectory(RigidBody<>(1, I), middle).at(5e5).q;
   CHECK(angle_between(motion.at(1e6).q, two_halves) < 1e-13 * 1e6);
 }
 
-TEST_CASE("FreeMotion: refuses what is no motion") {
+TEST_CASE("FreeTrajectory: refuses what is no motion") {
   const RigidBody<> body(1, Mat3::Identity());
   RigidBodyState<> bad;
   bad.q = Quat(0, 0, 0, 0);
-  CHECK_REFUSED(FreeMotion(body, bad), "quaternion", "zero");
+  CHECK_REFUSED(FreeTrajectory(body, bad), "quaternion", "zero");
   bad = {};
   bad.L.y() = NAN;
-  CHECK_REFUSED(FreeMotion(body, bad), "not finite", "nan");
+  CHECK_REFUSED(FreeTrajectory(body, bad), "not finite", "nan");
 }

@@ -8,18 +8,18 @@
 
 #include "tumble/ode/dop853.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
-#include "tumble/simulate/scaled_motion.hpp"
+#include "tumble/simulate/scaled_rhs.hpp"
 #include "tumble/simulate/stated_error.hpp"
 
 namespace tumble {
 
 /// What is large and small in a scene: at least the motion through the body's own size, and the
 /// turn by one radian, in the whole time.
-template <class Motion>
-MotionScale scale_of(const Motion& motion, const RigidBodyState<>& start, double t0, double t1) {
-  const RigidBody<>& body = motion.body();
+template <class Rhs>
+MotionScale scale_of(const Rhs& rhs, const RigidBodyState<>& start, double t0, double t1) {
+  const RigidBody<>& body = rhs.body();
   const double span = t1 - t0, inertia = body.I_body().trace() / 3;
-  const RigidBodyState<> rate = motion.rate(t0, start);
+  const RigidBodyState<> rate = rhs.rate(t0, start);
   const double own_length = std::sqrt(inertia / body.mass());
   MotionScale scale;
   scale.momentum =
@@ -30,26 +30,26 @@ MotionScale scale_of(const Motion& motion, const RigidBodyState<>& start, double
 }
 
 /// One integration from t0 to t1 whose steps can be gone into again.
-template <class Motion>
-class GeneralMotion {
+template <class Rhs>
+class GeneralTrajectory {
  public:
   static constexpr double error_exponent = 0.5, margin = 10, first_epsilon = 0.01;
 
-  /// @param motion a RigidBodyMotion<double, …>
+  /// @param rhs a RigidBodyRhs<double, …>
   /// @throws std::runtime_error as integrate_adaptive() does
-  GeneralMotion(const Motion& motion, const MotionScale& scale, const RigidBodyState<>& start,
-                double t0, double t1, double tolerance)
-      : motion_(motion, scale) {
-    steps_.push_back({t0, motion_.numbers(start)});
+  GeneralTrajectory(const Rhs& rhs, const MotionScale& scale, const RigidBodyState<>& start,
+                    double t0, double t1, double tolerance)
+      : rhs_(rhs, scale) {
+    steps_.push_back({t0, rhs_.numbers(start)});
     const auto keep = [this](double t, const Numbers& y) { steps_.push_back({t, y}); };
     const auto solution =
-        integrate_adaptive<Dop853>(motion_, steps_.front().y, t0, t1, {tolerance, tolerance}, keep);
+        integrate_adaptive<Dop853>(rhs_, steps_.front().y, t0, t1, {tolerance, tolerance}, keep);
     rejected_ = solution.rejected, evaluations_ = solution.evaluations;
   }
 
   int steps() const { return static_cast<int>(steps_.size()) - 1; }
 
-  std::vector<double> moments() const {
+  std::vector<double> times() const {
     std::vector<double> times;
     for (const Step& step : steps_) times.push_back(step.t);
     return times;
@@ -59,7 +59,7 @@ class GeneralMotion {
   RigidBodyState<> at(double t) const {
     const auto later = [](double time, const Step& step) { return time < step.t; };
     const Step& step = *(std::upper_bound(steps_.begin() + 1, steps_.end(), t, later) - 1);
-    return motion_.state(t == step.t ? step.y : Dop853::step(motion_, step.t, step.y, t - step.t));
+    return rhs_.state(t == step.t ? step.y : Dop853::step(rhs_, step.t, step.y, t - step.t));
   }
 
   void account(SimulationReport& report) const {
@@ -70,13 +70,13 @@ class GeneralMotion {
   }
 
  private:
-  using Numbers = typename ScaledMotion<Motion>::Numbers;
+  using Numbers = typename ScaledRhs<Rhs>::Numbers;
   struct Step {
     double t;
     Numbers y;
   };
 
-  ScaledMotion<Motion> motion_;
+  ScaledRhs<Rhs> rhs_;
   std::vector<Step> steps_;
   int rejected_ = 0, evaluations_ = 0;
 };

@@ -15,16 +15,16 @@
 namespace tumble {
 
 /// A right-hand side of a body under forces.
-/// @tparam Motion a RigidBodyMotion<double, …>
-template <class Motion>
-class ScaledMotion {
+/// @tparam Rhs a RigidBodyRhs<double, …>
+template <class Rhs>
+class ScaledRhs {
  public:
   using Numbers = PackedState<double>;
 
-  ScaledMotion(const Motion& motion, const MotionScale& scale)
-      : motion_(motion),
+  ScaledRhs(const Rhs& rhs, const MotionScale& scale)
+      : rhs_(rhs),
         scale_(scale),
-        per_mass_(1 / motion.body().mass()),
+        per_mass_(1 / rhs.body().mass()),
         per_length_(1 / scale.length),
         per_momentum_(1 / scale.momentum),
         per_angular_momentum_(1 / scale.angular_momentum) {}
@@ -44,13 +44,13 @@ class ScaledMotion {
 
   /// dy/dt at time t [s].
   Numbers operator()(double t, const Numbers& y) const {
-    const RigidBody<>& body = motion_.body();
+    const RigidBody<>& body = rhs_.body();
     const Quat q = orientation(y);
     const Mat3 R = to_matrix(q);
     const Vec3 l = y.tail<3>(), L_body = scale_.angular_momentum * l;
     const Vec3 omega_body = body.I_body_inv() * L_body;
     const Vec3 v = (per_mass_ * scale_.momentum) * y.segment<3>(7);
-    const Wrench<> net = motion_.net(t, {scale_.length * y.head<3>(), R, v, R * omega_body});
+    const Wrench<> net = rhs_.net(t, {scale_.length * y.head<3>(), R, v, R * omega_body});
     const Vec3 torque = per_angular_momentum_ * net.torque, torque_body = R.transpose() * torque;
     Numbers rate;
     rate << per_length_ * v, coefficients(quaternion_dot_body(q, omega_body)),
@@ -61,7 +61,7 @@ class ScaledMotion {
  private:
   static Quat orientation(const Numbers& y) { return {y[3], y[4], y[5], y[6]}; }
 
-  Motion motion_;
+  Rhs rhs_;
   MotionScale scale_;
   double per_mass_, per_length_, per_momentum_, per_angular_momentum_;
 };
