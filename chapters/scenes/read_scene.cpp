@@ -156,12 +156,12 @@ Scene interpret(const Place& root, const std::filesystem::path& folder) {
   scene.task.t1 = scene.task.t0 + duration;
   scene.task.tolerance = root.number_or("tolerance", 1e-9);
   require(scene.task.tolerance > 0, root.name(), ".tolerance is ", scene.task.tolerance,
-          ", not more than 0");
+          "; it must be positive");
   scene.every = root.number_or("record_every", duration / 100);
   constexpr double most = 1e7;
   require(duration == 0 || (scene.every > 0 && duration / scene.every <= most), root.name(),
-          ".record_every is ", scene.every, ": of ", duration,
-          " s it should be between 1 and 1e-7");
+          ".record_every is ", scene.every, "; it must be between ", duration / most,
+          " s and the duration, ", duration, " s");
   if (root.has("stop_when")) scene.stop = read_stop(root["stop_when"], scene.bodies);
   return scene;
 }

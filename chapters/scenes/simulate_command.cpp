@@ -1,11 +1,12 @@
-#include <fstream>
 #include <iostream>
 
 #include "scenes/commands.hpp"
 #include "scenes/json.hpp"
 #include "scenes/scene.hpp"
+#include "support/csv.hpp"
 #include "support/plot.hpp"
 #include "support/terminal.hpp"
+#include "support/text_file.hpp"
 #include "tumble/simulate/first_event.hpp"
 
 namespace tumble::scenes {
@@ -110,18 +111,17 @@ Json scene_json(const Scene& scene, const Motions& motions, const SimulateComman
   return json;
 }
 
-/// One line a time and body.
+/// One line per time and body.
 std::string to_csv(const Scene& scene, const Motions& motions) {
   std::ostringstream csv;
   csv.precision(17);
   csv << "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,omega_x,omega_y,omega_z,Px,Py,Pz,Lx,Ly,Lz\n";
-  const Eigen::IOFormat row(Eigen::FullPrecision, Eigen::DontAlignCols, ",", ",", "", "", "", "");
   for (const double t : times_of(scene, motions.end))
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const RigidBodyState<> s = motions.trajectories[i].at(t);
       const Derived<> now = derived(scene.bodies[i].body, s);
-      csv << t << ',' << scene.bodies[i].name;
-      for (const Vec3& v : {s.x}) csv << ',' << v.x() << ',' << v.y() << ',' << v.z();
+      csv << t << ',' << support::csv_field(scene.bodies[i].name);
+      csv << ',' << s.x.x() << ',' << s.x.y() << ',' << s.x.z();
       csv << ',' << s.q.w() << ',' << s.q.x() << ',' << s.q.y() << ',' << s.q.z();
       for (const Vec3& v : {now.v, now.omega, s.P, s.L})
         csv << ',' << v.x() << ',' << v.y() << ',' << v.z();
@@ -149,12 +149,6 @@ std::string to_svg(const Scene& scene, const Motions& motions) {
       plot.series.push_back(series);
     }
   return support::to_svg(plot);
-}
-
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  require(bool(file.flush()), "cannot write ", path);
 }
 
 std::string three(const Vec3& v) {
@@ -202,8 +196,8 @@ void print(const Scene& scene, const Motions& motions) {
 int run(const SimulateCommand& command) {
   const Scene scene = read_scene(command.file);
   const Motions motions = move(scene);
-  if (!command.csv.empty()) write(command.csv, to_csv(scene, motions));
-  if (!command.svg.empty()) write(command.svg, to_svg(scene, motions));
+  if (!command.csv.empty()) support::write_text(command.csv, to_csv(scene, motions));
+  if (!command.svg.empty()) support::write_text(command.svg, to_svg(scene, motions));
   if (command.json)
     std::cout << scene_json(scene, motions, command).dump(2) << '\n';
   else

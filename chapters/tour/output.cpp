@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "support/terminal.hpp"
+#include "support/text_file.hpp"
 #include "tour/tour.hpp"
 
 namespace tumble::tour {
@@ -16,10 +17,7 @@ Output::Output(std::filesystem::path folder) : folder_(std::move(folder)) {
 }
 
 void Output::write(const std::string& file, const std::string& content) {
-  std::ofstream stream(folder_ / file, std::ios::binary);
-  stream << content;
-  stream.close();
-  if (!stream) throw std::runtime_error((folder_ / file).string() + ": cannot be written");
+  support::write_text(folder_ / file, content);
   files_.push_back(file);
 }
 

@@ -8,23 +8,9 @@
 
 #include "support/command_line.hpp"
 #include "support/terminal.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::support {
-
-namespace {
-
-void write(const std::filesystem::path& file, const std::string& content) {
-  std::filesystem::create_directories(file.parent_path());
-  std::ofstream out(file, std::ios::binary);
-  out << content;
-  out.close();
-  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
-}
-
-}  // namespace
-
-Chapter::Chapter(std::string folder, std::string title)
-    : folder_(std::move(folder)), title_(std::move(title)) {}
 
 void Chapter::table(const std::string& name, const std::string& heading,
                     std::function<Table()> make) {
@@ -54,7 +40,7 @@ void Chapter::print_only(const std::string& name) const {
 
 void Chapter::write_figures(const std::string& folder) const {
   for (const NamedFigure& each : figures_)
-    write(std::filesystem::path(folder) / (each.name + ".svg"), each.make());
+    write_text_and_folders(std::filesystem::path(folder) / (each.name + ".svg"), each.make());
 }
 
 void Chapter::show_all(const std::string& folder) const {
@@ -62,7 +48,7 @@ void Chapter::show_all(const std::string& folder) const {
   for (const NamedTable& each : tables_) {
     const Table table = each.make();
     std::cout << "\n" << each.heading << "\n\n" << fitted(table) << std::flush;
-    write(std::filesystem::path(folder) / (each.name + ".csv"), table.csv());
+    write_text_and_folders(std::filesystem::path(folder) / (each.name + ".csv"), table.csv());
   }
   write_figures(folder);
   std::cout << "\nFigures and tables: " << folder << "\n";

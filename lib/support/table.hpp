@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "support/csv.hpp"
 #include "support/wrapped.hpp"
 #include "tumble/core/require.hpp"
 
@@ -102,7 +103,7 @@ class Table {
     for (const std::vector<std::string>& row : rows_) {
       for (std::size_t c = 0; c < row.size(); ++c) {
         if (c > 0) out += ',';
-        out += quoted(row[c]);
+        out += csv_field(row[c]);
       }
       out += '\n';
     }
@@ -110,13 +111,6 @@ class Table {
   }
 
  private:
-  static std::string quoted(const std::string& cell) {
-    if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
-    std::string out = "\"";
-    for (const char c : cell) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + '"';
-  }
-
   std::size_t column_width(std::size_t c) const {
     std::size_t width = 0;
     for (const std::vector<std::string>& row : rows_) width = std::max(width, characters(row[c]));

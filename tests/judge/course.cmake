@@ -180,7 +180,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
       if(TUMBLE_PORTABLE_WORKER AND earlier)
         add_library(${id}_earlier STATIC ${earlier_objects})
         set_target_properties(${id}_earlier PROPERTIES LINKER_LANGUAGE CXX)
-        add_dependencies(${target} ${id}_earlier)
+        add_dependencies(${all_of_unit} ${id}_earlier)
         set(earlier_json "\"$<TARGET_FILE:${id}_earlier>\"")
       else()
         list(JOIN earlier "," earlier_json)

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "judge/verdict/markup.hpp"
+#include "support/csv.hpp"
 
 namespace tumble::judge {
 
@@ -20,13 +21,11 @@ std::string points_text(double points) {
   return result;
 }
 
-std::string csv_field(std::string text) {
-  if (!text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos)
-    text = "'" + text;
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+/// What a student chose to write must not become a formula in a spreadsheet.
+std::string foreign_field(const std::string& text) {
+  const bool is_formula =
+      !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos;
+  return support::csv_field(is_formula ? "'" + text : text);
 }
 
 std::size_t count_passed(const StudentRecord& record) {
@@ -56,9 +55,9 @@ std::string grades_csv(const CourseSettings& settings, const std::vector<Student
   const double most = settings.most();
   for (const StudentRecord& record : records) {
     const double points = earned(settings, record);
-    out << csv_field(record.student) << "," << points_text(points) << "," << points_text(most)
+    out << foreign_field(record.student) << "," << points_text(points) << "," << points_text(most)
         << "," << points_text(100 * points / most) << "," << count_passed(record) << ","
-        << csv_field(record.refused);
+        << foreign_field(record.refused);
     for (const Unit& unit : settings.units) {
       const UnitRecord* known = record.find(unit);
       out << "," << (known ? points_text(settings.earned(*known)) : "");

@@ -78,8 +78,8 @@ std::invoke_result_t<Runner, const RigidBodyState<>&, double> run_to_tolerance(
     const StatedError error = stated_error(rough, fine, scale, t0, t1, epsilon, fine_tolerance);
     report.error_estimate = error.estimate;
     if (report.reached() || epsilon == lowest) return fine;
-    // What the difference says is needed, but never a hundredth at once: of a large one little
-    // can be told.
+    // What the difference says is needed, but by at most 1000 at a time: a large difference says
+    // little.
     const double needed = epsilon * report.tolerance / (2 * error.estimate);
     epsilon = std::max(lowest, std::clamp(needed, epsilon / 1000, epsilon / 3));
   }

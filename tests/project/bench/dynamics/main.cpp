@@ -7,8 +7,8 @@
 #include "project/bench/dynamics/many_bodies.hpp"
 #include "project/bench/dynamics/problems.hpp"
 #include "project/bench/dynamics/report.hpp"
-#include "project/bench/write_file.hpp"
 #include "support/command_line.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::bench {
 namespace {
@@ -44,8 +44,8 @@ void show_precision(const Problem& problem, const std::vector<Method>& methods,
   if (options.with_peers) std::cout << ratio_table(curves).text() << '\n';
   std::cout << std::flush;
   if (!options.svg_folder.empty())
-    write_file(options.svg_folder + "/" + problem.name + ".svg",
-               support::to_svg(figure(problem, curves)));
+    support::write_text(options.svg_folder + "/" + problem.name + ".svg",
+                        support::to_svg(figure(problem, curves)));
   check_promises(problem, curves);
 }
 

@@ -6,10 +6,10 @@
 #include "project/bench/least_times.hpp"
 #include "project/bench/mass/case.hpp"
 #include "project/bench/mass/reading.hpp"
-#include "project/bench/write_file.hpp"
 #include "support/command_line.hpp"
 #include "support/plot.hpp"
 #include "support/table.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::bench {
 namespace {
@@ -148,7 +148,8 @@ void run(const Options& options) {
   const Table reading =
       reading_table(options.triangles, options.repetitions, options.seconds, options.with_peers);
   std::cout << "reading mesh files\n" << reading.text() << '\n';
-  if (!options.svg.empty()) write_file(options.svg, support::to_svg(figure(all.front(), results)));
+  if (!options.svg.empty())
+    support::write_text(options.svg, support::to_svg(figure(all.front(), results)));
 }
 
 }  // namespace

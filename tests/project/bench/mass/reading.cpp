@@ -4,10 +4,10 @@
 #include <fstream>
 
 #include "project/bench/least_times.hpp"
-#include "project/bench/write_file.hpp"
 #include "project/harness/temporary_folder.hpp"
 #include "project/library/mesh/mesh_files.hpp"
 #include "project/library/mesh/shapes.hpp"
+#include "support/text_file.hpp"
 #include "tumble/mesh/read_mesh.hpp"
 
 namespace tumble::bench {
@@ -22,7 +22,7 @@ std::vector<MeshFile> write_files(const PolygonMesh& mesh, const std::filesystem
   std::vector<MeshFile> files;
   const auto add = [&](const std::string& what, const std::string& name, const std::string& bytes) {
     const std::string path = (folder / name).string();
-    write_file(path, bytes);
+    support::write_text(path, bytes);
     files.push_back({what, path, static_cast<double>(bytes.size())});
   };
   add("OBJ", "plain.obj", test::plain_obj(mesh));

@@ -148,7 +148,10 @@ TEST_CASE("simulate: says where a scene is wrong, and what") {
   CHECK(mentions(refusal(scene), "forces[0].spring", "stiffness"));
   scene = thrown_ball();
   scene["tolerance"] = 0;
-  CHECK(mentions(refusal(scene), "tolerance", "0"));
+  CHECK(mentions(refusal(scene), "tolerance is 0; it must be positive"));
+  scene = thrown_ball();
+  scene["record_every"] = -5;
+  CHECK(mentions(refusal(scene), "record_every is -5; it must be between"));
   scene = thrown_ball();
   scene["stop_when"] = {{"coordinate", "w"}, {"passes", 0}};
   CHECK(mentions(refusal(scene), "stop_when.coordinate", "\"w\""));
@@ -162,6 +165,18 @@ TEST_CASE("simulate: says where a scene is wrong, and what") {
   CHECK(result.status == 2);
   CHECK(mentions(result.output, "scene.json", "line 1", "column"));
   CHECK(mentions(scenes("simulate nowhere.json").output, "nowhere.json"));
+}
+
+TEST_CASE("simulate: a name with a comma or a quote stays one field of the CSV") {
+  json scene = thrown_ball();
+  scene["bodies"][0]["name"] = "a,\"b\"";
+  write("scene.json", scene.dump());
+  REQUIRE(scenes("simulate scene.json --csv named.csv").status == 0);
+  std::ifstream in("named.csv");
+  std::string heading, row;
+  std::getline(in, heading);
+  std::getline(in, row);
+  CHECK(mentions(row, ",\"a,\"\"b\"\"\","));
 }
 
 TEST_CASE("simulate: an unreachable tolerance is said, with exit status 1") {
