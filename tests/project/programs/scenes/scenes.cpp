@@ -172,7 +172,7 @@ TEST_CASE("simulate: a name with a comma or a quote stays one field of the CSV")
   scene["bodies"][0]["name"] = "a,\"b\"";
   write("scene.json", scene.dump());
   REQUIRE(scenes("simulate scene.json --csv named.csv").status == 0);
-  std::ifstream in("named.csv");
+  std::ifstream in(folder / "named.csv");
   std::string heading, row;
   std::getline(in, heading);
   std::getline(in, row);
