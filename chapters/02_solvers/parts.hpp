@@ -45,7 +45,7 @@ Table unseen_table();
 
 // ── order.cpp ──
 
-/// The order that is seen.
+/// The order that each method is seen to have.
 Table order_table();
 /// Error against step.
 std::string order_figure();

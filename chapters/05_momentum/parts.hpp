@@ -28,7 +28,7 @@ Table times_table();
 
 // ── far.cpp ──
 
-/// From one number to the next.
+/// How far a double is from the next, at several distances from the origin.
 Table gaps_table();
 /// Error of a torque against the distance from the origin.
 std::string far_figure();

@@ -37,7 +37,7 @@ Table errors_table();
 Table mesh_table();
 /// What each way takes.
 Table times_table();
-/// Very small and very large.
+/// Cubes that are very small or very large, and what the library says of them.
 Table sizes_table();
 
 // ── far.cpp ──

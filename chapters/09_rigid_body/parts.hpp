@@ -67,7 +67,7 @@ Table arrays_table();
 
 // ── routes.cpp ──
 
-/// Nine numbers or four.
+/// The orientation by nine numbers and by four, with the same steps.
 Table matrix_table();
 /// A tensor from points, and from faces.
 Table sampled_table();

@@ -47,7 +47,7 @@ Table ends_table();
 std::string drift_figure();
 /// A force that looks at the spin.
 Table spoiled_table();
-/// Steps that change.
+/// The energy, if the length of the steps changes.
 Table changing_table();
 
 // ── free_top.cpp ──
@@ -65,13 +65,13 @@ std::string cones_figure();
 Table hard_flips_table();
 /// Hard cases, one by one.
 Table hard_cases_table();
-/// What no body has.
+/// Moments that no body has, and what the library says of them.
 Table hard_refused_table();
 /// Tops that sleep, and tops that fall.
 Table hard_tops_table();
-/// A million steps.
+/// What a million steps leave of the digits.
 Table hard_million_table();
-/// Half the digits.
+/// A minute by RK4 in float and in double.
 Table hard_float_table();
 
 // ── heavy_top.cpp ──
@@ -84,7 +84,7 @@ Table sleep_table();
 Table event_table();
 /// How far the axis of that top leans, against time.
 std::string sleep_figure();
-/// A lopsided body by Taylor series.
+/// A lopsided body by Taylor series: order and error for each tolerance.
 Table series_table();
 
 // ── ladder.cpp ──
@@ -93,11 +93,11 @@ Table series_table();
 Table chosen_table();
 /// What choose_model() says, and why.
 Table why_table();
-/// The same answer, for less.
+/// What simulate() chooses for a scene, and what the full body needs for the same.
 Table ladder_table();
 /// What a rung costs.
 Table rungs_table();
-/// Forces that are not there.
+/// What forces of zero cost.
 Table absent_table();
 /// How wrong a simpler body turns.
 Table equal_table();
@@ -106,7 +106,7 @@ Table equal_table();
 
 /// What simulate() says, and what is true.
 Table stated_table();
-/// What cannot be had.
+/// Tolerances that no method reaches, and what simulate() says then.
 Table unreachable_table();
 
 }  // namespace scene_chapter
