@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "common.hpp"
-#include "padded_text.hpp"
 #include "parts.hpp"
+#include "support/wrapped.hpp"
 
 namespace mirtich_chapter {
 
@@ -73,7 +73,7 @@ std::vector<SpoiledCube> spoiled_cubes() {
 
 Table findings_table() {
   constexpr std::size_t width = 65;
-  Table table({"a cube with", padded("what is found: kind, place, meaning", width)});
+  Table table({"a cube with", support::padded("what is found: kind, place, meaning", width)});
   for (const SpoiledCube& spoiled : spoiled_cubes()) {
     const std::vector<MeshDefect> findings = diagnose(spoiled.mesh, anywhere);
     const auto found =
@@ -82,8 +82,8 @@ Table findings_table() {
     require(found != findings.end(), spoiled.what, " is not found");
     std::string what = spoiled.what;
     for (const std::string& line :
-         wrapped(std::string(name_of(found->kind)) + ": " + found->message, width)) {
-      table.add({what, padded(line, width)});
+         support::lines_of(std::string(name_of(found->kind)) + ": " + found->message, width)) {
+      table.add({what, support::padded(line, width)});
       what.clear();
     }
   }

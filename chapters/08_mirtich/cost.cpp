@@ -4,10 +4,10 @@
 #include "common.hpp"
 #include "far_mug.hpp"
 #include "lattice_tetrahedron.hpp"
-#include "padded_text.hpp"
 #include "parts.hpp"
 #include "support/counted.hpp"
 #include "support/stopwatch.hpp"
+#include "support/wrapped.hpp"
 
 namespace tumble::simd {
 
@@ -204,7 +204,7 @@ Table times_table() {
 // ── Very small and very large ──
 
 Table sizes_table() {
-  Table table({"a cube of", padded("what the library says", 60)});
+  Table table({"a cube of", support::padded("what the library says", 60)});
   for (const double size : {1e-110, 1e-70, 1e-40, 1e-6, 1., 1e40, 1e70}) {
     std::vector<std::string> says;
     try {
@@ -214,10 +214,10 @@ Table sizes_table() {
               " kg m²"};
     } catch (const std::invalid_argument& refusal) {
       const std::string what = refusal.what();  // what a NaN is called differs
-      says = wrapped("refused: " + what.substr(0, what.find(": its trace")), 60);
+      says = support::lines_of("refused: " + what.substr(0, what.find(": its trace")), 60);
     }
     std::string name = number(size) + " m";
-    for (const std::string& line : says) table.add({name, padded(line, 60)}), name.clear();
+    for (const std::string& line : says) table.add({name, support::padded(line, 60)}), name.clear();
   }
   return table;
 }

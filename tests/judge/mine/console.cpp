@@ -6,6 +6,7 @@
 #include "judge/mine/report.hpp"
 #include "judge/verdict/number_text.hpp"
 #include "support/table.hpp"
+#include "support/wrapped.hpp"
 
 namespace tumble::judge::mine {
 
@@ -29,10 +30,6 @@ std::string indented(const std::string& text, std::size_t most_lines) {
   for (std::string line; std::getline(in, line) && lines < most_lines; ++lines)
     result += "          " + line + "\n";
   return result;
-}
-
-std::string padded(const std::string& text, std::size_t width) {
-  return text + std::string(width - std::min(width, text.size()), ' ');
 }
 
 std::string order_text(double order) { return std::isfinite(order) ? number(order, 2) : "–"; }
@@ -92,8 +89,8 @@ void print_missing(std::ostream& out, const Course& course, const EngineBuild& b
     what = std::max(what, part.missing.size());
   }
   for (const Part& part : missing)
-    out << "  " << padded(part.unit.number, 6) << padded(part.unit.name, name + 3)
-        << padded(part.missing, what + 3) << shown(course, part.source) << "\n";
+    out << "  " << support::padded(part.unit.number, 6) << support::padded(part.unit.name, name + 3)
+        << support::padded(part.missing, what + 3) << shown(course, part.source) << "\n";
   out << "\n";
   for (const Part& part : missing)
     if (!part.detail.empty())

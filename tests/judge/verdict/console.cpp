@@ -11,6 +11,7 @@
 #include "judge/course/contract.hpp"
 #include "judge/spec/demand.hpp"
 #include "judge/verdict/number_text.hpp"
+#include "support/wrapped.hpp"
 
 namespace tumble::judge {
 
@@ -41,8 +42,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   std::string result, word;
   std::size_t column = indent;
   while (in >> word) {
-    const auto length = static_cast<std::size_t>(std::count_if(
-        word.begin(), word.end(), [](char c) { return (c & '\xc0') != '\x80'; }));  // UTF-8
+    const std::size_t length = support::characters(word);
     const bool fits = column + 1 + length <= width;
     if (!result.empty()) result += fits ? " " : "\n" + std::string(indent, ' ');
     column = fits ? column + 1 + length : indent + length;
