@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -11,6 +10,9 @@
 #include "support/text_file.hpp"
 
 namespace tumble::support {
+
+Chapter::Chapter(std::string folder, std::string title)
+    : folder_(std::move(folder)), title_(std::move(title)) {}
 
 void Chapter::table(const std::string& name, const std::string& heading,
                     std::function<Table()> make) {

@@ -64,12 +64,12 @@ TEST_CASE("settings: units, weights of chapters and of units, credit, hidden, du
 TEST_CASE("settings: what means nothing is refused, and where it stands is said") {
   CHECK_REFUSED(settings("{"), "is no JSON");
   CHECK_REFUSED(settings(R"({"weight": {}})"), R"(has "weight", which means nothing here)");
-  CHECK_REFUSED(settings(R"({"units": ["7"]})"), "course.json.units[0]: there is no unit");
+  CHECK_REFUSED(settings(R"({"units": ["7"]})"), "course.json.units[0]: there is no exercise or chapter");
   CHECK_REFUSED(settings(R"({"units": []})"), "units is empty");
   CHECK_REFUSED(settings(R"({"units": "4"})"), "units is not a list");
   CHECK_REFUSED(settings(R"({"weights": {"4.1": -1}})"), "weights.4.1 is -1");
   CHECK_REFUSED(settings(R"({"weights": {"4.1": "two"}})"), "weights.4.1 is not a number");
-  CHECK_REFUSED(settings(R"({"weights": {"9": 1}})"), "weights.9: there is no unit");
+  CHECK_REFUSED(settings(R"({"weights": {"9": 1}})"), "weights.9: there is no exercise or chapter");
   CHECK_REFUSED(settings(R"({"weights": {"all": 0}})"), "no unit is worth any points");
   CHECK_REFUSED(settings(R"({"credit": "some"})"), "\"some\", not \"unit\"");
   CHECK_REFUSED(settings(R"({"due": "tomorrow"})"), "\"tomorrow\", not a time such as");

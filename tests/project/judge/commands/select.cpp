@@ -15,7 +15,7 @@ Unit unit(const char* number, const char* chapter, const char* name) {
   return unit;
 }
 
-Course course() {
+Course small_course() {
   Course course;
   course.units = {
       unit("1.1", "01_particles", "flatten"),   unit("1.2", "01_particles", "dydt"),
@@ -27,23 +27,23 @@ Course course() {
 }  // namespace
 
 TEST_CASE("select: a unit, a chapter, all, or all functions of a name") {
-  CHECK(course().select("4.1").size() == 1);
-  CHECK(course().select("04_quaternions/product").size() == 1);
-  CHECK(course().select("4").size() == 3);
-  CHECK(course().select("04").size() == 3);
-  CHECK(course().select("all").size() == 6);
-  CHECK(numbers_of(course().select("dydt")) == "1.2 and 9.4");
-  CHECK(numbers_of(course().select("4")) == "4.1 to 4.3");
+  CHECK(small_course().select("4.1").size() == 1);
+  CHECK(small_course().select("04_quaternions/product").size() == 1);
+  CHECK(small_course().select("4").size() == 3);
+  CHECK(small_course().select("04").size() == 3);
+  CHECK(small_course().select("all").size() == 6);
+  CHECK(numbers_of(small_course().select("dydt")) == "1.2 and 9.4");
+  CHECK(numbers_of(small_course().select("4")) == "4.1 to 4.3");
 }
 
 TEST_CASE("select: of a word that means nothing, what was probably meant") {
-  CHECK_REFUSED(course().select("prodct"),
+  CHECK_REFUSED(small_course().select("prodct"),
                 "no exercise or chapter 'prodct'; did you mean product (4.1)?");
-  CHECK_REFUSED(course().select("dydx"), "did you mean dydt (1.2 and 9.4)?");
-  CHECK_REFUSED(course().select("quaternion"), "did you mean chapter 4 (quaternions)?");
-  CHECK_REFUSED(course().select("flat"), "did you mean flatten (1.1)?");
-  CHECK_REFUSED(course().select("4.9"), "chapter 4 has 4.1 to 4.3");
-  CHECK_REFUSED(course().select("7"),
+  CHECK_REFUSED(small_course().select("dydx"), "did you mean dydt (1.2 and 9.4)?");
+  CHECK_REFUSED(small_course().select("quaternion"), "did you mean chapter 4 (quaternions)?");
+  CHECK_REFUSED(small_course().select("flat"), "did you mean flatten (1.1)?");
+  CHECK_REFUSED(small_course().select("4.9"), "chapter 4 has 4.1 to 4.3");
+  CHECK_REFUSED(small_course().select("7"),
                 "the chapters are 1 particles, 4 quaternions, 9 rigid_body; all exercises");
-  CHECK_REFUSED(course().select("xyzzy"), "the chapters are");
+  CHECK_REFUSED(small_course().select("xyzzy"), "the chapters are");
 }
