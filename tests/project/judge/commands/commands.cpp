@@ -241,7 +241,7 @@ TEST_CASE("what a command line needs to be built, one target a line, and nothing
   CHECK(judge("--needs check 1.2.1 --from nowhere").output == twice);
   CHECK(judge("--needs check 1 --solutions").output == carry + twice);
   CHECK(judge("--needs matrix twice").output == twice);
-  for (const char* all : {"mine", "watch", "stubs", "grade ."})
+  for (const char* all : {"mine", "watch", "stubs", "grade .", "report"})
     CHECK(judge(std::string("--needs ") + all).output == "all_specs\n");
   const fs::path settings = fs::temp_directory_path() / "tumble-needs-test.json";
   write(settings, R"({"units": ["1.2"], "curve": false})");
@@ -249,9 +249,9 @@ TEST_CASE("what a command line needs to be built, one target a line, and nothing
   CHECK(judge("--needs grade ." + with_settings).output == twice);
   CHECK(judge("--needs platform gradescope ." + with_settings).output == twice);
   fs::remove(settings);
-  for (const char* none : {"list", "hint 1.1", "reset 1.1", "solution 1.1", "report", "sandbox",
-                           "handout --chapters 1 x", "export gradescope x", "check --help",
-                           "check 9.9", "check --nonsense", "nonsense"}) {
+  for (const char* none :
+       {"list", "hint 1.1", "reset 1.1", "solution 1.1", "sandbox", "handout --chapters 1 x",
+        "export gradescope x", "check --help", "check 9.9", "check --nonsense", "nonsense"}) {
     const CommandResult result = judge(std::string("--needs ") + none);
     CHECK_MESSAGE(result.output == "", none);
     CHECK(result.status == 0);
