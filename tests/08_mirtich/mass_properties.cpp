@@ -18,7 +18,7 @@
 using namespace tumble::judge;
 using point_sampling::MassProperties;
 using tumble::Mat3, tumble::PolygonMesh, tumble::Vec3;
-namespace test = tumble::test;
+namespace shapes = tumble::shapes;
 
 namespace student {
 const Function<decltype(mirtich::mass_properties)> mass_properties{TUMBLE_UNIT};

@@ -17,7 +17,7 @@ using namespace tumble::judge;
 using mirtich::VolumeIntegrals;
 using tumble::Mat3, tumble::PolygonMesh, tumble::Vec3;
 using tumble::mirtich::Plane;
-namespace test = tumble::test;
+namespace shapes = tumble::shapes;
 
 namespace student {
 const Function<decltype(mirtich::volume_integrals)> volume_integrals{TUMBLE_UNIT};
