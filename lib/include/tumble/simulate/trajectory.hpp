@@ -31,8 +31,8 @@ struct SimulationReport {
 /// The motion of a body from t0 to t1.
 class Trajectory {
  public:
-  /// @param at     the state at any time of the span
-  /// @param moments t0 … t1, ascending, so close that the motion between two of them is simple
+  /// @param at    the state at any time of the span
+  /// @param times t0 … t1, ascending, so close that the motion between two of them is simple
   Trajectory(std::function<RigidBodyState<>(double)> at, std::vector<double> times,
              SimulationReport report)
       : at_(std::move(at)), times_(std::move(times)), report_(std::move(report)) {}
