@@ -2,6 +2,9 @@
 /// @file
 /// State the error, get the cheapest way.
 
+/// @defgroup simulate Simulation
+/// State the error, get the cheapest way.
+
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/simulate.hpp"

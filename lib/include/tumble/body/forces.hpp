@@ -16,6 +16,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// A callable (t, body, now) → Wrench<T>.
 template <class F, class T>
 concept BodyForce = requires(const F& force, T t, const RigidBody<T>& body, const Derived<T>& now) {
@@ -103,6 +106,8 @@ struct SpringToWorld {
   }
 };
 
+namespace detail {
+
 template <class Force>
 void require_valid_force(const Force& force) {
   if constexpr (requires { force.require_valid(); }) force.require_valid();
@@ -116,6 +121,8 @@ std::tuple<Forces...> valid_forces(const Forces&... forces) {
   return {forces...};
 }
 
+}  // namespace detail
+
 /// The sum of what all forces do; with no force at all, nothing is computed.
 template <class T, BodyForce<T>... Forces>
 Wrench<T> net_wrench(T t, const RigidBody<T>& body, const Derived<T>& now,
@@ -127,5 +134,7 @@ Wrench<T> net_wrench(T t, const RigidBody<T>& body, const Derived<T>& now,
   };
   return std::apply(add, forces);
 }
+
+/// @}
 
 }  // namespace tumble

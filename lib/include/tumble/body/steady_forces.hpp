@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// The sum of steady forces on a body; a BodyForce itself, for those that are known only when a
 /// program runs.
 struct SteadyForces {
@@ -51,10 +54,16 @@ concept SteadyForce = requires(const F& force, const RigidBody<>& body) {
   { force.steady(body) } -> std::convertible_to<SteadyForces>;
 };
 
+namespace detail {
+
 /// What all of them amount to.
 template <SteadyForce... Forces>
 SteadyForces steady_forces(const RigidBody<>& body, const Forces&... forces) {
   return (SteadyForces{} + ... + forces.steady(body));
 }
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// A force and the torque about the centre of mass, in world coordinates.
 template <class T = double>
 struct Wrench {
@@ -27,5 +30,7 @@ template <class T>
 Wrench<T> force_at_point(const Vector3<T>& F, const Vector3<T>& p, const Vector3<T>& x) {
   return {F, (p - x).cross(F)};
 }
+
+/// @}
 
 }  // namespace tumble

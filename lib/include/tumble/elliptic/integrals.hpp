@@ -16,6 +16,11 @@
 
 namespace tumble {
 
+/// @addtogroup elliptic
+/// @{
+
+namespace detail {
+
 /// Carlson's R_F, to a few units in the last place.
 /// @param x, y, z not negative, at most one of them 0; ∞ if two are
 inline double carlson_rf(double x, double y, double z) {
@@ -37,6 +42,8 @@ inline double carlson_rf(double x, double y, double z) {
   return (1 + E2 * (-1.0 / 10 + E2 / 24 - E3 * 3 / 44) + E3 / 14) / std::sqrt(mean);
 }
 
+}  // namespace detail
+
 /// The complete integral K for the complementary modulus k' = √(1 − k²), which says more near
 /// k = 1 than k does: K = π / (2 agm(1, k')).
 /// @param kc k' in 0 … 1; ∞ for 0
@@ -50,5 +57,7 @@ inline double complete_elliptic_k(double kc) {
   }
   return std::numbers::pi / (a + b);
 }
+
+/// @}
 
 }  // namespace tumble

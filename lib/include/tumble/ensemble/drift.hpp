@@ -12,7 +12,7 @@
 
 #include "tumble/simd/point.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 /// What pushes a centre of mass: a − κ v.
 template <class P>
@@ -71,4 +71,4 @@ TUMBLE_INLINE void drift(simd::Point<P>& x, simd::Point<P>& v, const Push<P>& pu
   }
 }
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

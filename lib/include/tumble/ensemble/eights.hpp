@@ -7,7 +7,7 @@
 
 #include "tumble/simd/quaternion.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 inline constexpr int eight = 8;  ///< bodies in a structure: the lanes of the widest Pack
 
@@ -60,4 +60,4 @@ TUMBLE_INLINE void store(const simd::Quaternion<P>& q, Row (&rows)[4], int lane)
   store(q.y, rows[2], lane), store(q.z, rows[3], lane);
 }
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup ensemble
+/// @{
+
 /// Bodies of an ensemble whose state is no longer finite.
 struct LostBodies {
   std::size_t count = 0;
@@ -32,5 +35,7 @@ inline void require_none(const LostBodies& lost) {
        << lost.first << ": smaller steps, or a force that stays finite where it goes, may keep it";
   detail::throw_error<std::runtime_error>(text.str());
 }
+
+/// @}
 
 }  // namespace tumble

@@ -25,6 +25,9 @@
 
 namespace tumble {
 
+/// @addtogroup free_body
+/// @{
+
 /// The constants of a free motion, about principal axes of which the third is the one that is
 /// turned about.
 struct Polhode {
@@ -152,5 +155,7 @@ inline std::optional<Polhode> polhode_of(const PrincipalAxes& axes, const Quat& 
   p.frame = detail::frame_of(axes.R, sorted, p.pole_is_axis);
   return p;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// Mass properties and how wrong rounding can have made them. The shape of the mesh itself is taken
 /// as exact. A relative error of 1e-15 means that 15 digits hold, 1 or more that none does.
 struct BoundedMassProperties : MassProperties {
@@ -25,6 +28,8 @@ struct BoundedMassProperties : MassProperties {
   double centre_error_bound = std::numeric_limits<double>::quiet_NaN();   ///< of centre + rest [m]
   double inertia_error_bound = std::numeric_limits<double>::quiet_NaN();  ///< relative, of the norm
 };
+
+namespace detail {
 
 /// The sums over all triangles that bound the rounding errors, without eps and constant factors.
 template <class T>
@@ -77,5 +82,9 @@ inline BoundedMassProperties bounded(const Moments<DoubleDouble>& m, const Vec3&
       2 * eps + (second + 2 * c * first + c * c * zeroth) / std::abs(inertia_size(m));
   return body;
 }
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

@@ -7,6 +7,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A regular grid of n³ points, x fastest.
 class GridPoints {
  public:
@@ -29,5 +32,7 @@ class GridPoints {
  private:
   int n_, i_ = 0, j_ = 0, k_ = 0;
 };
+
+/// @}
 
 }  // namespace tumble

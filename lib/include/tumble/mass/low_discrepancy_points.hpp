@@ -17,6 +17,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// The first n points of the R3 sequence.
 class R3Points {
  public:
@@ -53,5 +56,7 @@ class R3Points {
   std::int64_t count_;
   std::uint64_t x_ = half, y_ = half, z_ = half;
 };
+
+/// @}
 
 }  // namespace tumble

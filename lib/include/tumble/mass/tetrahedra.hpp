@@ -13,7 +13,7 @@
 #include "tumble/mesh/sum_over_blocks.hpp"
 #include "tumble/simd/corners.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// What the triangles of a mesh add up to.
 struct TetrahedronSums {
@@ -25,8 +25,6 @@ struct TetrahedronSums {
     return *this;
   }
 };
-
-namespace detail {
 
 /// x − y, rounded.
 template <class P>
@@ -111,8 +109,6 @@ TetrahedronSums sum_tetrahedra(const PolygonMesh& mesh, const Vec3& reference,
   return sum_over_blocks<TetrahedronSums>(mesh, options, add);
 }
 
-}  // namespace detail
-
 /// The sums with everything in double: about 1e-15 for ordinary shapes. Thin shapes that lie askew
 /// lose digits; `rounding` says how many.
 /// @param mesh      indices in range
@@ -128,4 +124,4 @@ inline TetrahedronSums sum_in_pairs(const PolygonMesh& mesh, const Vec3& referen
   return detail::sum_tetrahedra<detail::InPairs>(mesh, reference, options);
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

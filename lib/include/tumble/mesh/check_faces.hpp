@@ -10,7 +10,7 @@
 #include "tumble/mesh/mesh_defect.hpp"
 #include "tumble/mesh/orientation.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Finds corners that name no vertex. Nothing else may be asked of a mesh that has any.
 inline std::vector<MeshDefect> find_bad_indices(const PolygonMesh& mesh) {
@@ -170,4 +170,4 @@ inline std::vector<MeshDefect> find_nonplanar_faces(const PolygonMesh& mesh) {
   return findings;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -15,7 +15,7 @@
 #include "tumble/mesh/enclosed_volume.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// One part of a surface.
 struct Component {
@@ -161,4 +161,4 @@ inline std::vector<std::array<int, 3>> widest_triangles(const PolygonMesh& mesh,
   return widest;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

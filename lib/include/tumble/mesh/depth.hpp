@@ -14,7 +14,7 @@
 
 #include "tumble/mesh/line_hits.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// A place where the depth is neither 0 nor 1.
 struct WrongDepth {
@@ -98,4 +98,4 @@ inline std::vector<PartDepth> measure_parts(const LineHits& hits, const Componen
   return result;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

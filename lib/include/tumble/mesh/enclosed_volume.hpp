@@ -10,7 +10,7 @@
 #include "tumble/simd/corners.hpp"
 #include "tumble/simd/double_double.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Sums over triangles.
 struct EnclosedVolume {
@@ -82,4 +82,4 @@ inline DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3&
   return simd::dot(cross(exact(b, a), exact(c, a)), exact(a, o));
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

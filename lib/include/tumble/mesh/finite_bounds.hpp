@@ -7,7 +7,7 @@
 #include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/simd/instruction_set.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// What finite_bounds() finds.
 struct FiniteBounds {
@@ -56,4 +56,4 @@ inline FiniteBounds finite_bounds(
   return result;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -13,7 +13,7 @@
 #include "tumble/mesh/near_lines.hpp"
 #include "tumble/mesh/orientation.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// One crossing of a vertical line and a face.
 struct LineHit {
@@ -142,4 +142,4 @@ inline LineHits hits_of_bundle(const PolygonMesh& mesh, const Components& surfac
   return hits;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

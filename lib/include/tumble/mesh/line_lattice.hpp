@@ -15,7 +15,7 @@
 #include "tumble/mesh/xy_grid.hpp"
 #include "tumble/simd/pack.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Which packs of triangles may have a line of a lattice, seen from above: none that has one is
 /// left out.
@@ -155,4 +155,4 @@ class LineList {
   XyBins bins_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
 /// What can be wrong with a mesh.
 enum class MeshDefectKind {
   no_faces,                  ///< nothing there
@@ -91,6 +94,8 @@ inline bool prevents_integrals(MeshDefectKind kind) {
          kind == MeshDefectKind::not_finite;
 }
 
+namespace detail {
+
 /// "vertex #3 at (0, 1, 0.5)".
 inline std::string describe_vertex(const PolygonMesh& mesh, int v) {
   std::ostringstream text;
@@ -126,5 +131,9 @@ class MeshDefectsOfOneKind {
   int count_ = 0;
   std::vector<MeshDefect> shown_;
 };
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

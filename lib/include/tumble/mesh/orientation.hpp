@@ -16,7 +16,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The exact sign (−1, 0, 1) of Σ x_i y_i over pairs, as long as no product over- or underflows.
 template <std::size_t n>
@@ -101,4 +101,4 @@ inline bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
          orientation(a.z(), a.x(), b.z(), b.x(), c.z(), c.x()) == 0;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -15,9 +15,7 @@
 #include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/simd/instruction_set.hpp"
 
-namespace tumble {
-
-namespace detail {
+namespace tumble::detail {
 
 /// The bits that are set in any of bits(0) … bits(n − 1). There is no way out of its loop: so a
 /// compiler makes packs of it, and looking for something costs little beside reading it.
@@ -41,8 +39,6 @@ int bits_of_any(simd::InstructionSet instructions, int n, const Bits& bits) {
   dispatch(instructions, BitsOfAny<Bits>{n, bits, result});
   return result;
 }
-
-}  // namespace detail
 
 /// Triangles for a kernel.
 struct TriangleBlock {
@@ -168,4 +164,4 @@ TUMBLE_INLINE void fetch_ahead(const int* corners) {
                                                      static_cast<std::uintptr_t>(ahead + i)));
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

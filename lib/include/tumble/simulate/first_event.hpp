@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup simulate
+/// @{
+
 /// A callable (t, state) → number, whose change of sign is the event.
 template <class G>
 concept EventFunction = requires(const G& g, double t, const RigidBodyState<>& state) {
@@ -91,5 +94,7 @@ std::vector<Event> every_event(const Trajectory& trajectory, const G& g) {
   });
   return all;
 }
+
+/// @}
 
 }  // namespace tumble

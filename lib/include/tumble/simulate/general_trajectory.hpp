@@ -11,7 +11,7 @@
 #include "tumble/simulate/scaled_rhs.hpp"
 #include "tumble/simulate/stated_error.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// What is large and small in a scene: at least the motion through the body's own size, and the
 /// turn by one radian, in the whole time.
@@ -81,4 +81,4 @@ class GeneralTrajectory {
   int rejected_ = 0, evaluations_ = 0;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

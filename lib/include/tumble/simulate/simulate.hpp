@@ -26,6 +26,9 @@
 
 namespace tumble {
 
+/// @addtogroup simulate
+/// @{
+
 /// What a simulation is to give.
 enum class Wanted {
   trajectory,  ///< everything
@@ -179,13 +182,15 @@ Trajectory simulate(const RigidBody<>& body, const RigidBodyState<>& start,
   require(pack(start).allFinite(), "simulate: the state (", pack(start).transpose(),
           ") is not finite");
   require(start.q.squaredNorm() > 0, "simulate: the quaternion is zero");
-  (require_valid_force(forces), ...);
+  (detail::require_valid_force(forces), ...);
   RigidBodyState<> from = start;
   from.q.normalize();
   if constexpr ((SteadyForce<Forces> && ...))
-    return detail::steady_trajectory(body, from, steady_forces(body, forces...), task);
+    return detail::steady_trajectory(body, from, detail::steady_forces(body, forces...), task);
   else
     return detail::general_trajectory(body, from, task, forces...);
 }
+
+/// @}
 
 }  // namespace tumble

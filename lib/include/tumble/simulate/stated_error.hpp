@@ -22,7 +22,7 @@
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/simulate/trajectory.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// How far two motions are from each other: the angle between orientations [rad], and everything
 /// else as a part of its largest size on the way; the largest of these at some moments.
@@ -85,4 +85,4 @@ std::invoke_result_t<Runner, const RigidBodyState<>&, double> run_to_tolerance(
   }
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

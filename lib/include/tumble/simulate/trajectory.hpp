@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup simulate
+/// @{
+
 /// What was chosen, why, what error is left and what it cost.
 struct SimulationReport {
   Model model;            ///< the simplest that is exact for the scene
@@ -55,5 +58,7 @@ class Trajectory {
   std::vector<double> times_;
   SimulationReport report_;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -21,7 +21,7 @@
 #include "tumble/simd/pair.hpp"
 #include "tumble/steady/steady_torque.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The series of a body's turning about one moment.
 /// @tparam rank how many directions the torque has, 0 … 3
@@ -197,4 +197,4 @@ class TurningSeries {
   Direction u_[slots][max_order + 1];
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

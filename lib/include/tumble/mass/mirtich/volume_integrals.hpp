@@ -77,7 +77,7 @@ inline Moments<double> face_moments(std::span<const Vec3> corners) {
 /// @param mesh      closed, faces counter-clockwise seen from outside; nothing is checked
 /// @param reference the point they are about; near the body nothing cancels [m]
 inline Moments<DoubleDouble> volume_integrals(const PolygonMesh& mesh, const Vec3& reference) {
-  BlockedMoments sum;
+  detail::BlockedMoments sum;
   std::vector<Vec3> corners;
   for (int f = 0; f < mesh.face_count(); ++f) {
     corners.clear();
