@@ -24,10 +24,10 @@ struct SteadyForces {
     Vec3 p_body;  ///< [m], body coordinates
   };
 
-  Vec3 force = Vec3::Zero();      ///< all constant forces together [N]
-  std::vector<AtPoint> at_point;  ///< those of them that may turn the body
-  double linear_drag = 0;         ///< k in F = −k v [kg/s]
-  double angular_drag = 0;        ///< k in τ = −k ω [kg m²/s]
+  Vec3 force = Vec3::Zero();           ///< all constant forces together [N]
+  std::vector<AtPoint> at_point = {};  ///< those of them that may turn the body
+  double linear_drag = 0;              ///< k in F = −k v [kg/s]
+  double angular_drag = 0;             ///< k in τ = −k ω [kg m²/s]
 
   template <class T>
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {

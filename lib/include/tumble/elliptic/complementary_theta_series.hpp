@@ -36,7 +36,8 @@ class ComplementaryThetaSeries {
     const double x = pi / 2 * (eta.sn * detail::carlson_rf(cn2, dn2, 1) / Kc_);
     for (std::size_t n = 0; n < 4; ++n) {
       const double multiple = static_cast<double>(2 * n + 1) * x;
-      cos_[n] = std::cos(multiple), sin_[n] = std::sin(multiple);
+      cos_[n] = std::cos(multiple);
+      sin_[n] = std::sin(multiple);
     }
     period_turn_ = 2 * x;
     double theta = 1, slope = 0;
@@ -68,7 +69,8 @@ class ComplementaryThetaSeries {
       cosh_sum += w * (1 + e_odd);
       re += w * cos_[n] * (1 + e_odd);
       im += w * sin_[n] * (1 - e_odd);
-      e_odd *= e * e, weight *= g;
+      e_odd *= e * e;
+      weight *= g;
     }
     const double q2 = powers_[1] * powers_[1], q6 = q2 * q2 * q2, e2 = e * e, g2 = g * g;
     const double first = g * (1 + e2), second = q2 * g2 * (1 + e2 * e2),

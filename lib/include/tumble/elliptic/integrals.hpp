@@ -33,7 +33,9 @@ inline double carlson_rf(double x, double y, double z) {
     const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z);
     const double lambda = rx * (ry + rz) + ry * rz;
     if (lambda == 0) return std::numeric_limits<double>::infinity();
-    x = (x + lambda) / 4, y = (y + lambda) / 4, z = (z + lambda) / 4;
+    x = (x + lambda) / 4;
+    y = (y + lambda) / 4;
+    z = (z + lambda) / 4;
     mean = (mean + lambda) / 4;
     power /= 4;
   }

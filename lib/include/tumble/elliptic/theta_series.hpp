@@ -48,7 +48,8 @@ class ThetaSeries {
     double up_n = 1, down_n = 1, theta = 1, slope = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const int n = static_cast<int>(i) + 1, sign = n % 2 ? -1 : 1;
-      up_n *= up, down_n *= down;
+      up_n *= up;
+      down_n *= down;
       even_[i] = sign * power * (up_n + down_n);
       odd_[i] = -sign * power * (up_n - down_n);
       theta += even_[i];
@@ -60,7 +61,9 @@ class ThetaSeries {
     const double theta3 = 1 + 2 * q_ * (1 + q_ * q_ * q_ * (1 + q4 * q_));
     const double theta4 = 1 - 2 * q_ * (1 - q_ * q_ * q_ * (1 - q4 * q_));
     const double theta2 = 1 + q_ * q_ * (1 + q4);  // without 2 q^(1/4)
-    sn_factor_ = theta3 / theta2, cn_factor_ = theta4 / theta2, dn_factor_ = theta4 / theta3;
+    sn_factor_ = theta3 / theta2;
+    cn_factor_ = theta4 / theta2;
+    dn_factor_ = theta4 / theta3;
   }
 
   /// Z(iη)/i, what the argument of Θ grows with u on average [rad].

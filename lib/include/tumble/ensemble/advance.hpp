@@ -43,7 +43,10 @@ template <class Method = void, class... Forces>
                                     detail::ensemble::DefaultMethod<Forces...>, Method>;
   detail::ensemble::require_valid_steps(bodies.size(), steps, forces...);
   FixedSteps all = steps;
-  if (steps.h == 0) all.h = 1, all.count = 0;  // h divides
+  if (steps.h == 0) {  // h divides
+    all.h = 1;
+    all.count = 0;
+  }
   const detail::ensemble::PacksInTurn<Chosen, Forces...> take_steps(bodies, all, forces...);
   constexpr std::size_t chunk = 4 * detail::ensemble::in_turn;
   const std::size_t eights = bodies.bodies().size(), chunks = (eights + chunk - 1) / chunk;

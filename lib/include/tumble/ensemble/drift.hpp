@@ -51,7 +51,9 @@ TUMBLE_INLINE Decay<P> decay(const P& z) {
   for (int lane = 0; lane < simd::lanes<P>; ++lane) {
     if (!(std::abs(z[lane]) > 0.5)) continue;
     const Decay<double> one = decay(z[lane]);
-    all.exp[lane] = one.exp, all.phi1[lane] = one.phi1, all.phi2[lane] = one.phi2;
+    all.exp[lane] = one.exp;
+    all.phi1[lane] = one.phi1;
+    all.phi2[lane] = one.phi2;
   }
   return all;
 }

@@ -22,7 +22,8 @@ struct LostBodies {
 
   void add(std::size_t body) { ++count, first = std::min(first, body); }
   LostBodies& operator+=(const LostBodies& other) {
-    count += other.count, first = std::min(first, other.first);
+    count += other.count;
+    first = std::min(first, other.first);
     return *this;
   }
 };

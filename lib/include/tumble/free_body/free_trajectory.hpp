@@ -32,10 +32,10 @@ class FreeTrajectory {
   }
 
   /// The closed form in words.
-  const char* name() const {
+  friend const char* name_of(const FreeTrajectory& motion) {
     constexpr const char* names[] = {"uniform rotation", "free symmetric top",
                                      "free asymmetric top (elliptic functions)"};
-    return names[rotation_.index()];
+    return names[motion.rotation_.index()];
   }
 
  private:

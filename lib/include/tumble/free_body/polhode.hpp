@@ -90,8 +90,14 @@ inline SignedAxes signed_axes(const Vec3dd& m, bool about_largest) {
   SignedAxes axes = about_largest ? SignedAxes{{0, 1, 2}, {1, 1, 1}}  //
                                   : SignedAxes{{2, 1, 0}, {1, -1, 1}};
   const auto negative = [&](int i) { return axes.sign[i] * m[axes.order[i]].hi < 0; };
-  if (negative(2)) axes.sign[1] *= -1, axes.sign[2] *= -1;
-  if (negative(0)) axes.sign[0] *= -1, axes.sign[1] *= -1;
+  if (negative(2)) {
+    axes.sign[1] *= -1;
+    axes.sign[2] *= -1;
+  }
+  if (negative(0)) {
+    axes.sign[0] *= -1;
+    axes.sign[1] *= -1;
+  }
   return axes;
 }
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/moments.hpp"
 
 namespace tumble {
@@ -48,7 +49,9 @@ struct RoundingSums {
   }
 
   RoundingSums& operator+=(const RoundingSums& other) {
-    volume += other.volume, first += other.first, inertia += other.inertia;
+    volume += other.volume;
+    first += other.first;
+    inertia += other.inertia;
     return *this;
   }
 };
@@ -63,7 +66,6 @@ inline double inertia_size(const Moments<DoubleDouble>& m) {
 /// @param u 2⁻⁵³ when all was done in double, 2⁻¹⁰⁴ for pairs of doubles
 inline BoundedMassProperties bounded(const Moments<DoubleDouble>& m, const Vec3& reference,
                                      double density, double u, const RoundingSums<double>& sums) {
-  constexpr double eps = 0x1p-53;
   const double volume = std::abs(double(m.one));
   BoundedMassProperties body{mass_properties(m, reference, density)};
   const Vector3<DoubleDouble> offset = centre_from_reference(m);
@@ -75,11 +77,11 @@ inline BoundedMassProperties bounded(const Moments<DoubleDouble>& m, const Vec3&
   const double zeroth = 4 * u * sums.volume / 6, first = 4 * u * sums.first / 24,
                second = 4 * u * sums.inertia / 120;
   const double c = to_double(offset).lpNorm<1>();
-  body.mass_error_bound = 2 * eps + zeroth / volume;
-  body.centre_error_bound =
-      8 * eps * eps * (c + reference.lpNorm<1>()) + (first + c * zeroth) / volume;
+  body.mass_error_bound = 2 * unit_roundoff + zeroth / volume;
+  body.centre_error_bound = 8 * unit_roundoff * unit_roundoff * (c + reference.lpNorm<1>()) +
+                            (first + c * zeroth) / volume;
   body.inertia_error_bound =
-      2 * eps + (second + 2 * c * first + c * c * zeroth) / std::abs(inertia_size(m));
+      2 * unit_roundoff + (second + 2 * c * first + c * c * zeroth) / std::abs(inertia_size(m));
   return body;
 }
 

@@ -24,8 +24,14 @@ class GridPoints {
 
   Vec3 next() {
     const Vec3 point = (Vec3(i_, j_, k_) + Vec3::Constant(0.5)) / n_;
-    if (++i_ == n_) i_ = 0, ++j_;
-    if (j_ == n_) j_ = 0, ++k_;
+    if (++i_ == n_) {
+      i_ = 0;
+      ++j_;
+    }
+    if (j_ == n_) {
+      j_ = 0;
+      ++k_;
+    }
     return point;
   }
 

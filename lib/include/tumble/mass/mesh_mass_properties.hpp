@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/mirtich/mirtich.hpp"
 #include "tumble/mass/require_density.hpp"
 #include "tumble/mass/require_volume.hpp"
@@ -44,8 +45,8 @@ inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, 
   const Vec3 p = detail::reference_point(mesh);
   const detail::TetrahedronSums sums =
       fast ? detail::sum_in_doubles(mesh, p, loop) : detail::sum_in_pairs(mesh, p, loop);
-  return detail::bounded(detail::with_factors(sums.raw), p, density, fast ? 0x1p-53 : 0x1p-104,
-                         sums.rounding);
+  return detail::bounded(detail::with_factors(sums.raw), p, density,
+                         fast ? unit_roundoff : 0x1p-104, sums.rounding);
 }
 
 /// Mass properties of a mesh, and everything that was found about it.

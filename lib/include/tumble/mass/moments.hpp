@@ -24,9 +24,15 @@ struct Moments {
   template <class U>
   TUMBLE_INLINE Moments& operator+=(const Moments<U>& m) {
     one += m.one;
-    x += m.x, y += m.y, z += m.z;
-    xx += m.xx, yy += m.yy, zz += m.zz;
-    xy += m.xy, yz += m.yz, zx += m.zx;
+    x += m.x;
+    y += m.y;
+    z += m.z;
+    xx += m.xx;
+    yy += m.yy;
+    zz += m.zz;
+    xy += m.xy;
+    yz += m.yz;
+    zx += m.zx;
     return *this;
   }
 };

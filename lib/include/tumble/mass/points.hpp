@@ -36,7 +36,10 @@ inline Vec3 centre_of_mass(std::span<const PointMass> points) {
             " (mass ", p.mass, " kg at ", detail::AsPoint{p.position},
             ") is negative or not finite");
     const Vec3 moment = p.mass * (p.position - first);
-    mass += p.mass, x += moment.x(), y += moment.y(), z += moment.z();
+    mass += p.mass;
+    x += moment.x();
+    y += moment.y();
+    z += moment.z();
   }
   require(mass.hi > 0, "all ", points.size(), " point masses are 0 kg");
   return first + Vec3(double(x / mass), double(y / mass), double(z / mass));

@@ -52,9 +52,11 @@ SampledMassProperties replicated_mass_properties(const S& solid, double density,
   SampledMassProperties result = all.front();
   for (std::size_t i = 1; i < all.size(); ++i) {
     static_cast<MassProperties&>(result) = combine(result, all[i]);
-    result.points += all[i].points, result.inside += all[i].inside;
+    result.points += all[i].points;
+    result.inside += all[i].inside;
   }
-  result.mass /= sets, result.inertia /= sets;
+  result.mass /= sets;
+  result.inertia /= sets;
   using Error = SampledMassProperties;
   using Mass = Eigen::Matrix<double, 1, 1>;
   result.mass_standard_error =

@@ -33,8 +33,14 @@ class StratifiedPoints {
     const double x = detail::random_fraction_of_part(engine_, i_, n_);
     const double y = detail::random_fraction_of_part(engine_, j_, n_);
     const double z = detail::random_fraction_of_part(engine_, k_, n_);
-    if (++i_ == n_) i_ = 0, ++j_;
-    if (j_ == n_) j_ = 0, ++k_;
+    if (++i_ == n_) {
+      i_ = 0;
+      ++j_;
+    }
+    if (j_ == n_) {
+      j_ = 0;
+      ++k_;
+    }
     return {x, y, z};
   }
 

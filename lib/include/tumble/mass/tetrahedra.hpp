@@ -21,7 +21,8 @@ struct TetrahedronSums {
   RoundingSums<double> rounding;  ///< what their rounding is bounded by
 
   TetrahedronSums& operator+=(const TetrahedronSums& other) {
-    raw += other.raw, rounding += other.rounding;
+    raw += other.raw;
+    rounding += other.rounding;
     return *this;
   }
 };

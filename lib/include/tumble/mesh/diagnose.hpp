@@ -39,7 +39,9 @@ struct Survey {
   TrianglesNearLines near_lines;
 
   Survey& operator+=(const Survey& other) {
-    balance += other.balance, enclosed += other.enclosed, near_lines += other.near_lines;
+    balance += other.balance;
+    enclosed += other.enclosed;
+    near_lines += other.near_lines;
     return *this;
   }
 };
@@ -65,23 +67,23 @@ inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh, const LoopOptio
   std::vector<MeshDefect> findings = detail::find_bad_indices(mesh);
   if (!findings.empty()) return findings;
   if (mesh.face_count() == 0)
-    return {MeshDefect{MeshDefectKind::no_faces, -1, {-1, -1}, "the mesh has no faces"}};
+    return {MeshDefect{.kind = MeshDefectKind::no_faces, .message = "the mesh has no faces"}};
   const auto add = [&findings](const std::vector<MeshDefect>& more) {
     findings.insert(findings.end(), more.begin(), more.end());
   };
-  const auto add_open_edges = [&] {
+  const auto add_edge_defects = [&] {
     add(detail::find_duplicate_faces(mesh));
     add(detail::find_uneven_edges(mesh));
   };
   const detail::FiniteBounds bounds = detail::finite_bounds(mesh, options.instructions);
   if (!bounds.finite) {
     add(detail::find_not_finite(mesh));
-    if (!detail::is_closed(mesh, options)) add_open_edges();
+    if (!detail::is_closed(mesh, options)) add_edge_defects();
     return findings;
   }
   const detail::LineLattice lattice(bounds.box, detail::diagnosis_lines);
   const detail::Survey all = detail::survey(mesh, lattice.filter(), options);
-  if (all.balance != 0) add_open_edges();
+  if (all.balance != 0) add_edge_defects();
   if (all.enclosed.doubtful > 0 || detail::has_short_faces(mesh))
     add(detail::find_degenerate_faces(mesh));
   add(detail::find_nonplanar_faces(mesh));

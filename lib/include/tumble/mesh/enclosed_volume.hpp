@@ -19,7 +19,9 @@ struct EnclosedVolume {
   double doubtful = 0;  ///< how many triangles may have no area
 
   EnclosedVolume& operator+=(const EnclosedVolume& other) {
-    six_volume += other.six_volume, magnitude += other.magnitude, doubtful += other.doubtful;
+    six_volume += other.six_volume;
+    magnitude += other.magnitude;
+    doubtful += other.doubtful;
     return *this;
   }
 };

@@ -26,7 +26,10 @@ struct VertexBounds {
     // 3 packs of 4 doubles hold 4 vertices: x y z x | y z x y | z x y z
     simd::FourDoubles low[3], high[3], invalid{};
     const double infinity = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) low[k] = simd::FourDoubles{} + infinity, high[k] = -low[k];
+    for (int k = 0; k < 3; ++k) {
+      low[k] = simd::FourDoubles{} + infinity;
+      high[k] = -low[k];
+    }
     const double* at = fours > 0 ? mesh.vertices.front().data() : nullptr;
     for (std::size_t i = 0; i < fours; ++i, at += 12) {
       for (int k = 0; k < 3; ++k) {

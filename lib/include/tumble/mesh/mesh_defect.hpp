@@ -40,7 +40,7 @@ struct MeshDefect {
   MeshDefectKind kind{};
   int face = -1;                       ///< a face it can be seen at; −1: none
   std::array<int, 2> edge = {-1, -1};  ///< the edge, or twice the vertex; −1: none
-  std::string message;                 ///< a sentence
+  std::string message = {};            ///< a sentence
 };
 
 /// The name of a kind, as in the code.

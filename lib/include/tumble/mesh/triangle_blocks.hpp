@@ -101,7 +101,8 @@ class TriangleBlocks {
     const auto pass_on_fans = [&] {
       if (!faces_.empty())
         pass_on(fans_.data(), faces_.data(), 0, static_cast<int>(faces_.size()), visit);
-      fans_.clear(), faces_.clear();
+      fans_.clear();
+      faces_.clear();
     };
     for (int f = first; f < end; ++f) {
       const std::span<const int> face = mesh_.face(f);

@@ -44,7 +44,8 @@ class GeneralTrajectory {
     const auto keep = [this](double t, const Numbers& y) { steps_.push_back({t, y}); };
     const auto solution =
         integrate_adaptive<Dop853>(rhs_, steps_.front().y, t0, t1, {tolerance, tolerance}, keep);
-    rejected_ = solution.rejected, evaluations_ = solution.evaluations;
+    rejected_ = solution.rejected;
+    evaluations_ = solution.evaluations;
   }
 
   int steps() const { return static_cast<int>(steps_.size()) - 1; }

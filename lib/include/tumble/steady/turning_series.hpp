@@ -75,7 +75,10 @@ class TurningSeries {
   /// The state a time h after the one expanded about.
   TurningState at(double h) const {
     FourDoubles q = q_[order_].q, w = w_[order_].xyz;
-    for (int k = order_ - 1; k >= 0; --k) q = q * h + q_[k].q, w = w * h + w_[k].xyz;
+    for (int k = order_ - 1; k >= 0; --k) {
+      q = q * h + q_[k].q;
+      w = w * h + w_[k].xyz;
+    }
     return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2])};
   }
 
@@ -149,7 +152,11 @@ class TurningSeries {
         const Omega w{stored.xyz, stored.yzx, stored.zxy, stored.x, stored.y, stored.z};
         add<fma>(first, j, w);
         add<fma>(second, j, next);
-        next.yzx = w.yzx, next.zxy = w.zxy, next.x = w.x, next.y = w.y, next.z = w.z;
+        next.yzx = w.yzx;
+        next.zxy = w.zxy;
+        next.x = w.x;
+        next.y = w.y;
+        next.z = w.z;
       }
       finish(k, first);
       add<fma>(second, 0, w_[k + 1]);
