@@ -59,7 +59,7 @@ inline void check_integrals(const PolygonMesh& mesh, const BoundedMassProperties
 inline bool closed_by_counting(const PolygonMesh& mesh) {
   bool closed = true;
   detail::for_each_uneven_edge(detail::edge_uses(mesh),
-                               [&](std::span<const EdgeUse>) { closed = false; });
+                               [&](std::span<const detail::EdgeUse>) { closed = false; });
   return closed;
 }
 

@@ -20,6 +20,7 @@
 #include "tumble/body/forces.hpp"
 #include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
+#include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/steady_trajectory.hpp"
 #include "tumble/simulate/trajectory.hpp"
 #include "tumble/steady/lagrange_top.hpp"
@@ -28,20 +29,6 @@ namespace tumble {
 
 /// @addtogroup simulate
 /// @{
-
-/// What a simulation is to give.
-enum class Wanted {
-  trajectory,  ///< everything
-  path_only,   ///< x and P; q and L stay as they were at the start
-};
-
-/// What to simulate beside the body and its forces.
-struct SimulationTask {
-  double t0 = 0;            ///< [s]
-  double t1 = 1;            ///< [s], not before t0
-  double tolerance = 1e-6;  ///< of the orientation in radians, of all else relative to its size
-  Wanted wanted = Wanted::trajectory;
-};
 
 namespace detail {
 

@@ -64,7 +64,7 @@ TEST_CASE("objects: each edge has two faces: nothing touches") {
     for (const int r : {1, 3}) {
       std::map<std::pair<int, int>, int> faces;
       const PolygonMesh mesh = object.mesh(r);
-      for (const EdgeUse& use : detail::edge_uses(mesh)) ++faces[{use.low, use.high}];
+      for (const detail::EdgeUse& use : detail::edge_uses(mesh)) ++faces[{use.low, use.high}];
       CAPTURE(std::string(object.name));
       for (const auto& [edge, count] : faces) CHECK(count == 2);
     }
