@@ -123,7 +123,9 @@ Table newton_table() {
     rounds.push_back(z);
     return dust(t, z);
   };
-  const auto dfdy = [&](double t, const Vec4& z) { return jacobian(dust, t, z, dust(t, z), h); };
+  const auto dfdy = [&](double t, const Vec4& z) {
+    return detail::jacobian(dust, t, z, dust(t, z), h);
+  };
   const Vec4 y1 = backward_euler_step(with_jacobian(watched, dfdy), 0.0, y, h);
 
   Table table({"round", "put back in again", "Newton's method"});

@@ -14,8 +14,9 @@ std::vector<std::pair<double, int>> crossings(double x, double y) {
   std::vector<std::pair<double, int>> list;
   for_each_triangle(mug(), [&](int, const std::array<int, 3>& t) {
     const Vec3 &a = mug().vertex(t[0]), &b = mug().vertex(t[1]), &c = mug().vertex(t[2]);
-    const int crossing = line_crossing(a, b, c, x, y);
-    if (crossing != 0) list.emplace_back(LineWeights(a, b, c, {x, y}).height(a, b, c), crossing);
+    const int crossing = detail::line_crossing(a, b, c, x, y);
+    if (crossing != 0)
+      list.emplace_back(detail::LineWeights(a, b, c, {x, y}).height(a, b, c), crossing);
   });
   std::sort(list.begin(), list.end());
   return list;

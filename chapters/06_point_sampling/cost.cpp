@@ -30,8 +30,8 @@ bool inside_by_looking_at_all(const PolygonMesh& mesh, const Vec3& p) {
   int winding = 0;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     const Vec3 &a = mesh.vertex(t[0]), &b = mesh.vertex(t[1]), &c = mesh.vertex(t[2]);
-    const int crossing = line_crossing(a, b, c, p.x(), p.y());
-    if (crossing != 0 && LineWeights(a, b, c, {p.x(), p.y()}).height(a, b, c) > p.z())
+    const int crossing = detail::line_crossing(a, b, c, p.x(), p.y());
+    if (crossing != 0 && detail::LineWeights(a, b, c, {p.x(), p.y()}).height(a, b, c) > p.z())
       winding += crossing;
   });
   return winding != 0;

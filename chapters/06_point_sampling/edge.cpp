@@ -14,9 +14,9 @@ enum class EdgeRule { both, none, one };
 
 /// Whether the vertical line through p meets the triangle, by the rule.
 bool meets(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, EdgeRule rule) {
-  if (rule == EdgeRule::one) return line_crossing(a, b, c, p.x(), p.y()) != 0;
+  if (rule == EdgeRule::one) return detail::line_crossing(a, b, c, p.x(), p.y()) != 0;
   const auto side = [&p](const Vec3& from, const Vec3& to) {
-    return orientation(from.x(), from.y(), to.x(), to.y(), p.x(), p.y());
+    return detail::orientation(from.x(), from.y(), to.x(), to.y(), p.x(), p.y());
   };
   const int ab = side(a, b), bc = side(b, c), ca = side(c, a);
   const int low = std::min({ab, bc, ca}), high = std::max({ab, bc, ca});

@@ -215,7 +215,7 @@ PolygonMesh octahedron() {
   return mesh;
 }
 
-using Place = RandomPlace<std::uint64_t>;
+using Place = detail::RandomPlace<std::uint64_t>;
 
 constexpr int first_drawn = 2648;
 
@@ -223,7 +223,7 @@ std::int64_t balance_of(const PolygonMesh& mesh) {
   std::uint64_t sum = 0;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     const auto index = [](int v) { return static_cast<std::uint64_t>(v); };
-    sum += random_area<std::uint64_t>(index(t[0]), index(t[1]), index(t[2]));
+    sum += detail::random_area<std::uint64_t>(index(t[0]), index(t[1]), index(t[2]));
   });
   return static_cast<std::int64_t>(sum);
 }

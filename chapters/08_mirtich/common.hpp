@@ -110,20 +110,20 @@ MassProperties one_by_one(const PolygonMesh& mesh, const Vec3& p,
   Moments<T> sum;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
     const Point<T> a = from_p(t[0]), b = from_p(t[1]), c = from_p(t[2]);
-    sum += raw_moments<simd::Fma::separate>(six_volume(a, b, c), a, b, c);
+    sum += detail::raw_moments<simd::Fma::separate>(six_volume(a, b, c), a, b, c);
   });
   Moments<DoubleDouble> all;
-  return mass_properties(with_factors(all += sum), p, 1);
+  return mass_properties(detail::with_factors(all += sum), p, 1);
 }
 
 /// The plain loop of many programs, about a point of the body.
 inline MassProperties plain_loop(const PolygonMesh& mesh) {
-  return one_by_one<double>(mesh, reference_point(mesh), six_volume_of_edges);
+  return one_by_one<double>(mesh, detail::reference_point(mesh), six_volume_of_edges);
 }
 
 /// The truth: each operation in 32 digits.
 inline MassProperties exact(const PolygonMesh& mesh) {
-  return one_by_one<DoubleDouble>(mesh, reference_point(mesh), six_volume_of_edges);
+  return one_by_one<DoubleDouble>(mesh, detail::reference_point(mesh), six_volume_of_edges);
 }
 
 inline double mass_error(const MassProperties& found, const MassProperties& truth) {

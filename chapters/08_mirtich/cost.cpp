@@ -37,9 +37,9 @@ Corners<Counted> counted_corners() {
 }
 
 template <simd::Fma fma>
-Corners<Pair<Counted, fma>> counted_pairs() {
-  const auto pair = [](double x) { return Pair<Counted, fma>{x, 1e-17}; };
-  const auto point = [&](double x, double y, double z) -> Point<Pair<Counted, fma>> {
+Corners<detail::Pair<Counted, fma>> counted_pairs() {
+  const auto pair = [](double x) { return detail::Pair<Counted, fma>{x, 1e-17}; };
+  const auto point = [&](double x, double y, double z) -> Point<detail::Pair<Counted, fma>> {
     return {pair(x), pair(y), pair(z)};
   };
   return {point(1.1, 0.2, 0.3), point(0.2, 1.4, 0.1), point(0.3, 0.1, 1.7)};
@@ -48,11 +48,11 @@ Corners<Pair<Counted, fma>> counted_pairs() {
 /// The ten terms of a triangle, added to the sums.
 template <simd::Fma fma, class T>
 void add_triangle(Moments<T>& sum, const Corners<T>& t) {
-  sum += raw_moments<fma>(simd::six_volume<fma>(t[0], t[1], t[2]), t[0], t[1], t[2]);
+  sum += detail::raw_moments<fma>(simd::six_volume<fma>(t[0], t[1], t[2]), t[0], t[1], t[2]);
 }
 
 /// What the error bounds ask for.
-void add_bounds(RoundingSums<Counted>& sums, const Corners<Counted>& t) {
+void add_bounds(detail::RoundingSums<Counted>& sums, const Corners<Counted>& t) {
   const auto norm = [](const Point<Counted>& p) { return p.x + p.y + p.z; };  // of positive ones
   sums.add(norm(t[0]), norm(t[1]), norm(t[2]));
 }
@@ -67,15 +67,15 @@ Table counts_table() {
   };
   const Corners<Counted> t = counted_corners();
   Moments<Counted> sum;
-  RoundingSums<Counted> bounds;
+  detail::RoundingSums<Counted> bounds;
   add("6V from corners", [&] { support::keep(six_volume_of_corners(t[0], t[1], t[2])); });
   add("6V from edges", [&] { support::keep(six_volume_of_edges(t[0], t[1], t[2])); });
   add("all ten sums, in doubles", [&] { add_triangle<Fma::separate>(sum, t); });
   add("the error bounds", [&] { add_bounds(bounds, t); });
-  Moments<Pair<Counted, Fma::fused>> fused;
+  Moments<detail::Pair<Counted, Fma::fused>> fused;
   add("all ten sums, in pairs",
       [&, pairs = counted_pairs<Fma::fused>()] { add_triangle<Fma::fused>(fused, pairs); });
-  Moments<Pair<Counted, Fma::separate>> separate;
+  Moments<detail::Pair<Counted, Fma::separate>> separate;
   add("the same, without fused multiply-add", [&, pairs = counted_pairs<Fma::separate>()] {
     add_triangle<Fma::separate>(separate, pairs);
   });

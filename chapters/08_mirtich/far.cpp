@@ -41,7 +41,7 @@ using Long = Vector3<DoubleDouble>;
 
 /// The centre of mass in 32 digits.
 Long exact_centre(const PolygonMesh& mesh) {
-  const Vec3 p = reference_point(mesh);
+  const Vec3 p = detail::reference_point(mesh);
   const MassProperties near = exact(moved(mesh, -p));  // p is near: the vertices move exactly
   return near.centre.cast<DoubleDouble>() + p.cast<DoubleDouble>();
 }
@@ -58,8 +58,8 @@ CentreErrors centre_errors(double distance) {
     const BoundedMassProperties found = computed(mesh, Accuracy::tight);
     const Long truth = exact_centre(mesh), alone = found.centre.cast<DoubleDouble>();
     const Long both = alone + found.centre_rest.cast<DoubleDouble>();
-    worst.alone = std::max(worst.alone, to_double(alone - truth).norm());
-    worst.with_rest = std::max(worst.with_rest, to_double(both - truth).norm());
+    worst.alone = std::max(worst.alone, detail::to_double(alone - truth).norm());
+    worst.with_rest = std::max(worst.with_rest, detail::to_double(both - truth).norm());
   }
   return worst;
 }

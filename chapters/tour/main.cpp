@@ -85,7 +85,7 @@ void show_objects(Output& output) {
     const Subject subject = make_subject(object.name, object.mesh(object.fine), {}, object.density);
     const Mat3& I = subject.exact.inertia;
     const Vec3 moments = principal_axes(I).moments;
-    const Mat3 found = unchecked_mirtich(subject.mesh, subject.density).inertia;
+    const Mat3 found = detail::unchecked_mirtich(subject.mesh, subject.density).inertia;
     table.add({subject.name, std::to_string(subject.mesh.face_count()),
                support::number(subject.density, 6), support::number(subject.exact.mass, 5),
                three_numbers(moments, 3), support::error_number((found - I).norm() / I.norm())});

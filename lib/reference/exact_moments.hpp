@@ -33,14 +33,14 @@ inline Moments<DoubleDouble> exact_moments(const PolygonMesh& mesh, const Vec3& 
 
 /// Mass properties of a closed mesh, each number the true one rounded to double.
 inline MassProperties exact_mass_properties(const PolygonMesh& mesh, double density) {
-  const Vec3 p = reference_point(mesh);
+  const Vec3 p = detail::reference_point(mesh);
   return tumble::mass_properties(exact_moments(mesh, p), p, density);
 }
 
 /// The true centre of mass, to 28 digits.
 inline Vector3<DoubleDouble> exact_centre(const PolygonMesh& mesh) {
-  const Vec3 p = reference_point(mesh);
-  return centre_from_reference(exact_moments(mesh, p)) + p.cast<DoubleDouble>();
+  const Vec3 p = detail::reference_point(mesh);
+  return detail::centre_from_reference(exact_moments(mesh, p)) + p.cast<DoubleDouble>();
 }
 
 }  // namespace tumble::reference

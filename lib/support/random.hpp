@@ -16,7 +16,7 @@ class Random {
   explicit Random(std::uint64_t seed) : engine_(seed) {}
   /// Uniform in [low, high).
   double uniform(double low = -1, double high = 1) {
-    return low + (high - low) * random_fraction(engine_);
+    return low + (high - low) * detail::random_fraction(engine_);
   }
   /// Uniform in the cube [low, high)³. The three numbers are drawn one after the other, whatever
   /// order a compiler gives to arguments.

@@ -169,7 +169,7 @@ MassProperties about_origin(const Polyhedron& body, double density) {
       return {x.x(), x.y(), x.z()};
     };
     const auto a = corner(0), b = corner(1), c = corner(2);
-    m += tumble::raw_moments(tumble::simd::six_volume(a, b, c), a, b, c);
+    m += tumble::detail::raw_moments(tumble::simd::six_volume(a, b, c), a, b, c);
   });
   if (m.one == 0) return nothing();
   const double V = m.one / 6;

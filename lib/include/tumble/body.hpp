@@ -2,6 +2,9 @@
 /// @file
 /// The rigid body: state, forces, dydt, models.
 
+/// @defgroup body Rigid bodies
+/// The rigid body: state, forces, dydt, models.
+
 #include "tumble/body/derived.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/body/forces.hpp"

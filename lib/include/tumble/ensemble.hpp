@@ -2,6 +2,9 @@
 /// @file
 /// Many independent bodies in one call.
 
+/// @defgroup ensemble Ensembles
+/// Many independent bodies in one call.
+
 #include "tumble/ensemble/advance.hpp"
 #include "tumble/ensemble/drift.hpp"
 #include "tumble/ensemble/eights.hpp"

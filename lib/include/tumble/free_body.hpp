@@ -2,6 +2,9 @@
 /// @file
 /// Everything about bodies that nothing pushes: closed forms.
 
+/// @defgroup free_body Free bodies in closed form
+/// Everything about bodies that nothing pushes: closed forms.
+
 #include "tumble/free_body/free_asymmetric_top.hpp"
 #include "tumble/free_body/free_flow.hpp"
 #include "tumble/free_body/free_symmetric_top.hpp"

@@ -3,6 +3,10 @@
 /// Everything about mass properties: of meshes, closed forms, points and samples, and what to do
 /// with them. For one thing alone, include its header.
 
+/// @defgroup mass Mass properties
+/// Everything about mass properties: of meshes, closed forms, points and samples, and what to do
+/// with them. For one thing alone, include its header.
+
 #include "tumble/mass/bounding_box.hpp"
 #include "tumble/mass/column_mass_properties.hpp"
 #include "tumble/mass/grid_points.hpp"

@@ -2,6 +2,9 @@
 /// @file
 /// Everything about meshes.
 
+/// @defgroup mesh Meshes
+/// Everything about meshes.
+
 #include "tumble/mesh/diagnose.hpp"
 #include "tumble/mesh/mesh_solid.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"

@@ -2,6 +2,9 @@
 /// @file
 /// Everything that solves y' = f(t, y).
 
+/// @defgroup ode Solvers
+/// Everything that solves y' = f(t, y).
+
 #include "tumble/ode/backward_euler.hpp"
 #include "tumble/ode/c_interface.hpp"
 #include "tumble/ode/dop853.hpp"

@@ -2,6 +2,9 @@
 /// @file
 /// Everything about particles and what pushes them.
 
+/// @defgroup particles Particles
+/// Everything about particles and what pushes them.
+
 #include "tumble/particles/drag.hpp"
 #include "tumble/particles/flatten.hpp"
 #include "tumble/particles/force.hpp"

@@ -2,6 +2,9 @@
 /// @file
 /// Everything about quaternions that Eigen does not have.
 
+/// @defgroup quaternion Quaternions
+/// Everything about quaternions that Eigen does not have.
+
 #include "tumble/quaternion/convert.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/quaternion/normalize.hpp"

@@ -2,6 +2,9 @@
 /// @file
 /// Everything about rotation matrices.
 
+/// @defgroup rotation Rotation matrices
+/// Everything about rotation matrices.
+
 #include "tumble/rotation/euler_angles.hpp"
 #include "tumble/rotation/exp.hpp"
 #include "tumble/rotation/gram_schmidt.hpp"

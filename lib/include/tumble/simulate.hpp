@@ -2,9 +2,13 @@
 /// @file
 /// State the error, get the cheapest way.
 
+/// @defgroup simulate Simulation
+/// State the error, get the cheapest way.
+
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/simulate.hpp"
+#include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
 #include "tumble/simulate/steady_trajectory.hpp"
 #include "tumble/simulate/trajectory.hpp"

@@ -2,6 +2,9 @@
 /// @file
 /// Everything about bodies under forces that are constant in the world.
 
+/// @defgroup steady Steady forces and tops in closed form
+/// Everything about bodies under forces that are constant in the world.
+
 #include "tumble/steady/lagrange_top.hpp"
 #include "tumble/steady/steady_path.hpp"
 #include "tumble/steady/steady_torque.hpp"

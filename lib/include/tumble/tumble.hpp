@@ -2,6 +2,9 @@
 /// @file
 /// The whole library.
 
+/// @defgroup core Foundations
+/// What every topic needs: vectors, refusals, solids, numbers of twice the digits, threads.
+
 #include "tumble/body.hpp"
 #include "tumble/elliptic.hpp"
 #include "tumble/ensemble.hpp"

@@ -12,7 +12,12 @@
 
 namespace tumble {
 
+/// @addtogroup core
+/// @{
+
 /// "major.minor.patch"
 inline constexpr std::string_view version = "0.2.0";
+
+/// @}
 
 }  // namespace tumble

@@ -58,7 +58,8 @@ inline void check_integrals(const PolygonMesh& mesh, const BoundedMassProperties
 /// Whether each edge is used equally often both ways, edge by edge.
 inline bool closed_by_counting(const PolygonMesh& mesh) {
   bool closed = true;
-  for_each_uneven_edge(edge_uses(mesh), [&](std::span<const EdgeUse>) { closed = false; });
+  detail::for_each_uneven_edge(detail::edge_uses(mesh),
+                               [&](std::span<const detail::EdgeUse>) { closed = false; });
   return closed;
 }
 
@@ -66,8 +67,9 @@ inline void check_mesh(const PolygonMesh& mesh) {
   const std::vector<MeshDefect> findings = diagnose(mesh);
   for (const MeshDefect& finding : findings)
     demand(!finding.message.empty(), "a finding has words");
-  if (find_bad_indices(mesh).empty())
-    demand(is_closed(mesh) == closed_by_counting(mesh), "the fingerprint knows what is closed");
+  if (detail::find_bad_indices(mesh).empty())
+    demand(detail::is_closed(mesh) == closed_by_counting(mesh),
+           "the fingerprint knows what is closed");
   const bool spoilt = refuses([&] { require_body(findings); });
   BoundedMassProperties tight;
   const bool refused = refuses([&] { tight = mesh_mass_properties(mesh, 1); });

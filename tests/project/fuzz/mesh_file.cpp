@@ -34,8 +34,8 @@ Reading read(std::string_view bytes, const Parse& parse) {
     return reading;
   }
   fuzz::demand(reading.mesh.face_count() > 0, "a mesh that was read has faces");
-  fuzz::demand(find_bad_indices(reading.mesh).empty(), "and vertices that exist");
-  fuzz::demand(find_not_finite(reading.mesh).empty(), "and are finite");
+  fuzz::demand(detail::find_bad_indices(reading.mesh).empty(), "and vertices that exist");
+  fuzz::demand(detail::find_not_finite(reading.mesh).empty(), "and are finite");
   return reading;
 }
 
@@ -56,9 +56,9 @@ PolygonMesh parse_in_blocks(std::string_view bytes, std::string_view name) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  read(bytes, parse_stl);
-  read(bytes, parse_ply);
-  const Reading whole = read(bytes, parse_obj), in_blocks = read(bytes, parse_in_blocks);
+  read(bytes, detail::parse_stl);
+  read(bytes, detail::parse_ply);
+  const Reading whole = read(bytes, detail::parse_obj), in_blocks = read(bytes, parse_in_blocks);
   fuzz::demand(in_blocks.mesh.corners == whole.mesh.corners, "blocks are the whole");
   fuzz::demand(in_blocks.words == whole.words, "and are refused with the same words");
   fuzz::check_mesh(read(bytes, parse_mesh).mesh);

@@ -13,6 +13,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// The motion of a body at one moment, in world coordinates: all that a force may depend on.
 template <class T = double>
 struct Derived {
@@ -72,5 +75,7 @@ T kinetic_energy(const RigidBody<T>& body, const RigidBodyState<T>& state) {
   const Derived<T> now = derived(body, state);
   return (state.P.dot(now.v) + state.L.dot(now.omega)) / T(2);
 }
+
+/// @}
 
 }  // namespace tumble

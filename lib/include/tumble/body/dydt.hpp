@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// A body and the forces on it, as a right-hand side for the solvers in ode/. The types of the
 /// forces are known at compile time: one that is not there costs nothing.
 template <class T, BodyForce<T>... Forces>
@@ -22,7 +25,7 @@ class RigidBodyRhs {
  public:
   /// @throws std::invalid_argument if a force refuses what it was made of
   explicit RigidBodyRhs(const RigidBody<T>& body, const Forces&... forces)
-      : body_(body), forces_(valid_forces(forces...)) {}
+      : body_(body), forces_(detail::valid_forces(forces...)) {}
 
   const RigidBody<T>& body() const { return body_; }
 
@@ -47,5 +50,7 @@ class RigidBodyRhs {
 
 template <class T, class... Forces>
 RigidBodyRhs(const RigidBody<T>&, const Forces&...) -> RigidBodyRhs<T, Forces...>;
+
+/// @}
 
 }  // namespace tumble

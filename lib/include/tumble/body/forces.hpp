@@ -16,6 +16,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// A callable (t, body, now) → Wrench<T>.
 template <class F, class T>
 concept BodyForce = requires(const F& force, T t, const RigidBody<T>& body, const Derived<T>& now) {
@@ -28,9 +31,9 @@ struct Weight {
 
   template <class T>
   Wrench<T> operator()(T, const RigidBody<T>& body, const Derived<T>&) const {
-    return {body.mass() * g.cast<T>(), Vector3<T>::Zero()};
+    return {.force = body.mass() * g.cast<T>()};
   }
-  SteadyForces steady(const RigidBody<>& body) const { return {body.mass() * g, {}, 0, 0}; }
+  SteadyForces steady(const RigidBody<>& body) const { return {.force = body.mass() * g}; }
 
   /// @throws std::invalid_argument if g is not finite
   void require_valid() const {
@@ -47,7 +50,9 @@ struct ForceAtBodyPoint {
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
     return force_at_point<T>(force.cast<T>(), point_position<T>(now, p_body.cast<T>()), now.x);
   }
-  SteadyForces steady(const RigidBody<>&) const { return {force, {{force, p_body}}, 0, 0}; }
+  SteadyForces steady(const RigidBody<>&) const {
+    return {.force = force, .at_point = {{force, p_body}}};
+  }
 
   /// @throws std::invalid_argument if a number is not finite
   void require_valid() const {
@@ -65,7 +70,9 @@ struct BodyDrag {
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
     return {-static_cast<T>(linear) * now.v, -static_cast<T>(angular) * now.omega};
   }
-  SteadyForces steady(const RigidBody<>&) const { return {Vec3::Zero(), {}, linear, angular}; }
+  SteadyForces steady(const RigidBody<>&) const {
+    return {.linear_drag = linear, .angular_drag = angular};
+  }
 
   /// @throws std::invalid_argument if a constant is negative or not finite
   void require_valid() const {
@@ -103,6 +110,8 @@ struct SpringToWorld {
   }
 };
 
+namespace detail {
+
 template <class Force>
 void require_valid_force(const Force& force) {
   if constexpr (requires { force.require_valid(); }) force.require_valid();
@@ -116,6 +125,8 @@ std::tuple<Forces...> valid_forces(const Forces&... forces) {
   return {forces...};
 }
 
+}  // namespace detail
+
 /// The sum of what all forces do; with no force at all, nothing is computed.
 template <class T, BodyForce<T>... Forces>
 Wrench<T> net_wrench(T t, const RigidBody<T>& body, const Derived<T>& now,
@@ -127,5 +138,7 @@ Wrench<T> net_wrench(T t, const RigidBody<T>& body, const Derived<T>& now,
   };
   return std::apply(add, forces);
 }
+
+/// @}
 
 }  // namespace tumble

@@ -19,6 +19,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 template <class T>
 using PackedScene = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
@@ -55,7 +58,7 @@ requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneRhs {
  public:
   /// @throws std::invalid_argument if a force refuses what it was made of
   explicit SceneRhs(std::vector<RigidBody<T>> bodies, const Forces&... forces)
-      : bodies_(std::move(bodies)), forces_(valid_forces(forces...)) {}
+      : bodies_(std::move(bodies)), forces_(detail::valid_forces(forces...)) {}
 
   const std::vector<RigidBody<T>>& bodies() const { return bodies_; }
 
@@ -98,5 +101,7 @@ requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneRhs {
 
 template <class T, class... Forces>
 SceneRhs(std::vector<RigidBody<T>>, const Forces&...) -> SceneRhs<T, Forces...>;
+
+/// @}
 
 }  // namespace tumble

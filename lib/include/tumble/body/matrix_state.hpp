@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// The state of a body with its orientation as a matrix, in world coordinates.
 template <class T = double>
 struct MatrixState {
@@ -47,7 +50,7 @@ class MatrixStateRhs {
  public:
   /// @throws std::invalid_argument if a force refuses what it was made of
   explicit MatrixStateRhs(const RigidBody<T>& body, const Forces&... forces)
-      : body_(body), forces_(valid_forces(forces...)) {}
+      : body_(body), forces_(detail::valid_forces(forces...)) {}
 
   /// dy/dt of the packed state y at time t [s]. R enters as it is, drift and all.
   PackedMatrixState<T> operator()(T t, const PackedMatrixState<T>& y) const {
@@ -64,5 +67,7 @@ class MatrixStateRhs {
 
 template <class T, class... Forces>
 MatrixStateRhs(const RigidBody<T>&, const Forces&...) -> MatrixStateRhs<T, Forces...>;
+
+/// @}
 
 }  // namespace tumble

@@ -19,6 +19,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 enum class Model { particle, ball, symmetric_top, full_body };
 
 /// "symmetric top", …
@@ -64,5 +67,7 @@ inline ModelChoice choose_model(const RigidBody<>& body, double tolerance = 0) {
     return {Model::symmetric_top, "two principal moments are equal"};
   return {Model::ball, "all principal moments are equal"};
 }
+
+/// @}
 
 }  // namespace tumble

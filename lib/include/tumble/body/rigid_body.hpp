@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// A body that can be moved: valid from construction on. T is the scalar the motion is computed in.
 template <class T = double>
 class RigidBody {
@@ -43,5 +46,7 @@ class RigidBody {
   T mass_;
   Matrix3<T> I_body_, I_body_inv_;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -10,6 +10,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// Where a body is, how it is turned, and its momenta, all in world coordinates.
 template <class T = double>
 struct RigidBodyState {
@@ -39,5 +42,7 @@ RigidBodyState<T> unpack(const PackedState<T>& y) {
   return {y.template head<3>(), Quaternion<T>(y[3], y[4], y[5], y[6]), y.template segment<3>(7),
           y.template tail<3>()};
 }
+
+/// @}
 
 }  // namespace tumble

@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// The sum of steady forces on a body; a BodyForce itself, for those that are known only when a
 /// program runs.
 struct SteadyForces {
@@ -21,10 +24,10 @@ struct SteadyForces {
     Vec3 p_body;  ///< [m], body coordinates
   };
 
-  Vec3 force = Vec3::Zero();      ///< all constant forces together [N]
-  std::vector<AtPoint> at_point;  ///< those of them that may turn the body
-  double linear_drag = 0;         ///< k in F = −k v [kg/s]
-  double angular_drag = 0;        ///< k in τ = −k ω [kg m²/s]
+  Vec3 force = Vec3::Zero();           ///< all constant forces together [N]
+  std::vector<AtPoint> at_point = {};  ///< those of them that may turn the body
+  double linear_drag = 0;              ///< k in F = −k v [kg/s]
+  double angular_drag = 0;             ///< k in τ = −k ω [kg m²/s]
 
   template <class T>
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
@@ -51,10 +54,16 @@ concept SteadyForce = requires(const F& force, const RigidBody<>& body) {
   { force.steady(body) } -> std::convertible_to<SteadyForces>;
 };
 
+namespace detail {
+
 /// What all of them amount to.
 template <SteadyForce... Forces>
 SteadyForces steady_forces(const RigidBody<>& body, const Forces&... forces) {
   return (SteadyForces{} + ... + forces.steady(body));
 }
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+/// @addtogroup body
+/// @{
+
 /// A force and the torque about the centre of mass, in world coordinates.
 template <class T = double>
 struct Wrench {
@@ -25,7 +28,9 @@ struct Wrench {
 /// The wrench of a force F [N] at the world point p [m] on a body with its centre of mass at x [m].
 template <class T>
 Wrench<T> force_at_point(const Vector3<T>& F, const Vector3<T>& p, const Vector3<T>& x) {
-  return {F, (p - x).cross(F)};
+  return {.force = F, .torque = (p - x).cross(F)};
 }
+
+/// @}
 
 }  // namespace tumble

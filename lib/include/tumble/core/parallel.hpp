@@ -17,9 +17,7 @@
 #include <thread>
 #endif
 
-namespace tumble {
-
-namespace detail {
+namespace tumble::detail {
 
 #if TUMBLE_HAS_THREADS
 
@@ -90,8 +88,6 @@ void run_or(const Work& work, [[maybe_unused]] const Failed& failed) {
 #endif
 }
 
-}  // namespace detail
-
 /// Calls work(0) … work(count − 1), in any order, by up to `threads` threads: this one and others.
 /// What a piece throws is thrown again here, after the others have ended.
 /// @throws std::invalid_argument if threads < 1
@@ -124,4 +120,4 @@ void parallel_for(int count, int threads, const Work& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

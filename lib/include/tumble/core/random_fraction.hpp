@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <random>
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The next random number, uniform in [0, 1).
 inline double random_fraction(std::mt19937_64& engine) {
@@ -22,4 +22,4 @@ inline double random_fraction_of_part(std::mt19937_64& engine, int i, int n) {
   return std::min((i + random_fraction(engine)) / n, 1 - 0x1p-53);  // rounding may reach 1
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup core
+/// @{
+
 namespace detail {
 
 /// The one place where the library throws.
@@ -71,4 +74,7 @@ void require_at(const Check& check, [[maybe_unused]] const Parts&... where) {
 }
 
 }  // namespace detail
+
+/// @}
+
 }  // namespace tumble

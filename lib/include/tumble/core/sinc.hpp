@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tumble {
+namespace tumble::detail {
 
 /// sin x / x, with its limit 1 at 0. No series is needed: the quotient itself is accurate
 /// for tiny x.
@@ -14,4 +14,4 @@ T sinc(const T& x) {
   return x == T(0) ? T(1) : sin(x) / x;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -8,11 +8,16 @@
 
 namespace tumble {
 
+/// @addtogroup core
+/// @{
+
 /// A shape that can tell whether a point [m] is inside it, and a box that surely holds all of it.
 template <class S>
 concept Solid = requires(const S& solid, const Vec3& point) {
   { solid.contains(point) } -> std::convertible_to<bool>;
   { solid.bounds() } -> std::convertible_to<Eigen::AlignedBox3d>;
 };
+
+/// @}
 
 }  // namespace tumble

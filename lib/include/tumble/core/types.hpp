@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup core
+/// @{
+
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
@@ -24,5 +27,7 @@ using Quaternion = Eigen::Quaternion<T>;
 using Vec3 = Vector3<double>;
 using Mat3 = Matrix3<double>;
 using Quat = Quaternion<double>;
+
+/// @}
 
 }  // namespace tumble

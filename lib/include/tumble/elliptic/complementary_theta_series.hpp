@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup elliptic
+/// @{
+
 /// sn, cn, dn of any u and arg Θ(u + iη) for one modulus and one η, as ThetaSeries gives them.
 class ComplementaryThetaSeries {
  public:
@@ -30,10 +33,11 @@ class ComplementaryThetaSeries {
     dn_factor_ = (1 + q2 * (1 + q4)) / theta3;
 
     const double sn2 = eta.sn * eta.sn, cn2 = eta.cn * eta.cn, dn2 = cn2 + m.k2 * sn2;
-    const double x = pi / 2 * (eta.sn * carlson_rf(cn2, dn2, 1) / Kc_);
+    const double x = pi / 2 * (eta.sn * detail::carlson_rf(cn2, dn2, 1) / Kc_);
     for (std::size_t n = 0; n < 4; ++n) {
       const double multiple = static_cast<double>(2 * n + 1) * x;
-      cos_[n] = std::cos(multiple), sin_[n] = std::sin(multiple);
+      cos_[n] = std::cos(multiple);
+      sin_[n] = std::sin(multiple);
     }
     period_turn_ = 2 * x;
     double theta = 1, slope = 0;
@@ -65,7 +69,8 @@ class ComplementaryThetaSeries {
       cosh_sum += w * (1 + e_odd);
       re += w * cos_[n] * (1 + e_odd);
       im += w * sin_[n] * (1 - e_odd);
-      e_odd *= e * e, weight *= g;
+      e_odd *= e * e;
+      weight *= g;
     }
     const double q2 = powers_[1] * powers_[1], q6 = q2 * q2 * q2, e2 = e * e, g2 = g * g;
     const double first = g * (1 + e2), second = q2 * g2 * (1 + e2 * e2),
@@ -77,7 +82,7 @@ class ComplementaryThetaSeries {
                   1,
                   0,
                   periods * period_turn_};
-    halve_direction(re, std::copysign(im, rest), v);
+    detail::halve_direction(re, std::copysign(im, rest), v);
     return v;
   }
 
@@ -86,5 +91,7 @@ class ComplementaryThetaSeries {
   double root_k_, dn_factor_, period_turn_;
   std::array<double, 4> powers_, cos_, sin_;  ///< q'^(n²), cos and sin of (2n + 1) π η / 2K'
 };
+
+/// @}
 
 }  // namespace tumble

@@ -16,6 +16,11 @@
 
 namespace tumble {
 
+/// @addtogroup elliptic
+/// @{
+
+namespace detail {
+
 /// Carlson's R_F, to a few units in the last place.
 /// @param x, y, z not negative, at most one of them 0; ∞ if two are
 inline double carlson_rf(double x, double y, double z) {
@@ -28,7 +33,9 @@ inline double carlson_rf(double x, double y, double z) {
     const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z);
     const double lambda = rx * (ry + rz) + ry * rz;
     if (lambda == 0) return std::numeric_limits<double>::infinity();
-    x = (x + lambda) / 4, y = (y + lambda) / 4, z = (z + lambda) / 4;
+    x = (x + lambda) / 4;
+    y = (y + lambda) / 4;
+    z = (z + lambda) / 4;
     mean = (mean + lambda) / 4;
     power /= 4;
   }
@@ -36,6 +43,8 @@ inline double carlson_rf(double x, double y, double z) {
   const double E2 = X * Y - Z * Z, E3 = X * Y * Z;
   return (1 + E2 * (-1.0 / 10 + E2 / 24 - E3 * 3 / 44) + E3 / 14) / std::sqrt(mean);
 }
+
+}  // namespace detail
 
 /// The complete integral K for the complementary modulus k' = √(1 − k²), which says more near
 /// k = 1 than k does: K = π / (2 agm(1, k')).
@@ -50,5 +59,7 @@ inline double complete_elliptic_k(double kc) {
   }
   return std::numbers::pi / (a + b);
 }
+
+/// @}
 
 }  // namespace tumble

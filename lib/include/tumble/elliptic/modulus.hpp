@@ -4,6 +4,9 @@
 
 namespace tumble {
 
+/// @addtogroup elliptic
+/// @{
+
 /// The modulus k of elliptic functions, as the squares of k and of k' = √(1 − k²): each small one
 /// of them has all its digits.
 struct Modulus {
@@ -22,5 +25,7 @@ struct ThetaValues {
   double cos_half, sin_half;  ///< of half the argument of Θ, less what is linear in u
   double turned;              ///< [rad] what whole periods add to that argument
 };
+
+/// @}
 
 }  // namespace tumble

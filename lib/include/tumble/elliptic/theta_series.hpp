@@ -18,12 +18,19 @@
 
 namespace tumble {
 
+/// @addtogroup elliptic
+/// @{
+
+namespace detail {
+
 /// The direction of a complex number to the right of 0, halved: cos and sin of ½ atan(im/re).
 inline void halve_direction(double re, double im, ThetaValues& values) {
   const double cosine = re / std::sqrt(re * re + im * im);
   values.cos_half = std::sqrt((1 + cosine) / 2);
   values.sin_half = im / re * cosine / (2 * values.cos_half);
 }
+
+}  // namespace detail
 
 /// sn, cn, dn of any u and arg Θ(u + iη) for one modulus and one η.
 class ThetaSeries {
@@ -35,13 +42,14 @@ class ThetaSeries {
     const double sn2 = eta.sn * eta.sn, cn2 = eta.cn * eta.cn, dn2 = cn2 + m.k2 * sn2;
     q_ = std::exp(-pi * Kc / K_);
     // q e^(2y), y = π η / 2K, from K' − η: q and e^(2y) by themselves may leave the range.
-    const double up = std::exp(-pi / K_ * eta.cn * carlson_rf(m.k2 * sn2, m.k2, dn2));
-    const double down = q_ * std::exp(-pi / K_ * eta.sn * carlson_rf(cn2, dn2, 1));
+    const double up = std::exp(-pi / K_ * eta.cn * detail::carlson_rf(m.k2 * sn2, m.k2, dn2));
+    const double down = q_ * std::exp(-pi / K_ * eta.sn * detail::carlson_rf(cn2, dn2, 1));
     double power = 1;  // q^(n² − n)
     double up_n = 1, down_n = 1, theta = 1, slope = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const int n = static_cast<int>(i) + 1, sign = n % 2 ? -1 : 1;
-      up_n *= up, down_n *= down;
+      up_n *= up;
+      down_n *= down;
       even_[i] = sign * power * (up_n + down_n);
       odd_[i] = -sign * power * (up_n - down_n);
       theta += even_[i];
@@ -53,7 +61,9 @@ class ThetaSeries {
     const double theta3 = 1 + 2 * q_ * (1 + q_ * q_ * q_ * (1 + q4 * q_));
     const double theta4 = 1 - 2 * q_ * (1 - q_ * q_ * q_ * (1 - q4 * q_));
     const double theta2 = 1 + q_ * q_ * (1 + q4);  // without 2 q^(1/4)
-    sn_factor_ = theta3 / theta2, cn_factor_ = theta4 / theta2, dn_factor_ = theta4 / theta3;
+    sn_factor_ = theta3 / theta2;
+    cn_factor_ = theta4 / theta2;
+    dn_factor_ = theta4 / theta3;
   }
 
   /// Z(iη)/i, what the argument of Θ grows with u on average [rad].
@@ -78,8 +88,8 @@ class ThetaSeries {
                   1,
                   0,
                   0};
-    halve_direction(1 + even_[0] * c2 + even_[1] * c4 + even_[2] * c6,
-                    odd_[0] * s2 + odd_[1] * s4 + odd_[2] * s6, v);
+    detail::halve_direction(1 + even_[0] * c2 + even_[1] * c4 + even_[2] * c6,
+                            odd_[0] * s2 + odd_[1] * s4 + odd_[2] * s6, v);
     return v;
   }
 
@@ -88,5 +98,7 @@ class ThetaSeries {
   double sn_factor_, cn_factor_, dn_factor_;
   std::array<double, 3> even_, odd_;  ///< of cos 2nz and sin 2nz in Θ(u + iη)
 };
+
+/// @}
 
 }  // namespace tumble

@@ -14,14 +14,17 @@
 
 namespace tumble {
 
-namespace ensemble {
+/// @addtogroup ensemble
+/// @{
+
+namespace detail::ensemble {
 
 /// The method for these forces if nobody asks for another one.
 template <class... Forces>
 using DefaultMethod =
     std::conditional_t<ForceKernelsOf<simd::FourDoubles, Forces...>::steady, TaylorMagnus<4>, Rk4>;
 
-}  // namespace ensemble
+}  // namespace detail::ensemble
 
 /// Takes the steps with every body. A centre of mass that is pushed steadily (by anything but a
 /// user's own force) takes none: it goes where it is at the end, exactly.
@@ -36,17 +39,20 @@ using DefaultMethod =
 template <class Method = void, class... Forces>
 [[nodiscard]] LostBodies advance(Ensemble& bodies, const FixedSteps& steps,
                                  const Forces&... forces) {
-  using Chosen =
-      std::conditional_t<std::is_void_v<Method>, ensemble::DefaultMethod<Forces...>, Method>;
-  ensemble::require_valid_steps(bodies.size(), steps, forces...);
+  using Chosen = std::conditional_t<std::is_void_v<Method>,
+                                    detail::ensemble::DefaultMethod<Forces...>, Method>;
+  detail::ensemble::require_valid_steps(bodies.size(), steps, forces...);
   FixedSteps all = steps;
-  if (steps.h == 0) all.h = 1, all.count = 0;  // h divides
-  const ensemble::PacksInTurn<Chosen, Forces...> take_steps(bodies, all, forces...);
-  constexpr std::size_t chunk = 4 * ensemble::in_turn;
+  if (steps.h == 0) {  // h divides
+    all.h = 1;
+    all.count = 0;
+  }
+  const detail::ensemble::PacksInTurn<Chosen, Forces...> take_steps(bodies, all, forces...);
+  constexpr std::size_t chunk = 4 * detail::ensemble::in_turn;
   const std::size_t eights = bodies.bodies().size(), chunks = (eights + chunk - 1) / chunk;
   LostBodies lost;
   detail::OneAtATime losing;
-  parallel_for(static_cast<int>(chunks), steps.loop.threads, [&](int i) {
+  detail::parallel_for(static_cast<int>(chunks), steps.loop.threads, [&](int i) {
     const std::size_t begin = chunk * static_cast<std::size_t>(i);
     const LostBodies here = take_steps(begin, std::min(begin + chunk, eights));
     if (here.count == 0) return;
@@ -54,5 +60,7 @@ template <class Method = void, class... Forces>
   });
   return lost;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -12,7 +12,7 @@
 
 #include "tumble/simd/point.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 /// What pushes a centre of mass: a − κ v.
 template <class P>
@@ -51,7 +51,9 @@ TUMBLE_INLINE Decay<P> decay(const P& z) {
   for (int lane = 0; lane < simd::lanes<P>; ++lane) {
     if (!(std::abs(z[lane]) > 0.5)) continue;
     const Decay<double> one = decay(z[lane]);
-    all.exp[lane] = one.exp, all.phi1[lane] = one.phi1, all.phi2[lane] = one.phi2;
+    all.exp[lane] = one.exp;
+    all.phi1[lane] = one.phi1;
+    all.phi2[lane] = one.phi2;
   }
   return all;
 }
@@ -71,4 +73,4 @@ TUMBLE_INLINE void drift(simd::Point<P>& x, simd::Point<P>& v, const Push<P>& pu
   }
 }
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

@@ -7,7 +7,7 @@
 
 #include "tumble/simd/quaternion.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 inline constexpr int eight = 8;  ///< bodies in a structure: the lanes of the widest Pack
 
@@ -52,12 +52,16 @@ TUMBLE_INLINE void store(const P& numbers, Row& row, int lane) {
 }
 template <class P>
 TUMBLE_INLINE void store(const simd::Point<P>& p, Row (&rows)[3], int lane) {
-  store(p.x, rows[0], lane), store(p.y, rows[1], lane), store(p.z, rows[2], lane);
+  store(p.x, rows[0], lane);
+  store(p.y, rows[1], lane);
+  store(p.z, rows[2], lane);
 }
 template <class P>
 TUMBLE_INLINE void store(const simd::Quaternion<P>& q, Row (&rows)[4], int lane) {
-  store(q.w, rows[0], lane), store(q.x, rows[1], lane);
-  store(q.y, rows[2], lane), store(q.z, rows[3], lane);
+  store(q.w, rows[0], lane);
+  store(q.x, rows[1], lane);
+  store(q.y, rows[2], lane);
+  store(q.z, rows[3], lane);
 }
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

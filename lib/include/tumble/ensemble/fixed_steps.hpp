@@ -10,6 +10,9 @@
 
 namespace tumble {
 
+/// @addtogroup ensemble
+/// @{
+
 /// Which steps, and how they are taken.
 struct FixedSteps {
   double h;               ///< length [s], negative to go back in time
@@ -18,7 +21,7 @@ struct FixedSteps {
   LoopOptions loop = {};  ///< starting a thread takes the time of some 10⁴ steps of a body
 };
 
-namespace ensemble {
+namespace detail::ensemble {
 
 /// @throws std::invalid_argument as advance() does
 template <class... Forces>
@@ -33,5 +36,8 @@ void require_valid_steps([[maybe_unused]] std::size_t bodies, const FixedSteps& 
   (require_valid_forces(forces, bodies), ...);
 }
 
-}  // namespace ensemble
+}  // namespace detail::ensemble
+
+/// @}
+
 }  // namespace tumble

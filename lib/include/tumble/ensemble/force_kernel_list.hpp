@@ -8,7 +8,7 @@
 
 #include "tumble/ensemble/force_kernels.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 /// One of several, some of which may be of the same type.
 template <std::size_t i, class T>
@@ -87,4 +87,4 @@ template <class P, class... Forces>
 using ForceKernelsOf = ForceKernelList<std::index_sequence_for<Forces...>,
                                        ForceKernel<typename ForceType<Forces>::type, P>...>;
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

@@ -12,7 +12,7 @@
 #include "tumble/ensemble/pack_force.hpp"
 #include "tumble/ensemble/spin.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 /// number(body.first), number(body.first + 1), … in the lanes.
 template <class P, class Number>
@@ -167,4 +167,4 @@ struct ForceKernel<Force, P> : SilentKernel<P> {
   }
 };
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

@@ -10,6 +10,9 @@
 
 namespace tumble {
 
+/// @addtogroup ensemble
+/// @{
+
 /// A force for each body, in their order: `PerBody<BodyDrag>{drags}`. Not copied.
 template <class Force>
 struct PerBody {
@@ -18,7 +21,7 @@ struct PerBody {
 template <class Range>
 PerBody(const Range&) -> PerBody<typename Range::value_type>;
 
-namespace ensemble {
+namespace detail::ensemble {
 
 /// Force i of a PerBody; lanes behind the last body have the last one.
 template <class Force>
@@ -49,5 +52,8 @@ void require_valid_forces(const Force& all, std::size_t) {
   require_valid_force(all);
 }
 
-}  // namespace ensemble
+}  // namespace detail::ensemble
+
+/// @}
+
 }  // namespace tumble

@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup ensemble
+/// @{
+
 /// Bodies of an ensemble whose state is no longer finite.
 struct LostBodies {
   std::size_t count = 0;
@@ -19,7 +22,8 @@ struct LostBodies {
 
   void add(std::size_t body) { ++count, first = std::min(first, body); }
   LostBodies& operator+=(const LostBodies& other) {
-    count += other.count, first = std::min(first, other.first);
+    count += other.count;
+    first = std::min(first, other.first);
     return *this;
   }
 };
@@ -32,5 +36,7 @@ inline void require_none(const LostBodies& lost) {
        << lost.first << ": smaller steps, or a force that stays finite where it goes, may keep it";
   detail::throw_error<std::runtime_error>(text.str());
 }
+
+/// @}
 
 }  // namespace tumble

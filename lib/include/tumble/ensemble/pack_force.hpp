@@ -21,6 +21,9 @@
 
 namespace tumble {
 
+/// @addtogroup ensemble
+/// @{
+
 /// The constants of some bodies.
 template <class P>
 struct PackBody {
@@ -54,5 +57,7 @@ concept PackForce = requires(const F& force, double t, const PackBody<simd::Four
                              const PackKinematics<simd::FourDoubles>& now) {
   { force(t, body, now) } -> std::same_as<PackWrench<simd::FourDoubles>>;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -13,7 +13,7 @@
 #include "tumble/ensemble/lost_bodies.hpp"
 #include "tumble/ensemble/stepper.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 /// Structures of eight whose steps are taken in turn.
 inline constexpr std::size_t in_turn = 4;
@@ -124,4 +124,4 @@ class PacksInTurn {
   std::tuple<const Forces&...> forces_;
 };
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

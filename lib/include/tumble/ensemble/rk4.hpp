@@ -11,7 +11,7 @@
 #include "tumble/ensemble/stepper.hpp"
 #include "tumble/ode/rk4.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 /// The turning and the path of some bodies.
 template <class P>
@@ -119,4 +119,4 @@ class Stepper<Rk4, P, Kernels> {
   Push<P> push_;          // times h², drag times h
 };
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

@@ -9,7 +9,7 @@
 
 #include "tumble/ensemble/eights.hpp"
 
-namespace tumble::ensemble {
+namespace tumble::detail::ensemble {
 
 using simd::Point;
 using simd::Quaternion;
@@ -47,4 +47,4 @@ TUMBLE_INLINE void store_spin(const Spin<P>& spin, const Point<P>& begin, EightK
   store(changed(load<P>(to.omega, lane), begin, spin.b, h), to.omega, lane);
 }
 
-}  // namespace tumble::ensemble
+}  // namespace tumble::detail::ensemble

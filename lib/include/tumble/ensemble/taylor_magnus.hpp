@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup ensemble
+/// @{
+
 /// The series method of order N = 4, 6 or 8, for advance(): for the library's own forces.
 template <int N>
 struct TaylorMagnus {
@@ -22,7 +25,7 @@ struct TaylorMagnus {
   static constexpr int order = N;
 };
 
-namespace ensemble {
+namespace detail::ensemble {
 
 /// By the series of ω and the turn that it makes.
 template <int N, class P, class Kernels>
@@ -82,5 +85,8 @@ class Stepper<TaylorMagnus<N>, P, Kernels> {
   Point<P> asymmetry_over_[std::size_t{N}];  // 1, 2, … N
 };
 
-}  // namespace ensemble
+}  // namespace detail::ensemble
+
+/// @}
+
 }  // namespace tumble

@@ -29,7 +29,7 @@
 #include "tumble/elliptic/theta_series.hpp"
 #include "tumble/free_body/polhode.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The turning of a free body whose moments differ and which does not turn about a principal axis.
 class FreeAsymmetricTop {
@@ -87,4 +87,4 @@ class FreeAsymmetricTop {
   Quat start_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -9,7 +9,7 @@
 #include "tumble/free_body/free_symmetric_top.hpp"
 #include "tumble/free_body/uniform_rotation.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// A closed form of the orientation over time.
 using FreeRotation = std::variant<UniformRotation, FreeSymmetricTop, FreeAsymmetricTop>;
@@ -54,4 +54,4 @@ class FreeFlow {
   Model kind_ = Model::full_body;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -13,6 +13,11 @@
 
 namespace tumble {
 
+/// @addtogroup free_body
+/// @{
+
+namespace detail {
+
 /// The turning of a free symmetric top or ball.
 class FreeSymmetricTop {
  public:
@@ -33,6 +38,8 @@ class FreeSymmetricTop {
   Vec3 about_L_, about_axis_;  ///< [rad/s], world and body coordinates
 };
 
+}  // namespace detail
+
 /// The state of a free symmetric top (or ball) after the time t.
 /// @param body two of its principal moments must be equal
 /// @param t    [s], any length, also negative
@@ -40,11 +47,13 @@ class FreeSymmetricTop {
 inline RigidBodyState<> free_symmetric_top(const RigidBody<>& body, const RigidBodyState<>& start,
                                            double t) {
   const SymmetricMoments top = nearest_symmetric_top(body);
-  require(top.asymmetry <= 4 * inertia_rounding,
+  require(top.asymmetry <= 4 * detail::inertia_rounding,
           "free_symmetric_top: no two principal moments are ", "equal; the nearest differ by ",
           top.asymmetry, " of their size");
-  return {start.x + t / body.mass() * start.P, FreeSymmetricTop(top, start.q, start.L).at(t),
-          start.P, start.L};
+  return {start.x + t / body.mass() * start.P,
+          detail::FreeSymmetricTop(top, start.q, start.L).at(t), start.P, start.L};
 }
+
+/// @}
 
 }  // namespace tumble

@@ -10,6 +10,9 @@
 
 namespace tumble {
 
+/// @addtogroup free_body
+/// @{
+
 /// A free body: set up once (about 1 µs), then asked for any time (about 0.1 µs).
 ///
 /// The error of the orientation is below 1e-13 · max(1, |ω| t) rad. (It is the error for the
@@ -21,18 +24,18 @@ class FreeTrajectory {
   FreeTrajectory(const RigidBody<>& body, const RigidBodyState<>& start)
       : start_(checked(start)),
         v_(start.P / body.mass()),
-        rotation_(FreeFlow(body).from(start.q, start.L)) {}
+        rotation_(detail::FreeFlow(body).from(start.q, start.L)) {}
 
   /// The state at time t [s], of any length and sign; P and L are what they were.
   RigidBodyState<> at(double t) const {
-    return {start_.x + t * v_, orientation_at(rotation_, t), start_.P, start_.L};
+    return {start_.x + t * v_, detail::orientation_at(rotation_, t), start_.P, start_.L};
   }
 
   /// The closed form in words.
-  const char* name() const {
+  friend const char* name_of(const FreeTrajectory& motion) {
     constexpr const char* names[] = {"uniform rotation", "free symmetric top",
                                      "free asymmetric top (elliptic functions)"};
-    return names[rotation_.index()];
+    return names[motion.rotation_.index()];
   }
 
  private:
@@ -45,7 +48,9 @@ class FreeTrajectory {
 
   RigidBodyState<> start_;
   Vec3 v_;
-  FreeRotation rotation_;
+  detail::FreeRotation rotation_;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -25,6 +25,9 @@
 
 namespace tumble {
 
+/// @addtogroup free_body
+/// @{
+
 /// The constants of a free motion, about principal axes of which the third is the one that is
 /// turned about.
 struct Polhode {
@@ -87,8 +90,14 @@ inline SignedAxes signed_axes(const Vec3dd& m, bool about_largest) {
   SignedAxes axes = about_largest ? SignedAxes{{0, 1, 2}, {1, 1, 1}}  //
                                   : SignedAxes{{2, 1, 0}, {1, -1, 1}};
   const auto negative = [&](int i) { return axes.sign[i] * m[axes.order[i]].hi < 0; };
-  if (negative(2)) axes.sign[1] *= -1, axes.sign[2] *= -1;
-  if (negative(0)) axes.sign[0] *= -1, axes.sign[1] *= -1;
+  if (negative(2)) {
+    axes.sign[1] *= -1;
+    axes.sign[2] *= -1;
+  }
+  if (negative(0)) {
+    axes.sign[0] *= -1;
+    axes.sign[1] *= -1;
+  }
   return axes;
 }
 
@@ -152,5 +161,7 @@ inline std::optional<Polhode> polhode_of(const PrincipalAxes& axes, const Quat& 
   p.frame = detail::frame_of(axes.R, sorted, p.pole_is_axis);
   return p;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -9,7 +9,7 @@
 #include "tumble/body/derived.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The orientation of a body with constant angular velocity.
 class UniformRotation {
@@ -24,4 +24,4 @@ class UniformRotation {
   Vec3 omega_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

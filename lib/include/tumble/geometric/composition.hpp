@@ -14,12 +14,17 @@
 
 namespace tumble {
 
+/// @addtogroup geometric
+/// @{
+
 /// Parts of a step, each a kick or a flow in turn.
 template <std::size_t n>
 struct Composition {
   std::array<double, n> parts;  ///< of h, kicks at even places if kick_first
   bool kick_first;
 };
+
+namespace detail {
 
 /// Completes the first half of a symmetric scheme whose parts of each kind add up to 1.
 template <std::size_t half>
@@ -39,6 +44,8 @@ constexpr Composition<2 * half + 3> symmetric_composition(const std::array<doubl
   return all;
 }
 
+}  // namespace detail
+
 /// Strang's scheme of order 2: half a kick, a flow, half a kick.
 struct Strang {
   static constexpr int order = 2;
@@ -49,21 +56,23 @@ struct Strang {
 struct BlanesMoan4 {
   static constexpr int order = 4;
   static constexpr auto composition =
-      symmetric_composition<5>({0.0829844064174052, 0.245298957184271, 0.396309801498368,
-                                0.604872665711080, -0.0390563049223486},
-                               true);
+      detail::symmetric_composition<5>({0.0829844064174052, 0.245298957184271, 0.396309801498368,
+                                        0.604872665711080, -0.0390563049223486},
+                                       true);
 };
 
 /// Order 6 with fourteen; for kinetic energies quadratic in the momenta.
 struct BlanesMoan6 {
   static constexpr int order = 6;
-  static constexpr auto composition = symmetric_composition<13>(
+  static constexpr auto composition = detail::symmetric_composition<13>(
       {0.0378593198406116, 0.09171915262446165, 0.102635633102435, 0.183983170005006,
        -0.0258678882665587, -0.05653436583288827, 0.314241403071447, 0.004914688774712854,
        -0.130144459517415, 0.143761127168358, 0.106417700369543, 0.328567693746804,
        -0.00879424312851058},
       false);
 };
+
+namespace detail {
 
 /// Strang's scheme taken 2n − 1 times, γ₁ … γₙ … γ₁.
 template <std::size_t n>
@@ -80,13 +89,17 @@ constexpr Composition<4 * n - 1> repeated_strang(const std::array<double, n>& ga
   return all;
 }
 
+}  // namespace detail
+
 /// Order 8: Strang's scheme seventeen times.
 struct KahanLi8 {
   static constexpr int order = 8;
-  static constexpr auto composition =
-      repeated_strang<9>({0.13020248308889008088, 0.56116298177510838456, -0.38947496264484728641,
-                          0.15884190655515560090, -0.39590389413323757734, 0.18453964097831570709,
-                          0.25837438768632204729, 0.29501172360931029887, -0.60550853383003451170});
+  static constexpr auto composition = detail::repeated_strang<9>(
+      {0.13020248308889008088, 0.56116298177510838456, -0.38947496264484728641,
+       0.15884190655515560090, -0.39590389413323757734, 0.18453964097831570709,
+       0.25837438768632204729, 0.29501172360931029887, -0.60550853383003451170});
 };
+
+/// @}
 
 }  // namespace tumble

@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup geometric
+/// @{
+
 /// Steps of a body by turns.
 struct LieGroupRk4 {
   static constexpr int order = 4;
@@ -70,5 +73,7 @@ struct LieGroupRk4 {
     return {state.x + h * rate.v, q, state.P + h * rate.net.force, state.L + h * rate.net.torque};
   }
 };
+
+/// @}
 
 }  // namespace tumble

@@ -17,6 +17,9 @@
 
 namespace tumble {
 
+/// @addtogroup geometric
+/// @{
+
 /// A body that takes such steps.
 /// @tparam Scheme Strang, BlanesMoan4, BlanesMoan6 or KahanLi8
 template <class Scheme, BodyForce<double>... Forces>
@@ -57,7 +60,9 @@ class Splitting {
   }
 
   RigidBodyRhs<double, Forces...> motion_;
-  FreeFlow flow_;
+  detail::FreeFlow flow_;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -6,7 +6,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Streams a vector as "(x, y, z)"; nothing is done unless it is streamed.
 struct AsPoint {
@@ -16,4 +16,4 @@ struct AsPoint {
   }
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

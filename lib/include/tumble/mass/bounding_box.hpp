@@ -16,6 +16,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// The box along the principal axes of the points: fast, good where the points spread evenly.
 /// @throws std::invalid_argument as box_around()
 inline OrientedBox principal_box(std::span<const Vec3> points) {
@@ -30,6 +33,8 @@ inline OrientedBox principal_box(std::span<const Vec3> points) {
   const Mat3 spread = second - first * first.transpose() / static_cast<double>(points.size());
   return box_around(points, principal_axes(spread).R);
 }
+
+namespace detail {
 
 /// The box turned by one of the six steps ±angle about its edges that makes it smallest; itself if
 /// none makes it smaller by a millionth.
@@ -46,13 +51,15 @@ inline OrientedBox turned_smaller(std::span<const Vec3> points, const OrientedBo
   return best;
 }
 
+}  // namespace detail
+
 /// A box that no small turn makes smaller, from a given one.
 /// @param points at least one [m]
 inline OrientedBox refined_box(std::span<const Vec3> points, OrientedBox box) {
   constexpr double finest = 1e-3;
   double angle = std::numbers::pi / 8;
   while (angle > finest) {
-    const OrientedBox turned = turned_smaller(points, box, angle);
+    const OrientedBox turned = detail::turned_smaller(points, box, angle);
     if (turned.volume() < box.volume()) {
       box = turned;
     } else {
@@ -70,5 +77,7 @@ inline OrientedBox fit_oriented_box(std::span<const Vec3> points) {
   const OrientedBox b = refined_box(points, aligned_box(points));
   return b.volume() < a.volume() ? b : a;
 }
+
+/// @}
 
 }  // namespace tumble

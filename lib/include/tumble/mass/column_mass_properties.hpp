@@ -26,11 +26,16 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// Mass properties and what they were made from.
 struct ColumnMassProperties : MassProperties {
   std::int64_t columns = 0;    ///< vertical lines over the body's box
   std::int64_t crossings = 0;  ///< how often they met the surface
 };
+
+namespace detail {
 
 /// ∫ {1, x, y, z, …} dz from height 0 to z on the line through (x, y), times `sign`.
 inline Moments<double> moments_below(double x, double y, double z, double sign) {
@@ -89,6 +94,8 @@ inline ColumnMassProperties require_resolved(const PolygonMesh& mesh, double den
   return body;
 }
 
+}  // namespace detail
+
 /// Mass properties of a mesh by columns in a regular grid, each in the middle of its cell.
 /// @param mesh    closed, faces counter-clockwise seen from outside; parts that overlap count twice
 ///                [m]
@@ -99,9 +106,10 @@ inline ColumnMassProperties require_resolved(const PolygonMesh& mesh, double den
 ///         are wrong by half its mass or more
 inline ColumnMassProperties column_mass_properties(const PolygonMesh& mesh, double density,
                                                    int columns) {
-  require_columns(mesh, density, columns);
-  const LineLattice lines = LineLattice::regular(centred(bounds(mesh)), columns);
-  return require_resolved(mesh, density, sum_of_columns(mesh, density, lines));
+  detail::require_columns(mesh, density, columns);
+  const detail::LineLattice lines =
+      detail::LineLattice::regular(detail::centred(bounds(mesh)), columns);
+  return detail::require_resolved(mesh, density, detail::sum_of_columns(mesh, density, lines));
 }
 
 /// The same by columns at random, one in each cell: right on average, and as sets of points are
@@ -109,9 +117,11 @@ inline ColumnMassProperties column_mass_properties(const PolygonMesh& mesh, doub
 /// @param seed the same seed gives the same columns
 inline ColumnMassProperties jittered_column_mass_properties(const PolygonMesh& mesh, double density,
                                                             int columns, std::uint64_t seed = 1) {
-  require_columns(mesh, density, columns);
-  const JitteredLines lines(centred(bounds(mesh)), columns, seed);
-  return require_resolved(mesh, density, sum_of_columns(mesh, density, lines));
+  detail::require_columns(mesh, density, columns);
+  const detail::JitteredLines lines(detail::centred(bounds(mesh)), columns, seed);
+  return detail::require_resolved(mesh, density, detail::sum_of_columns(mesh, density, lines));
 }
+
+/// @}
 
 }  // namespace tumble

@@ -11,9 +11,13 @@
 #include <cmath>
 #include <limits>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/moments.hpp"
 
 namespace tumble {
+
+/// @addtogroup mass
+/// @{
 
 /// Mass properties and how wrong rounding can have made them. The shape of the mesh itself is taken
 /// as exact. A relative error of 1e-15 means that 15 digits hold, 1 or more that none does.
@@ -25,6 +29,8 @@ struct BoundedMassProperties : MassProperties {
   double centre_error_bound = std::numeric_limits<double>::quiet_NaN();   ///< of centre + rest [m]
   double inertia_error_bound = std::numeric_limits<double>::quiet_NaN();  ///< relative, of the norm
 };
+
+namespace detail {
 
 /// The sums over all triangles that bound the rounding errors, without eps and constant factors.
 template <class T>
@@ -43,7 +49,9 @@ struct RoundingSums {
   }
 
   RoundingSums& operator+=(const RoundingSums& other) {
-    volume += other.volume, first += other.first, inertia += other.inertia;
+    volume += other.volume;
+    first += other.first;
+    inertia += other.inertia;
     return *this;
   }
 };
@@ -58,7 +66,6 @@ inline double inertia_size(const Moments<DoubleDouble>& m) {
 /// @param u 2⁻⁵³ when all was done in double, 2⁻¹⁰⁴ for pairs of doubles
 inline BoundedMassProperties bounded(const Moments<DoubleDouble>& m, const Vec3& reference,
                                      double density, double u, const RoundingSums<double>& sums) {
-  constexpr double eps = 0x1p-53;
   const double volume = std::abs(double(m.one));
   BoundedMassProperties body{mass_properties(m, reference, density)};
   const Vector3<DoubleDouble> offset = centre_from_reference(m);
@@ -70,12 +77,16 @@ inline BoundedMassProperties bounded(const Moments<DoubleDouble>& m, const Vec3&
   const double zeroth = 4 * u * sums.volume / 6, first = 4 * u * sums.first / 24,
                second = 4 * u * sums.inertia / 120;
   const double c = to_double(offset).lpNorm<1>();
-  body.mass_error_bound = 2 * eps + zeroth / volume;
-  body.centre_error_bound =
-      8 * eps * eps * (c + reference.lpNorm<1>()) + (first + c * zeroth) / volume;
+  body.mass_error_bound = 2 * unit_roundoff + zeroth / volume;
+  body.centre_error_bound = 8 * unit_roundoff * unit_roundoff * (c + reference.lpNorm<1>()) +
+                            (first + c * zeroth) / volume;
   body.inertia_error_bound =
-      2 * eps + (second + 2 * c * first + c * c * zeroth) / std::abs(inertia_size(m));
+      2 * unit_roundoff + (second + 2 * c * first + c * c * zeroth) / std::abs(inertia_size(m));
   return body;
 }
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

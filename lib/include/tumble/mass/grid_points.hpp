@@ -7,6 +7,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A regular grid of n³ points, x fastest.
 class GridPoints {
  public:
@@ -21,13 +24,21 @@ class GridPoints {
 
   Vec3 next() {
     const Vec3 point = (Vec3(i_, j_, k_) + Vec3::Constant(0.5)) / n_;
-    if (++i_ == n_) i_ = 0, ++j_;
-    if (j_ == n_) j_ = 0, ++k_;
+    if (++i_ == n_) {
+      i_ = 0;
+      ++j_;
+    }
+    if (j_ == n_) {
+      j_ = 0;
+      ++k_;
+    }
     return point;
   }
 
  private:
   int n_, i_ = 0, j_ = 0, k_ = 0;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -17,6 +17,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// The first n points of the R3 sequence.
 class R3Points {
  public:
@@ -34,7 +37,9 @@ class R3Points {
   /// @throws std::invalid_argument if count ≤ 0
   R3Points(std::int64_t count, std::uint64_t seed) : R3Points(count) {
     std::mt19937_64 engine(seed);
-    x_ = engine(), y_ = engine(), z_ = engine();
+    x_ = engine();
+    y_ = engine();
+    z_ = engine();
   }
 
   std::int64_t count() const { return count_; }
@@ -53,5 +58,7 @@ class R3Points {
   std::int64_t count_;
   std::uint64_t x_ = half, y_ = half, z_ = half;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// Mass, centre of mass and inertia tensor of a body, in the coordinates the shape was given in.
 /// A default-constructed value is all NaN: nothing has been computed yet.
 struct MassProperties {
@@ -17,5 +20,7 @@ struct MassProperties {
   /// x y dm).
   Mat3 inertia = Mat3::Constant(std::numeric_limits<double>::quiet_NaN());
 };
+
+/// @}
 
 }  // namespace tumble

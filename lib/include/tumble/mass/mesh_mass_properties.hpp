@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/mirtich/mirtich.hpp"
 #include "tumble/mass/require_density.hpp"
 #include "tumble/mass/require_volume.hpp"
@@ -14,6 +15,9 @@
 #include "tumble/mesh/diagnose.hpp"
 
 namespace tumble {
+
+/// @addtogroup mass
+/// @{
 
 /// How the integrals over a mesh are computed.
 enum class Accuracy {
@@ -36,11 +40,13 @@ struct MassOptions {
 inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, double density,
                                                        Accuracy accuracy = Accuracy::tight,
                                                        const LoopOptions& loop = {}) {
-  if (accuracy == Accuracy::textbook) return unchecked_mirtich(mesh, density);
+  if (accuracy == Accuracy::textbook) return detail::unchecked_mirtich(mesh, density);
   const bool fast = accuracy == Accuracy::fast;
-  const Vec3 p = reference_point(mesh);
-  const TetrahedronSums sums = fast ? sum_in_doubles(mesh, p, loop) : sum_in_pairs(mesh, p, loop);
-  return bounded(with_factors(sums.raw), p, density, fast ? 0x1p-53 : 0x1p-104, sums.rounding);
+  const Vec3 p = detail::reference_point(mesh);
+  const detail::TetrahedronSums sums =
+      fast ? detail::sum_in_doubles(mesh, p, loop) : detail::sum_in_pairs(mesh, p, loop);
+  return detail::bounded(detail::with_factors(sums.raw), p, density,
+                         fast ? unit_roundoff : 0x1p-104, sums.rounding);
 }
 
 /// Mass properties of a mesh, and everything that was found about it.
@@ -66,5 +72,7 @@ inline MeshMassProperties mesh_mass_properties(const PolygonMesh& mesh, double d
       unchecked_mass_properties(mesh, density, options.accuracy, options.loop);
   return {options.policy == Policy::refuse ? require_volume(body) : body, findings};
 }
+
+/// @}
 
 }  // namespace tumble

@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// The integrals of 1, x, y, z and their products, of scalars T.
 template <class T>
 struct Moments {
@@ -21,12 +24,20 @@ struct Moments {
   template <class U>
   TUMBLE_INLINE Moments& operator+=(const Moments<U>& m) {
     one += m.one;
-    x += m.x, y += m.y, z += m.z;
-    xx += m.xx, yy += m.yy, zz += m.zz;
-    xy += m.xy, yz += m.yz, zx += m.zx;
+    x += m.x;
+    y += m.y;
+    z += m.z;
+    xx += m.xx;
+    yy += m.yy;
+    zz += m.zz;
+    xy += m.xy;
+    yz += m.yz;
+    zx += m.zx;
     return *this;
   }
 };
+
+namespace detail {
 
 /// The moments of a unit of volume or mass at r, or of one sample.
 inline Moments<double> unit_moments(const Vec3& r) {
@@ -44,20 +55,22 @@ inline Vector3<DoubleDouble> centre_from_reference(const Moments<DoubleDouble>& 
   return {m.x / m.one, m.y / m.one, m.z / m.one};
 }
 
+}  // namespace detail
+
 /// Mass properties from moments about `reference`.
 /// @param reference the point p that the moments are about [m]
 /// @param density   [kg/m³], or 1 for moments that have masses in them already
 inline MassProperties mass_properties(const Moments<DoubleDouble>& m, const Vec3& reference,
                                       double density) {
   using T = DoubleDouble;
-  const Vector3<T> c = centre_from_reference(m);
+  const Vector3<T> c = detail::centre_from_reference(m);
   // ∫ (r − c)(r − c)ᵀ = ∫ r rᵀ − c ∫ rᵀ
   const T xx = m.xx - c.x() * m.x, yy = m.yy - c.y() * m.y, zz = m.zz - c.z() * m.z;
   const double xy = double(m.xy - c.x() * m.y), yz = double(m.yz - c.y() * m.z),
                zx = double(m.zx - c.z() * m.x);
   MassProperties result;
   result.mass = density * double(m.one);
-  result.centre = to_double(c + reference.cast<T>());
+  result.centre = detail::to_double(c + reference.cast<T>());
   // clang-format off
   result.inertia << double(yy + zz), -xy, -zx,
                     -xy, double(zz + xx), -yz,
@@ -66,6 +79,8 @@ inline MassProperties mass_properties(const Moments<DoubleDouble>& m, const Vec3
   result.inertia *= density;
   return result;
 }
+
+namespace detail {
 
 /// Adds many moments without losing digits: plain sums of short blocks, the blocks in
 /// double-double. The error of n terms is that of a sum of `block_size`.
@@ -92,5 +107,9 @@ class BlockedMoments {
   Moments<double> block_;
   int in_block_ = 0;
 };
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

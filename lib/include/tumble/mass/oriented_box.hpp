@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A solid box: the points centre + R r with |r.x| ≤ size.x/2 and so on.
 struct OrientedBox {
   Vec3 centre = Vec3::Zero();  ///< [m]
@@ -35,7 +38,8 @@ inline OrientedBox box_around(std::span<const Vec3> points, const Mat3& R) {
   require(!points.empty(), "there are no points to put a box around");
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    require(points[i].allFinite(), "point ", i, " at ", AsPoint{points[i]}, " is not finite");
+    require(points[i].allFinite(), "point ", i, " at ", detail::AsPoint{points[i]},
+            " is not finite");
     box.extend(Vec3(R.transpose() * points[i]));
   }
   return {R * box.center(), R, box.sizes()};
@@ -51,7 +55,7 @@ inline OrientedBox aligned_box(std::span<const Vec3> points) {
 /// @param mass [kg]
 /// @throws std::invalid_argument if the mass or an edge is not positive and finite
 inline MassProperties box_mass_properties(const OrientedBox& box, double mass) {
-  require_positive(mass, "the mass");
+  detail::require_positive(mass, "the mass");
   MassProperties body = mass_properties(Box{box.size}, 1);
   body.inertia *= mass / body.mass;
   body.mass = mass;
@@ -59,14 +63,16 @@ inline MassProperties box_mass_properties(const OrientedBox& box, double mass) {
 }
 
 /// The box with its proportions kept and its volume changed. With the true volume of a solid,
-/// rounded body in it its inertia is nearer to the truth than that of the box around the body (of an
-/// ellipsoid to 8 %); of a hollow one it is not.
+/// rounded body in it its inertia is nearer to the truth than that of the box around the body (of
+/// an ellipsoid to 8 %); of a hollow one it is not.
 /// @param volume [m³]
 /// @throws std::invalid_argument if the volume, or that of the box, is not positive and finite
 inline OrientedBox shrunk_to(const OrientedBox& box, double volume) {
-  require_positive(volume, "the volume");
-  require_positive(box.volume(), "the box's volume");
+  detail::require_positive(volume, "the volume");
+  detail::require_positive(box.volume(), "the box's volume");
   return {box.centre, box.R, box.size * std::cbrt(volume / box.volume())};
 }
+
+/// @}
 
 }  // namespace tumble

@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// The inertia of a point mass at d about the origin: m (dᵀd 1 − d dᵀ) [kg m²].
 /// @param mass [kg]
 /// @param d    its position [m]
@@ -34,5 +37,7 @@ inline Mat3 inertia_about_centre(const Mat3& I_point, double mass, const Vec3& d
 inline Mat3 inertia_about(const MassProperties& body, const Vec3& point) {
   return parallel_axis(body.inertia, body.mass, body.centre - point);
 }
+
+/// @}
 
 }  // namespace tumble

@@ -23,6 +23,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// Mass properties and how far they may be off, as for random points (1 standard error).
 struct SampledMassProperties : MassProperties {
   std::int64_t points = 0;            ///< how many were tried
@@ -31,6 +34,8 @@ struct SampledMassProperties : MassProperties {
   double centre_standard_error = 0;   ///< of its distance from the truth [m]
   double inertia_standard_error = 0;  ///< of the Frobenius norm of its error [kg m²]
 };
+
+namespace detail {
 
 /// The sums over the points inside, r from the middle of the box.
 struct SampleSums {
@@ -77,6 +82,8 @@ inline SampledMassProperties from_samples(const SampleSums& sums, std::int64_t n
   return result;
 }
 
+}  // namespace detail
+
 /// Mass properties of a solid from points that are tried whether they are inside.
 /// @param solid   anything with contains() and bounds()
 /// @param density [kg/m³]
@@ -90,18 +97,21 @@ SampledMassProperties sample_mass_properties(const S& solid, double density, P p
   const Vec3 size = box.sizes(), middle = box.center();
   require(!box.isEmpty(), "the solid's bounds are empty: do the parts of an intersection meet?");
   require(size.minCoeff() > 0 && size.allFinite() && middle.allFinite(),
-          "the solid's bounds are empty or not finite: from ", AsPoint{box.min()}, " to ",
-          AsPoint{box.max()});
+          "the solid's bounds are empty or not finite: from ", detail::AsPoint{box.min()}, " to ",
+          detail::AsPoint{box.max()});
   const std::int64_t n = points.count();
-  SampleSums sums;
+  detail::SampleSums sums;
   for (std::int64_t i = 0; i < n; ++i) {
     const Vec3 r = (points.next() - Vec3::Constant(0.5)).cwiseProduct(size);
     if (solid.contains(middle + r)) sums.add(r);
   }
   require(double(sums.moments.total().one) > 0, "none of ", n,
-          " points fell inside the solid within ", AsPoint{box.min()}, " to ", AsPoint{box.max()},
+          " points fell inside the solid within ", detail::AsPoint{box.min()}, " to ",
+          detail::AsPoint{box.max()},
           ": take more points, or tighter bounds if it is much smaller than they are");
-  return from_samples(sums, n, middle, density * size.prod() / static_cast<double>(n));
+  return detail::from_samples(sums, n, middle, density * size.prod() / static_cast<double>(n));
 }
+
+/// @}
 
 }  // namespace tumble

@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A mass [kg] in one point [m].
 struct PointMass {
   double mass = 0;
@@ -30,9 +33,13 @@ inline Vec3 centre_of_mass(std::span<const PointMass> points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointMass& p = points[i];
     require(p.mass >= 0 && std::isfinite(p.mass) && p.position.allFinite(), "point mass ", i,
-            " (mass ", p.mass, " kg at ", AsPoint{p.position}, ") is negative or not finite");
+            " (mass ", p.mass, " kg at ", detail::AsPoint{p.position},
+            ") is negative or not finite");
     const Vec3 moment = p.mass * (p.position - first);
-    mass += p.mass, x += moment.x(), y += moment.y(), z += moment.z();
+    mass += p.mass;
+    x += moment.x();
+    y += moment.y();
+    z += moment.z();
   }
   require(mass.hi > 0, "all ", points.size(), " point masses are 0 kg");
   return first + Vec3(double(x / mass), double(y / mass), double(z / mass));
@@ -55,5 +62,7 @@ inline MassProperties mass_properties(std::span<const PointMass> points) {
   result.inertia = sum.unaryExpr([](const DoubleDouble& x) { return double(x); });
   return result;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -14,11 +14,16 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// Principal moments and the rotation between principal and body axes.
 struct PrincipalAxes {
   Vec3 moments;  ///< ascending [kg m²]
   Mat3 R;        ///< maps principal to body coordinates; columns are the axes; det R = +1
 };
+
+namespace detail {
 
 /// Turns the plane of axes i and j of the symmetric A so that A(i, j) becomes 0; A = R A' Rᵀ.
 inline void jacobi_rotation(Mat3& A, Mat3& R, int i, int j) {
@@ -40,6 +45,8 @@ inline void jacobi_rotation(Mat3& A, Mat3& R, int i, int j) {
   R.applyOnTheRight(i, j, turn);
 }
 
+}  // namespace detail
+
 /// Principal moments and axes of a symmetric tensor. Where moments are equal the axes between them
 /// are not determined; those nearest to the given ones come out (a multiple of 1 gives R = 1).
 /// @param I symmetric 3×3 [kg m²]; only the mean of I and Iᵀ matters
@@ -48,9 +55,9 @@ inline PrincipalAxes principal_axes(const Mat3& I) {
   Mat3 R = Mat3::Identity();
   // Converges quadratically: 5 sweeps reach the last bit, entries below it no longer matter.
   for (int sweep = 0; sweep < 8; ++sweep) {
-    jacobi_rotation(A, R, 0, 1);
-    jacobi_rotation(A, R, 0, 2);
-    jacobi_rotation(A, R, 1, 2);
+    detail::jacobi_rotation(A, R, 0, 1);
+    detail::jacobi_rotation(A, R, 0, 2);
+    detail::jacobi_rotation(A, R, 1, 2);
   }
   for (const auto& [i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}}) {
     if (A(i, i) <= A(j, j)) continue;
@@ -60,5 +67,7 @@ inline PrincipalAxes principal_axes(const Mat3& I) {
   if (R.determinant() < 0) R.col(2) = -R.col(2);
   return {A.diagonal(), R};
 }
+
+/// @}
 
 }  // namespace tumble

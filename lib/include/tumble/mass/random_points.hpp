@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// n independent points, uniform in [0, 1)³.
 class RandomPoints {
  public:
@@ -20,13 +23,15 @@ class RandomPoints {
   std::int64_t count() const { return count_; }
 
   Vec3 next() {
-    const double x = random_fraction(engine_), y = random_fraction(engine_);
-    return {x, y, random_fraction(engine_)};
+    const double x = detail::random_fraction(engine_), y = detail::random_fraction(engine_);
+    return {x, y, detail::random_fraction(engine_)};
   }
 
  private:
   std::int64_t count_;
   std::mt19937_64 engine_;
 };
+
+/// @}
 
 }  // namespace tumble

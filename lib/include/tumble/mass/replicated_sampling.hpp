@@ -15,6 +15,11 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
+namespace detail {
+
 /// Σ |value(set) − mean|²/(k (k − 1)), square-rooted: the standard error of the mean of k sets.
 template <class Value>
 double standard_error_of_mean(const std::vector<SampledMassProperties>& sets, const Value& value) {
@@ -26,6 +31,8 @@ double standard_error_of_mean(const std::vector<SampledMassProperties>& sets, co
   for (const SampledMassProperties& set : sets) squares += (value(set) - mean).squaredNorm();
   return std::sqrt(squares / (k * (k - 1)));
 }
+
+}  // namespace detail
 
 /// Mass properties of a solid from all points of several sets together; the standard errors are
 /// those of the differences between the sets.
@@ -45,18 +52,22 @@ SampledMassProperties replicated_mass_properties(const S& solid, double density,
   SampledMassProperties result = all.front();
   for (std::size_t i = 1; i < all.size(); ++i) {
     static_cast<MassProperties&>(result) = combine(result, all[i]);
-    result.points += all[i].points, result.inside += all[i].inside;
+    result.points += all[i].points;
+    result.inside += all[i].inside;
   }
-  result.mass /= sets, result.inertia /= sets;
+  result.mass /= sets;
+  result.inertia /= sets;
   using Error = SampledMassProperties;
   using Mass = Eigen::Matrix<double, 1, 1>;
   result.mass_standard_error =
-      standard_error_of_mean(all, [](const Error& set) { return Mass(set.mass); });
+      detail::standard_error_of_mean(all, [](const Error& set) { return Mass(set.mass); });
   result.centre_standard_error =
-      standard_error_of_mean(all, [](const Error& set) { return set.centre; });
+      detail::standard_error_of_mean(all, [](const Error& set) { return set.centre; });
   result.inertia_standard_error =
-      standard_error_of_mean(all, [](const Error& set) { return set.inertia; });
+      detail::standard_error_of_mean(all, [](const Error& set) { return set.inertia; });
   return result;
 }
+
+/// @}
 
 }  // namespace tumble

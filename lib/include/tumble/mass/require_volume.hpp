@@ -7,6 +7,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// Passes on mass properties that can be those of a body.
 /// @throws std::invalid_argument if the mesh is inside out, or so flat, thin or small that no digit
 ///         of its mass is certain
@@ -21,5 +24,7 @@ inline BoundedMassProperties require_volume(const BoundedMassProperties& body) {
           "the inertia of the mesh is too small or too large for double");
   return body;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -16,11 +16,16 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// `count()` points in [0, 1)³, given out by `next()`. Copies start where the original stands.
 template <class P>
 concept SamplePoints = std::copy_constructible<P> && requires(P points, const P& constant) {
   { constant.count() } -> std::same_as<std::int64_t>;
   { points.next() } -> std::same_as<Vec3>;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -13,6 +13,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// n³ points, one somewhere in each cell of a regular grid, x fastest.
 class StratifiedPoints {
  public:
@@ -27,11 +30,17 @@ class StratifiedPoints {
   std::int64_t count() const { return std::int64_t{n_} * n_ * n_; }
 
   Vec3 next() {
-    const double x = random_fraction_of_part(engine_, i_, n_);
-    const double y = random_fraction_of_part(engine_, j_, n_);
-    const double z = random_fraction_of_part(engine_, k_, n_);
-    if (++i_ == n_) i_ = 0, ++j_;
-    if (j_ == n_) j_ = 0, ++k_;
+    const double x = detail::random_fraction_of_part(engine_, i_, n_);
+    const double y = detail::random_fraction_of_part(engine_, j_, n_);
+    const double z = detail::random_fraction_of_part(engine_, k_, n_);
+    if (++i_ == n_) {
+      i_ = 0;
+      ++j_;
+    }
+    if (j_ == n_) {
+      j_ = 0;
+      ++k_;
+    }
     return {x, y, z};
   }
 
@@ -39,5 +48,7 @@ class StratifiedPoints {
   int n_, i_ = 0, j_ = 0, k_ = 0;
   std::mt19937_64 engine_;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -13,7 +13,7 @@
 #include "tumble/mesh/sum_over_blocks.hpp"
 #include "tumble/simd/corners.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// What the triangles of a mesh add up to.
 struct TetrahedronSums {
@@ -21,12 +21,11 @@ struct TetrahedronSums {
   RoundingSums<double> rounding;  ///< what their rounding is bounded by
 
   TetrahedronSums& operator+=(const TetrahedronSums& other) {
-    raw += other.raw, rounding += other.rounding;
+    raw += other.raw;
+    rounding += other.rounding;
     return *this;
   }
 };
-
-namespace detail {
 
 /// x − y, rounded.
 template <class P>
@@ -111,8 +110,6 @@ TetrahedronSums sum_tetrahedra(const PolygonMesh& mesh, const Vec3& reference,
   return sum_over_blocks<TetrahedronSums>(mesh, options, add);
 }
 
-}  // namespace detail
-
 /// The sums with everything in double: about 1e-15 for ordinary shapes. Thin shapes that lie askew
 /// lose digits; `rounding` says how many.
 /// @param mesh      indices in range
@@ -128,4 +125,4 @@ inline TetrahedronSums sum_in_pairs(const PolygonMesh& mesh, const Vec3& referen
   return detail::sum_tetrahedra<detail::InPairs>(mesh, reference, options);
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

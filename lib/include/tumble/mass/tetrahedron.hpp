@@ -11,7 +11,7 @@
 #include "tumble/mass/moments.hpp"
 #include "tumble/simd/point.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 using simd::Fma;
 
@@ -49,4 +49,4 @@ inline Moments<DoubleDouble> with_factors(Moments<DoubleDouble> m) {
   return m;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -13,6 +13,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// R I Rᵀ: the inertia of a body turned by R, exactly symmetric [kg m²].
 /// @param R rotation, body to world
 /// @param I symmetric tensor in body axes [kg m²]
@@ -35,7 +38,7 @@ inline MassProperties translated(const MassProperties& body, const Vec3& d) {
 /// @param s factors; a common factor gives mass s³ and inertia s⁵
 /// @throws std::invalid_argument if a factor is not positive and finite
 inline MassProperties scaled(const MassProperties& body, const Vec3& s) {
-  require(s.minCoeff() > 0 && s.allFinite(), "the scale factors ", AsPoint{s},
+  require(s.minCoeff() > 0 && s.allFinite(), "the scale factors ", detail::AsPoint{s},
           " are not all positive and finite");
   const double volume = s.prod();
   // ∫ r rᵀ dm = ½ tr(I) 1 − I, and it stretches to det(D) D (∫ r rᵀ dm) D with D = diag(s).
@@ -65,5 +68,7 @@ inline MassProperties combine(const MassProperties& a, const MassProperties& b) 
   return {mass, a.centre + (b.mass / mass) * apart,
           a.inertia + b.inertia + point_inertia(reduced, apart)};
 }
+
+/// @}
 
 }  // namespace tumble

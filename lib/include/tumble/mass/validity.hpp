@@ -16,18 +16,25 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
+namespace detail {
+
 /// How far rounding alone may take a good tensor from the laws, in units of its trace.
 ///
 /// A tensor arrives as R I Rᵀ: two products of three terms round by 2·3·3 eps, an R that is a
 /// rotation up to 4 eps adds 8 eps, finding the principal moments about 6 eps; together 32 eps.
 inline constexpr double inertia_rounding = 32 * 0x1p-53;
 
+}  // namespace detail
+
 /// What is wrong with an inertia tensor, in words and numbers; empty if nothing is.
 /// @param I 3×3 [kg m²]
 inline std::string inertia_defect(const Mat3& I) {
   std::ostringstream text;
   text.precision(17);
-  const double allowance = inertia_rounding * I.trace();
+  const double allowance = detail::inertia_rounding * I.trace();
   if (!I.allFinite()) {
     text << "has an entry that is not a finite number:\n" << I;
   } else if (const Mat3 skewed = I - I.transpose();
@@ -36,7 +43,7 @@ inline std::string inertia_defect(const Mat3& I) {
   } else {
     const Vec3 moments = principal_axes(I).moments;
     if (!(moments[0] > 0)) {
-      text << "is not positive definite: its principal moments are " << AsPoint{moments};
+      text << "is not positive definite: its principal moments are " << detail::AsPoint{moments};
     } else if (moments[2] - moments[1] - moments[0] > allowance) {
       text << "breaks the triangle inequality: the principal moments " << moments[0] << " + "
            << moments[1] << " are less than " << moments[2] << ", so no body has it";
@@ -62,8 +69,11 @@ inline void require_valid_inertia(const Mat3& I) {
 inline void require_valid(const MassProperties& body) {
   require(body.mass > 0 && std::isfinite(body.mass), "the mass ", body.mass,
           " kg is not a positive finite number");
-  require(body.centre.allFinite(), "the centre of mass ", AsPoint{body.centre}, " is not finite");
+  require(body.centre.allFinite(), "the centre of mass ", detail::AsPoint{body.centre},
+          " is not finite");
   require_valid_inertia(body.inertia);
 }
+
+/// @}
 
 }  // namespace tumble

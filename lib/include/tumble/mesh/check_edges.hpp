@@ -12,7 +12,7 @@
 #include "tumble/mesh/mesh_defect.hpp"
 #include "tumble/mesh/weld.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// One use of an edge by a face.
 struct EdgeUse {
@@ -139,4 +139,4 @@ inline std::vector<MeshDefect> find_uneven_edges(const PolygonMesh& mesh) {
   return findings;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -7,10 +7,11 @@
 #include <sstream>
 #include <vector>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
 #include "tumble/mesh/orientation.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Finds corners that name no vertex. Nothing else may be asked of a mesh that has any.
 inline std::vector<MeshDefect> find_bad_indices(const PolygonMesh& mesh) {
@@ -64,8 +65,7 @@ inline bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, n = u.cross(v);
   // Rounding moves no component of n by more than 8 ε |u| |v|: only below it the exact
   // test is needed.
-  constexpr double eps = 0x1p-53;
-  const double bound = 8 * eps * u.lpNorm<1>() * v.lpNorm<1>();
+  const double bound = 8 * unit_roundoff * u.lpNorm<1>() * v.lpNorm<1>();
   return !(n.lpNorm<1>() > bound) && collinear(a, b, c);
 }
 
@@ -138,9 +138,9 @@ inline Planarity planarity(const PolygonMesh& mesh, std::span<const int> face) {
     result.distance = std::max(result.distance, std::abs(n.dot(mesh.vertex(v) - first - mean)));
   // Each corner, itself rounded to ε |x|, and each product move the area by a few ε |x| size: the
   // normal of a thin face is turned.
-  constexpr double eps = 0x1p-53;
   const double x = result.size + first.lpNorm<1>();
-  const double turned = 8 * eps * static_cast<double>(face.size()) * x * result.size / area.norm();
+  const double turned =
+      8 * unit_roundoff * static_cast<double>(face.size()) * x * result.size / area.norm();
   result.rounding = turned * result.size;
   return result;
 }
@@ -170,4 +170,4 @@ inline std::vector<MeshDefect> find_nonplanar_faces(const PolygonMesh& mesh) {
   return findings;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

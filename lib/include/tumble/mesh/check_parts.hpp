@@ -12,7 +12,7 @@
 #include "tumble/mesh/depth.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// "the part with face #13 (12 of 24 faces)", or "the surface" when it has one part only.
 inline std::string describe_part(const PolygonMesh& mesh, const Components& surface, int face) {
@@ -115,4 +115,4 @@ inline std::vector<MeshDefect> find_wrong_depth(const PolygonMesh& mesh, const C
   return findings;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

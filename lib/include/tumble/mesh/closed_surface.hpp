@@ -6,7 +6,7 @@
 #include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/edge_balance.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Lets a mesh pass that is closed, whatever its parts do: a tenth of the work of require_body().
 /// @throws std::invalid_argument for a mesh with an index out of range, a position that is not
@@ -18,4 +18,4 @@ inline void require_closed(const PolygonMesh& mesh) {
   require(is_closed(mesh), "the mesh is not closed: diagnose() says where");
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

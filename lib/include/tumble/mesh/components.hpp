@@ -12,10 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mesh/enclosed_volume.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// One part of a surface.
 struct Component {
@@ -125,11 +126,10 @@ inline Components components(const PolygonMesh& mesh, const EnclosedVolume& all)
   const std::vector<EnclosedVolume> enclosed =
       result.parts.size() == 1 ? std::vector{all} : enclosed_by_parts(mesh, result);
   // A term has 8 roundings at most; those of the sum grow like √n when they fall at random.
-  constexpr double eps = 0x1p-53;
   const double roundings = 8 + std::sqrt(static_cast<double>(mesh.corners.size()));
   for (std::size_t i = 0; i < enclosed.size(); ++i) {
     result.parts[i].volume = enclosed[i].six_volume / 6;
-    result.parts[i].rounding = enclosed[i].magnitude * roundings * eps / 6;
+    result.parts[i].rounding = enclosed[i].magnitude * roundings * unit_roundoff / 6;
   }
   measure_thin_parts(mesh, result);
   return result;
@@ -161,4 +161,4 @@ inline std::vector<std::array<int, 3>> widest_triangles(const PolygonMesh& mesh,
   return widest;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

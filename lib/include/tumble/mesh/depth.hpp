@@ -14,7 +14,7 @@
 
 #include "tumble/mesh/line_hits.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// A place where the depth is neither 0 nor 1.
 struct WrongDepth {
@@ -86,7 +86,10 @@ inline std::vector<PartDepth> measure_parts(const LineHits& hits, const Componen
       const int around = depth - own[part(height.front())];
       if (alone) first.least_around = std::min(first.least_around, around);
       if (alone) first.most_around = std::max(first.most_around, around);
-      for (const LineHit& hit : height) depth += hit.direction, own[part(hit)] += hit.direction;
+      for (const LineHit& hit : height) {
+        depth += hit.direction;
+        own[part(hit)] += hit.direction;
+      }
       for (const LineHit& hit : height) {
         const int outward = surface.parts[part(hit)].volume < 0 ? -1 : 1;
         if (own[part(hit)] != 0 && own[part(hit)] != outward)
@@ -98,4 +101,4 @@ inline std::vector<PartDepth> measure_parts(const LineHits& hits, const Componen
   return result;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -23,6 +23,11 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
+namespace detail {
+
 /// How many vertical lines are spread over a mesh: they miss a crossing that covers less than about
 /// a thousandth of what is seen from above.
 inline constexpr int diagnosis_lines = 1024;
@@ -34,7 +39,9 @@ struct Survey {
   TrianglesNearLines near_lines;
 
   Survey& operator+=(const Survey& other) {
-    balance += other.balance, enclosed += other.enclosed, near_lines += other.near_lines;
+    balance += other.balance;
+    enclosed += other.enclosed;
+    near_lines += other.near_lines;
     return *this;
   }
 };
@@ -52,38 +59,43 @@ inline Survey survey(const PolygonMesh& mesh, const LatticeFilter& filter,
   return sum_over_blocks<Survey>(mesh, options, add);
 }
 
+}  // namespace detail
+
 /// Everything that is wrong with the mesh; empty when it bounds a body. At most a few findings of
 /// each kind are listed, and the last one says how many more there are.
 inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh, const LoopOptions& options = {}) {
-  std::vector<MeshDefect> findings = find_bad_indices(mesh);
+  std::vector<MeshDefect> findings = detail::find_bad_indices(mesh);
   if (!findings.empty()) return findings;
   if (mesh.face_count() == 0)
-    return {MeshDefect{MeshDefectKind::no_faces, -1, {-1, -1}, "the mesh has no faces"}};
+    return {MeshDefect{.kind = MeshDefectKind::no_faces, .message = "the mesh has no faces"}};
   const auto add = [&findings](const std::vector<MeshDefect>& more) {
     findings.insert(findings.end(), more.begin(), more.end());
   };
-  const auto add_open_edges = [&] {
-    add(find_duplicate_faces(mesh));
-    add(find_uneven_edges(mesh));
+  const auto add_edge_defects = [&] {
+    add(detail::find_duplicate_faces(mesh));
+    add(detail::find_uneven_edges(mesh));
   };
-  const FiniteBounds bounds = finite_bounds(mesh, options.instructions);
+  const detail::FiniteBounds bounds = detail::finite_bounds(mesh, options.instructions);
   if (!bounds.finite) {
-    add(find_not_finite(mesh));
-    if (!is_closed(mesh, options)) add_open_edges();
+    add(detail::find_not_finite(mesh));
+    if (!detail::is_closed(mesh, options)) add_edge_defects();
     return findings;
   }
-  const LineLattice lattice(bounds.box, diagnosis_lines);
-  const Survey all = survey(mesh, lattice.filter(), options);
-  if (all.balance != 0) add_open_edges();
-  if (all.enclosed.doubtful > 0 || has_short_faces(mesh)) add(find_degenerate_faces(mesh));
-  add(find_nonplanar_faces(mesh));
+  const detail::LineLattice lattice(bounds.box, detail::diagnosis_lines);
+  const detail::Survey all = detail::survey(mesh, lattice.filter(), options);
+  if (all.balance != 0) add_edge_defects();
+  if (all.enclosed.doubtful > 0 || detail::has_short_faces(mesh))
+    add(detail::find_degenerate_faces(mesh));
+  add(detail::find_nonplanar_faces(mesh));
   if (all.balance != 0) return findings;
-  const Components surface = components(mesh, all.enclosed);
-  add(find_flat_parts(mesh, surface));
-  add(find_wrong_depth(mesh, surface,
-                       hits_of_bundle(mesh, surface, bounds.box, lattice, all.near_lines)));
+  const detail::Components surface = detail::components(mesh, all.enclosed);
+  add(detail::find_flat_parts(mesh, surface));
+  add(detail::find_wrong_depth(
+      mesh, surface, detail::hits_of_bundle(mesh, surface, bounds.box, lattice, all.near_lines)));
   return findings;
 }
+
+namespace detail {
 
 /// All findings, one a line: what a refusal says.
 inline std::string findings_text(const std::vector<MeshDefect>& findings) {
@@ -92,6 +104,8 @@ inline std::string findings_text(const std::vector<MeshDefect>& findings) {
     text += std::string("\n  ") + name_of(finding.kind) + ": " + finding.message;
   return text;
 }
+
+}  // namespace detail
 
 /// What happens to a mesh that does not bound a body.
 enum class Policy {
@@ -107,12 +121,14 @@ inline void require_body(const std::vector<MeshDefect>& findings, Policy policy 
   const auto refused = policy == Policy::refuse ? spoils_integrals : prevents_integrals;
   const bool good = std::none_of(findings.begin(), findings.end(),
                                  [&](const MeshDefect& finding) { return refused(finding.kind); });
-  require(good, "the mesh does not bound a body:", findings_text(findings));
+  require(good, "the mesh does not bound a body:", detail::findings_text(findings));
 }
 
 /// Lets a mesh pass that bounds a body, and refuses any other.
 /// @throws std::invalid_argument with all findings, one a line
 inline void require_body(const PolygonMesh& mesh) { require_body(diagnose(mesh)); }
+
+namespace detail {
 
 /// Lets a mesh pass in which nothing at all was found, degenerate faces included: what a program
 /// asks that divides by a face's area or needs its normal.
@@ -121,5 +137,9 @@ inline void require_faultless(const PolygonMesh& mesh) {
   const std::vector<MeshDefect> findings = diagnose(mesh);
   require(findings.empty(), "the mesh has faults:", findings_text(findings));
 }
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

@@ -17,7 +17,7 @@
 #include "tumble/mesh/sum_over_blocks.hpp"
 #include "tumble/simd/corners.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// A place of the plane with whole coordinates, −2³¹ … 2³¹ − 1. @tparam L integers of 64 bits
 template <class L>
@@ -71,4 +71,4 @@ inline bool is_closed(const PolygonMesh& mesh, const LoopOptions& options = {}) 
   return sum_over_blocks<std::uint64_t>(mesh, options, add) == 0;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -10,7 +10,7 @@
 #include "tumble/simd/corners.hpp"
 #include "tumble/simd/double_double.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Sums over triangles.
 struct EnclosedVolume {
@@ -19,7 +19,9 @@ struct EnclosedVolume {
   double doubtful = 0;  ///< how many triangles may have no area
 
   EnclosedVolume& operator+=(const EnclosedVolume& other) {
-    six_volume += other.six_volume, magnitude += other.magnitude, doubtful += other.doubtful;
+    six_volume += other.six_volume;
+    magnitude += other.magnitude;
+    doubtful += other.doubtful;
     return *this;
   }
 };
@@ -82,4 +84,4 @@ inline DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3&
   return simd::dot(cross(exact(b, a), exact(c, a)), exact(a, o));
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

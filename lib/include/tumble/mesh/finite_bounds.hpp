@@ -7,7 +7,7 @@
 #include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/simd/instruction_set.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// What finite_bounds() finds.
 struct FiniteBounds {
@@ -26,7 +26,10 @@ struct VertexBounds {
     // 3 packs of 4 doubles hold 4 vertices: x y z x | y z x y | z x y z
     simd::FourDoubles low[3], high[3], invalid{};
     const double infinity = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) low[k] = simd::FourDoubles{} + infinity, high[k] = -low[k];
+    for (int k = 0; k < 3; ++k) {
+      low[k] = simd::FourDoubles{} + infinity;
+      high[k] = -low[k];
+    }
     const double* at = fours > 0 ? mesh.vertices.front().data() : nullptr;
     for (std::size_t i = 0; i < fours; ++i, at += 12) {
       for (int k = 0; k < 3; ++k) {
@@ -56,4 +59,4 @@ inline FiniteBounds finite_bounds(
   return result;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

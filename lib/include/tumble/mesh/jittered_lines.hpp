@@ -7,7 +7,7 @@
 #include "tumble/core/random_fraction.hpp"
 #include "tumble/mesh/xy_grid.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// One line somewhere in each cell, the cells as square as whole numbers allow.
 class JitteredLines {
@@ -52,4 +52,4 @@ class JitteredLines {
   std::vector<PlanePoint> lines_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

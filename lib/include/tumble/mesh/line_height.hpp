@@ -11,7 +11,7 @@
 
 #include "tumble/mesh/xy_grid.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The weights of a line that meets the triangle a, b, c.
 struct LineWeights {
@@ -36,4 +36,4 @@ struct LineWeights {
   }
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

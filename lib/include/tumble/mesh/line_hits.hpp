@@ -8,12 +8,13 @@
 #include <cmath>
 #include <vector>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mesh/components.hpp"
 #include "tumble/mesh/line_height.hpp"
 #include "tumble/mesh/near_lines.hpp"
 #include "tumble/mesh/orientation.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// One crossing of a vertical line and a face.
 struct LineHit {
@@ -52,8 +53,7 @@ inline void set_height(LineHit& hit, const Vec3& a, const Vec3& b, const Vec3& c
   const LineWeights weights(a, b, c, hit.line);
   const double low = std::min({a.z(), b.z(), c.z()}), high = std::max({a.z(), b.z(), c.z()});
   // A shift of ε largest sideways moves z by as much times the slope, at most height / width.
-  constexpr double eps = 0x1p-53;
-  const double blur = 8 * eps * largest, all = weights.area;
+  const double blur = 8 * unit_roundoff * largest, all = weights.area;
   const double slope =
       all > 0 ? (high - low) * ((b - a).lpNorm<1>() + (c - a).lpNorm<1>()) / all : 0;
   hit.z = weights.height(a, b, c);
@@ -142,4 +142,4 @@ inline LineHits hits_of_bundle(const PolygonMesh& mesh, const Components& surfac
   return hits;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -12,10 +12,11 @@
 #include <numbers>
 #include <vector>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mesh/xy_grid.hpp"
 #include "tumble/simd/pack.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Which packs of triangles may have a line of a lattice, seen from above: none that has one is
 /// left out.
@@ -26,11 +27,11 @@ class LatticeFilter {
   LatticeFilter(const Eigen::AlignedBox3d& box, int nx, int ny, double step)
       : low_x_(box.min().x()), low_y_(box.min().y()), step_(step) {
     const double width = box.sizes().x(), height = box.sizes().y();
-    per_x_ = nx / width, per_y_ = ny / height;
+    per_x_ = nx / width;
+    per_y_ = ny / height;
     // The lines' coordinates are rounded, and so is what is computed here.
-    constexpr double eps = 0x1p-53;
-    slack_x_ = 16 * eps * (nx + (std::abs(low_x_) + width) * per_x_);
-    slack_y_ = 16 * eps * (nx + ny + (std::abs(low_y_) + height) * per_y_);
+    slack_x_ = 16 * unit_roundoff * (nx + (std::abs(low_x_) + width) * per_x_);
+    slack_y_ = 16 * unit_roundoff * (nx + ny + (std::abs(low_y_) + height) * per_y_);
     useful_ = width > 0 && height > 0 && slack_x_ < 0.1 && slack_y_ < 0.1;
   }
 
@@ -155,4 +156,4 @@ class LineList {
   XyBins bins_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

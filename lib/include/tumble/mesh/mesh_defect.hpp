@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
 /// What can be wrong with a mesh.
 enum class MeshDefectKind {
   no_faces,                  ///< nothing there
@@ -37,7 +40,7 @@ struct MeshDefect {
   MeshDefectKind kind{};
   int face = -1;                       ///< a face it can be seen at; −1: none
   std::array<int, 2> edge = {-1, -1};  ///< the edge, or twice the vertex; −1: none
-  std::string message;                 ///< a sentence
+  std::string message = {};            ///< a sentence
 };
 
 /// The name of a kind, as in the code.
@@ -91,6 +94,8 @@ inline bool prevents_integrals(MeshDefectKind kind) {
          kind == MeshDefectKind::not_finite;
 }
 
+namespace detail {
+
 /// "vertex #3 at (0, 1, 0.5)".
 inline std::string describe_vertex(const PolygonMesh& mesh, int v) {
   std::ostringstream text;
@@ -126,5 +131,9 @@ class MeshDefectsOfOneKind {
   int count_ = 0;
   std::vector<MeshDefect> shown_;
 };
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

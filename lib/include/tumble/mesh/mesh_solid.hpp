@@ -21,6 +21,11 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
+namespace detail {
+
 /// The triangles of a mesh, sorted into the cells of a grid over the xy plane.
 class VerticalBins {
  public:
@@ -81,6 +86,8 @@ class VerticalBins {
   std::vector<Heights> heights_;
 };
 
+}  // namespace detail
+
 /// The body inside a closed mesh, a Solid. Where parts overlap it is their union; parts that are
 /// inside out count like others; diagnose() tells of both. Copies share the mesh.
 class MeshSolid {
@@ -102,7 +109,7 @@ class MeshSolid {
     surface_->bins.for_each_candidate(p.x(), p.y(), [&](const std::array<int, 3>& t) {
       const Vec3 &a = mesh.vertex(t[0]), &b = mesh.vertex(t[1]), &c = mesh.vertex(t[2]);
       if (a.z() < p.z() && b.z() < p.z() && c.z() < p.z()) return;
-      const int crossing = line_crossing(a, b, c, p.x(), p.y());
+      const int crossing = detail::line_crossing(a, b, c, p.x(), p.y());
       if (crossing != 0 && crossing * height_above(a, b, c, p) > 0) sum += crossing;
     });
     return sum;
@@ -115,13 +122,13 @@ class MeshSolid {
   struct Surface {
     PolygonMesh mesh;
     Eigen::AlignedBox3d bounds;
-    VerticalBins bins;
+    detail::VerticalBins bins;
   };
 
   static std::shared_ptr<const Surface> surface_of(PolygonMesh mesh) {
-    require_closed(mesh);
+    detail::require_closed(mesh);
     const Eigen::AlignedBox3d box = tumble::bounds(mesh);
-    VerticalBins bins(mesh);
+    detail::VerticalBins bins(mesh);
     return std::make_shared<const Surface>(Surface{std::move(mesh), box, std::move(bins)});
   }
 
@@ -136,5 +143,7 @@ class MeshSolid {
 };
 
 static_assert(Solid<MeshSolid>);
+
+/// @}
 
 }  // namespace tumble

@@ -9,7 +9,7 @@
 #include "tumble/mesh/sum_over_blocks.hpp"
 #include "tumble/simd/corners.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// A triangle of a face: the vertices at its corners.
 struct FaceTriangle {
@@ -59,4 +59,4 @@ struct BlockNearLines {
   }
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -14,9 +14,10 @@
 #include <array>
 #include <cmath>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The exact sign (−1, 0, 1) of Σ x_i y_i over pairs, as long as no product over- or underflows.
 template <std::size_t n>
@@ -45,8 +46,7 @@ int exact_sign_of_products(const std::array<std::array<double, 2>, n>& pairs) {
 inline int orientation(double px, double py, double qx, double qy, double rx, double ry) {
   const double left = (qx - px) * (ry - py), right = (qy - py) * (rx - px);
   const double det = left - right;
-  constexpr double eps = 0x1p-53;
-  if (std::abs(det) > (3 + 16 * eps) * eps * (std::abs(left) + std::abs(right)))
+  if (std::abs(det) > (3 + 16 * unit_roundoff) * unit_roundoff * (std::abs(left) + std::abs(right)))
     return det > 0 ? 1 : -1;
   using Pair = std::array<double, 2>;
   return exact_sign_of_products(std::array<Pair, 6>{Pair{px, qy}, Pair{-py, qx}, Pair{qx, ry},
@@ -70,9 +70,8 @@ struct EdgeArea {
 
   EdgeArea(double px, double py, double qx, double qy) {
     const double left = px * qy, right = py * qx;
-    constexpr double eps = 0x1p-53;
     area = left - right;
-    rounding = (3 + 16 * eps) * eps * (std::abs(left) + std::abs(right));
+    rounding = (3 + 16 * unit_roundoff) * unit_roundoff * (std::abs(left) + std::abs(right));
   }
   bool is_left() const { return area > rounding; }
   bool is_right() const { return area < -rounding; }
@@ -101,4 +100,4 @@ inline bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
          orientation(a.z(), a.x(), b.z(), b.x(), c.z(), c.x()) == 0;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

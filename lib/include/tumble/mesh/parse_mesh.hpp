@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
 /// Reads OBJ, STL or PLY, whichever it is by its content.
 /// @param bytes of the file
 /// @param name  what the file is called in messages; its ending counts only where the content says
@@ -19,12 +22,14 @@ namespace tumble {
 inline PolygonMesh parse_mesh(std::string_view bytes, std::string_view name) {
   switch (detail::format_of(bytes, bytes.size(), name)) {
     case detail::MeshFormat::stl:
-      return parse_stl(bytes, name);
+      return detail::parse_stl(bytes, name);
     case detail::MeshFormat::ply:
-      return parse_ply(bytes, name);
+      return detail::parse_ply(bytes, name);
     default:
-      return parse_obj(bytes, name);
+      return detail::parse_obj(bytes, name);
   }
 }
+
+/// @}
 
 }  // namespace tumble

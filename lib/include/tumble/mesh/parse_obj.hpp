@@ -19,9 +19,7 @@
 #include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/mesh/text_scanner.hpp"
 
-namespace tumble {
-namespace detail {
-
+namespace tumble::detail {
 /// Reads line by line; lines that are neither vertices nor faces are passed over.
 class ObjReader {
  public:
@@ -148,8 +146,6 @@ class ObjReader {
   PolygonMesh mesh_;
 };
 
-}  // namespace detail
-
 /// Reads an OBJ text. Polygons stay polygons, of any size; vertices that no face uses, and equal
 /// ones, stay. Coordinates [m] are the doubles nearest to what is written. Texture, normals,
 /// colours, groups and materials are passed over.
@@ -162,4 +158,4 @@ inline PolygonMesh parse_obj(std::string_view text, std::string_view name) {
   return detail::ObjReader(text, name).mesh();
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

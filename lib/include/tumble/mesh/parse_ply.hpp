@@ -16,9 +16,7 @@
 #include "tumble/mesh/ply_text.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
-namespace tumble {
-namespace detail {
-
+namespace tumble::detail {
 /// Reads all elements, and makes a mesh of those called vertex and face.
 /// @tparam Values PlyText or PlyBytes
 template <class Values>
@@ -157,8 +155,6 @@ class PlyBodyReader {
   PolygonMesh mesh_;
 };
 
-}  // namespace detail
-
 /// Reads a PLY file. Polygons stay polygons; vertices that no face uses, and equal ones, stay.
 /// Elements and properties other than the vertices' x, y, z [m] and the faces' vertex_indices (or
 /// vertex_index) are passed over, in any order and of any type.
@@ -180,4 +176,4 @@ inline PolygonMesh parse_ply(std::string_view bytes, std::string_view name) {
   return detail::PlyBodyReader(header, detail::PlyBytes(bytes, begin, order, name), name).read();
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -7,9 +7,7 @@
 #include "tumble/mesh/parse_binary_stl.hpp"
 #include "tumble/mesh/parse_text_stl.hpp"
 
-namespace tumble {
-namespace detail {
-
+namespace tumble::detail {
 /// Whether the first word is `solid` and no byte is 0, as in no text.
 /// @param head the first bytes of the file, or all
 inline bool is_text_stl(std::string_view head) {
@@ -17,8 +15,6 @@ inline bool is_text_stl(std::string_view head) {
   text.skip_to_word();
   return is_keyword(text.peek_word(), "solid") && head.find('\0') == std::string_view::npos;
 }
-
-}  // namespace detail
 
 /// Reads an STL file. Vertices at equal positions become one (0 and −0 are equal, nothing else is
 /// moved); normals, names and colours are passed over. STL states no unit: coordinates are taken
@@ -36,4 +32,4 @@ inline PolygonMesh parse_stl(std::string_view bytes, std::string_view name) {
   return detail::parse_binary_stl(bytes, name);
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
 /// Vertices and the polygons between them. Seen from outside, the corners of a face go round
 /// counter-clockwise. Faces keep the polygon they were given as: nothing is triangulated.
 struct PolygonMesh {
@@ -58,5 +61,7 @@ inline Eigen::AlignedBox3d bounds(const PolygonMesh& mesh) {
   for (const Vec3& v : mesh.vertices) box.extend(v);
   return box;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -12,18 +12,21 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
 /// Reads a mesh from an STL file.
 /// @throws std::runtime_error when the file cannot be read
 /// @throws std::invalid_argument as parse_stl() does
 inline PolygonMesh read_stl(const std::string& path) {
-  return parse_stl(detail::read_file(path), path);
+  return detail::parse_stl(detail::read_file(path), path);
 }
 
 /// Reads a mesh from a PLY file.
 /// @throws std::runtime_error when the file cannot be read
 /// @throws std::invalid_argument as parse_ply() does
 inline PolygonMesh read_ply(const std::string& path) {
-  return parse_ply(detail::read_file(path), path);
+  return detail::parse_ply(detail::read_file(path), path);
 }
 
 /// Reads a mesh from an OBJ, STL or PLY file, whichever it is by its content.
@@ -44,5 +47,7 @@ inline PolygonMesh read_mesh(const std::string& path) {
   // A pipe cannot go back to its beginning.
   return parse_mesh(head + detail::read_all(file, size, path), path);
 }
+
+/// @}
 
 }  // namespace tumble

@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
 /// Reads a mesh from a stream with an OBJ text.
 /// @param name what the text is called in messages
 /// @throws std::runtime_error when the stream fails
@@ -38,5 +41,7 @@ inline PolygonMesh read_obj(const std::string& path) {
   std::ifstream file = detail::open_file(path);
   return read_obj(file, path);
 }
+
+/// @}
 
 }  // namespace tumble

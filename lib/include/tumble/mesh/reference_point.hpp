@@ -6,7 +6,7 @@
 
 #include "tumble/mesh/polygon_mesh.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The middle of the box around a few hundred corners, taken evenly from all faces [m]. Vertices
 /// that no face uses do not count. Any point near the body will do: the farther away it is,
@@ -21,4 +21,4 @@ inline Vec3 reference_point(const PolygonMesh& mesh) {
   return box.isEmpty() ? Vec3(0, 0, 0) : Vec3(box.center());
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -8,7 +8,7 @@
 #include "tumble/mesh/triangle_blocks.hpp"
 #include "tumble/simd/loop_options.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The sum over all blocks.
 /// @tparam Sum has += and starts as 0
@@ -31,4 +31,4 @@ Sum sum_over_blocks(const PolygonMesh& mesh, const LoopOptions& options, const A
   return total;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -15,9 +15,7 @@
 #include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/simd/instruction_set.hpp"
 
-namespace tumble {
-
-namespace detail {
+namespace tumble::detail {
 
 /// The bits that are set in any of bits(0) … bits(n − 1). There is no way out of its loop: so a
 /// compiler makes packs of it, and looking for something costs little beside reading it.
@@ -41,8 +39,6 @@ int bits_of_any(simd::InstructionSet instructions, int n, const Bits& bits) {
   dispatch(instructions, BitsOfAny<Bits>{n, bits, result});
   return result;
 }
-
-}  // namespace detail
 
 /// Triangles for a kernel.
 struct TriangleBlock {
@@ -105,7 +101,8 @@ class TriangleBlocks {
     const auto pass_on_fans = [&] {
       if (!faces_.empty())
         pass_on(fans_.data(), faces_.data(), 0, static_cast<int>(faces_.size()), visit);
-      fans_.clear(), faces_.clear();
+      fans_.clear();
+      faces_.clear();
     };
     for (int f = first; f < end; ++f) {
       const std::span<const int> face = mesh_.face(f);
@@ -168,4 +165,4 @@ TUMBLE_INLINE void fetch_ahead(const int* corners) {
                                                      static_cast<std::uintptr_t>(ahead + i)));
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

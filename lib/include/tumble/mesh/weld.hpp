@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
 /// The mesh with vertices at exactly equal positions merged (0 and −0 are equal). Vertices keep
 /// their order, the first of equal ones stays; faces keep their order and their corners.
 /// @param mesh indices in range, positions finite
@@ -44,5 +47,7 @@ inline PolygonMesh weld(const PolygonMesh& mesh) {
   for (const int v : mesh.corners) welded.corners.push_back(new_index[static_cast<std::size_t>(v)]);
   return welded;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -18,6 +18,9 @@
 
 namespace tumble {
 
+/// @addtogroup mesh
+/// @{
+
 /// Writes a mesh, with the 17 digits that tell any two doubles apart.
 /// @param mesh indices in range, positions finite
 inline void write_obj(std::ostream& out, const PolygonMesh& mesh) {
@@ -46,5 +49,7 @@ inline void write_obj(const std::string& path, const PolygonMesh& mesh) {
 }
 
 #endif
+
+/// @}
 
 }  // namespace tumble

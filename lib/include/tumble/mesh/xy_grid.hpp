@@ -9,7 +9,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 using PlanePoint = Eigen::Vector2d;
 
@@ -111,4 +111,4 @@ class XyBins {
   std::vector<int> items_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

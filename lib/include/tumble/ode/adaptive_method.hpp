@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// A step that was tried.
 template <OdeState State>
 struct Attempt {
@@ -31,5 +34,7 @@ concept AdaptiveMethod = OdeRhs<F, State> &&
   { Method::error_order } -> std::convertible_to<int>;
   { stepper.attempt(f, t, y, h) } -> std::same_as<Attempt<State>>;
 };
+
+/// @}
 
 }  // namespace tumble

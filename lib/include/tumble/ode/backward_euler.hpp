@@ -18,6 +18,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// The state one step later.
 /// @param f right-hand side of y' = f(t, y), with f.jacobian(t, y) if it knows one
 /// @param h step, negative to go back in time
@@ -26,7 +29,7 @@ template <OdeState State, OdeRhs<State> F>
 State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
   using std::max, std::sqrt;
   using Scalar = ScalarOf<State>;
-  using Matrix = JacobianOf<State>;
+  using Matrix = detail::JacobianOf<State>;
   constexpr int max_iterations = 25;
   // Newton converges quadratically: after a correction of √ε, what is left is of the size of ε.
   const Scalar tolerance = sqrt(std::numeric_limits<Scalar>::epsilon());
@@ -34,7 +37,7 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
   State y1 = y;
   for (int i = 0; i < max_iterations; ++i) {
     const State dydt = f(t + h, y1);
-    const Matrix J = jacobian(f, t + h, y1, dydt, h);
+    const Matrix J = detail::jacobian(f, t + h, y1, dydt, h);
     const Matrix A = Matrix::Identity(y.size(), y.size()) - h * J;
     const State residual = y + h * dydt - y1;
     const State correction = A.partialPivLu().solve(residual);
@@ -57,5 +60,7 @@ struct BackwardEuler {
     return backward_euler_step(f, t, y, h);
   }
 };
+
+/// @}
 
 }  // namespace tumble

@@ -17,6 +17,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// Coefficients of one sum over the stages, in the longest format there is.
 template <std::size_t n>
 using Weights = std::array<long double, n>;
@@ -30,6 +33,8 @@ concept ButcherTableau = requires {
   { T::a } -> std::convertible_to<std::array<Weights<T::stages>, T::stages>>;
   { T::b } -> std::convertible_to<Weights<T::stages>>;
 };
+
+namespace detail {
 
 /// Row i of a as a type of its own.
 template <ButcherTableau Tableau, std::size_t i>
@@ -78,5 +83,9 @@ State weighted_difference(ScalarOf<State> h, const std::array<State, n>& k) {
     result[i] = h * weighted_sum<Row>(k, i, std::make_index_sequence<Row::weights.size()>{});
   return result;
 }
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

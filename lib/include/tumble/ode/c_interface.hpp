@@ -24,9 +24,14 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// A callable dydt(t, y, ydot) on arrays.
 template <class F>
 concept CDydt = std::invocable<const F&, double, double*, double*>;
+
+namespace detail {
 
 /// A C function as an OdeRhs of any state of doubles; made by rhs_from_c().
 template <CDydt F>
@@ -47,10 +52,12 @@ class CRhs {
   F dydt_;
 };
 
+}  // namespace detail
+
 /// dydt(t, y, ydot) for the typed solvers: integrate_adaptive<Dop853>(rhs_from_c(dydt), y0, …).
 template <CDydt F>
-CRhs<F> rhs_from_c(F dydt) {
-  return CRhs<F>(std::move(dydt));
+detail::CRhs<F> rhs_from_c(F dydt) {
+  return detail::CRhs<F>(std::move(dydt));
 }
 
 /// The state at tf, from y0 at t0.
@@ -94,5 +101,7 @@ void ode(const double x0[], double xEnd[], Length len, double t0, double t1, F d
       ode(std::span<const double>(x0, static_cast<std::size_t>(len)), t0, t1, dxdt, tolerances);
   std::copy(end.begin(), end.end(), xEnd);
 }
+
+/// @}
 
 }  // namespace tumble

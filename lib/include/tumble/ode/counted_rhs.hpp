@@ -6,6 +6,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// f itself, with its Jacobian if it knows one, and a count of the evaluations of f.
 template <class F>
 class CountedRhs {
@@ -20,8 +23,8 @@ class CountedRhs {
 
   template <OdeState State>
   // clang-format off
-  JacobianOf<State> jacobian(ScalarOf<State> t, const State& y) const
-    requires KnowsJacobian<F, State> {
+  detail::JacobianOf<State> jacobian(ScalarOf<State> t, const State& y) const
+    requires detail::KnowsJacobian<F, State> {
     return f_.jacobian(t, y);
   }
   // clang-format on
@@ -30,5 +33,7 @@ class CountedRhs {
   F& f_;
   int& evaluations_;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -13,6 +13,11 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
+namespace detail {
+
 /// The coefficients.
 struct Dop853Tableau {
   static constexpr std::size_t stages = 12;
@@ -94,7 +99,11 @@ struct Dop853Tableau {
   }
 };
 
+}  // namespace detail
+
 /// The method for tight tolerances, 1e-7 to 1e-13, of problems that are not stiff.
-using Dop853 = EmbeddedRungeKutta<Dop853Tableau>;
+using Dop853 = EmbeddedRungeKutta<detail::Dop853Tableau>;
+
+/// @}
 
 }  // namespace tumble

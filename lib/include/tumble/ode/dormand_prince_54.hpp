@@ -12,6 +12,11 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
+namespace detail {
+
 /// The coefficients; the seventh stage, which is f at the end of the step, is not in a.
 struct DormandPrince54Tableau {
   static constexpr std::size_t stages = 6;
@@ -46,7 +51,11 @@ struct DormandPrince54Tableau {
   }
 };
 
+}  // namespace detail
+
 /// The method for everyday tolerances, 1e-3 to 1e-8, of problems that are not stiff.
-using DormandPrince54 = EmbeddedRungeKutta<DormandPrince54Tableau>;
+using DormandPrince54 = EmbeddedRungeKutta<detail::DormandPrince54Tableau>;
+
+/// @}
 
 }  // namespace tumble

@@ -12,9 +12,16 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
+namespace detail {
+
 /// The stages of a step and, last, f at its end.
 template <class Tableau, OdeState State>
 using EmbeddedStages = std::array<State, Tableau::stages + 1>;
+
+}  // namespace detail
 
 /// A tableau with an error estimate of order error_order from the stages and, if
 /// error_needs_end, f at the end of the step.
@@ -68,9 +75,11 @@ struct EmbeddedRungeKutta : ExplicitRungeKutta<Tableau> {
     }
 
     Tolerances tolerances_;
-    EmbeddedStages<Tableau, State> k_;
+    detail::EmbeddedStages<Tableau, State> k_;
     bool was_rejected_ = false;
   };
 };
+
+/// @}
 
 }  // namespace tumble

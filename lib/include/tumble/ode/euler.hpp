@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// The state one step later.
 /// @param f right-hand side of y' = f(t, y)
 /// @param h step, negative to go back in time
@@ -29,5 +32,7 @@ struct Euler {
     return euler_step(f, t, y, h);
   }
 };
+
+/// @}
 
 }  // namespace tumble

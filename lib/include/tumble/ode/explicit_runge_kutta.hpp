@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// The method of a tableau. With `struct Heun { … c, a, b … }`, ExplicitRungeKutta<Heun> is a
 /// method for integrate_fixed.
 template <ButcherTableau Tableau>
@@ -38,16 +41,18 @@ struct ExplicitRungeKutta {
   /// y + h Σ bᵢ kᵢ.
   template <OdeState State, std::size_t n>
   static State end_of_step(const State& y, ScalarOf<State> h, const std::array<State, n>& k) {
-    return advance<StepWeights<Tableau>, stages>(y, h, k);
+    return detail::advance<detail::StepWeights<Tableau>, stages>(y, h, k);
   }
 
  private:
   template <std::size_t i, class F, OdeState State, std::size_t n>
   static State stage(F& f, ScalarOf<State> t, const State& y, ScalarOf<State> h,
                      const std::array<State, n>& k) {
-    const State y_i = advance<StageWeights<Tableau, i>, i>(y, h, k);
+    const State y_i = detail::advance<detail::StageWeights<Tableau, i>, i>(y, h, k);
     return f(t + static_cast<ScalarOf<State>>(Tableau::c[i]) * h, y_i);
   }
 };
+
+/// @}
 
 }  // namespace tumble

@@ -17,6 +17,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// Where the integration ended and what it cost.
 template <OdeState State>
 struct OdeSolution {
@@ -25,6 +28,8 @@ struct OdeSolution {
   int rejected = 0;     ///< tried in vain
   int evaluations = 0;  ///< of f, also for a Jacobian by finite differences
 };
+
+namespace detail {
 
 /// Tried steps after which integrate_adaptive gives up.
 inline constexpr int max_attempts = 1'000'000;
@@ -55,6 +60,8 @@ void require_progress(const Attempt<State>& attempt, ScalarOf<State> t, ScalarOf
                      "if the problem is stiff, use Radau5; else integrate in several parts");
 }
 
+}  // namespace detail
+
 /// The state at t1 > t0 or t1 < t0, with an estimated error per step within the tolerances.
 /// @tparam Method  DormandPrince54, Dop853 or, for stiff problems, Radau5
 /// @param f       right-hand side of y' = f(t, y)
@@ -62,7 +69,8 @@ void require_progress(const Attempt<State>& attempt, ScalarOf<State> t, ScalarOf
 /// @throws std::invalid_argument if y0, t0 or t1 is not finite or a tolerance not positive
 /// @throws std::runtime_error if f is not finite where the solution goes, if no step is short
 ///         enough, or after max_attempts
-template <class Method, OdeState State, OdeRhs<State> F, OdeObserver<State> Observer = IgnoreSteps>
+template <class Method, OdeState State, OdeRhs<State> F,
+          OdeObserver<State> Observer = detail::IgnoreSteps>
 OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0,
                                       ScalarOf<State> t1, const Tolerances& tolerances = {},
                                       Observer&& observe = {}) {
@@ -70,18 +78,19 @@ OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0
                 "integrate_adaptive<Method>: a method like DormandPrince54");
   using Scalar = ScalarOf<State>;
   require_valid<Scalar>(tolerances);
-  require_finite("integrate_adaptive", y0, t0, t1);
+  detail::require_finite("integrate_adaptive", y0, t0, t1);
 
   OdeSolution<State> solution{y0};
   if (t0 == t1) return solution;
   CountedRhs<F> counted(f, solution.evaluations);
   const State dydt0 = counted(t0, y0);
   if (!dydt0.allFinite())
-    stop_integration("dydt is not finite", t0, t1 - t0, "it has no value at the start");
+    detail::stop_integration("dydt is not finite", t0, t1 - t0, "it has no value at the start");
 
   typename Method::template Stepper<State> stepper(tolerances, dydt0);
   Scalar t = t0;
-  Scalar h = initial_step_size(counted, t0, y0, dydt0, t1 - t0, Method::error_order, tolerances);
+  Scalar h =
+      detail::initial_step_size(counted, t0, y0, dydt0, t1 - t0, Method::error_order, tolerances);
   while (t != t1) {
     // A few units in the last place of t: a shorter step says nothing.
     const Scalar shortest = 8 * std::numeric_limits<Scalar>::epsilon() * std::abs(t);
@@ -92,7 +101,7 @@ OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0
 
     const Attempt<State> attempt = stepper.attempt(counted, t, solution.y, h);
     attempt.accepted() ? ++solution.steps : ++solution.rejected;
-    require_progress(attempt, t, h, shortest, solution.steps + solution.rejected);
+    detail::require_progress(attempt, t, h, shortest, solution.steps + solution.rejected);
     if (attempt.accepted()) {
       t = last ? t1 : t + h;
       solution.y = attempt.y;
@@ -102,5 +111,7 @@ OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0
   }
   return solution;
 }
+
+/// @}
 
 }  // namespace tumble

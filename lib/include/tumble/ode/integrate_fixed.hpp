@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// A method that can take one step, and the order of its error: Euler, Midpoint, Rk4,
 /// DormandPrince54, Dop853, BackwardEuler, Radau5.
 template <class Method, class F, class State>
@@ -21,13 +24,14 @@ concept StepMethod = OdeRhs<F, State> &&
 /// @param f       right-hand side of y' = f(t, y)
 /// @param observe called as observe(t, y) after each step
 /// @throws std::invalid_argument if steps < 1 or y0, t0 or t1 is not finite
-template <class Method, OdeState State, OdeRhs<State> F, OdeObserver<State> Observer = IgnoreSteps>
+template <class Method, OdeState State, OdeRhs<State> F,
+          OdeObserver<State> Observer = detail::IgnoreSteps>
 State integrate_fixed(F&& f, const State& y0, ScalarOf<State> t0, ScalarOf<State> t1, int steps,
                       Observer&& observe = {}) {
   static_assert(StepMethod<Method, F, State>, "integrate_fixed<Method>: a method like Rk4");
   using Scalar = ScalarOf<State>;
   require(steps >= 1, "integrate_fixed: steps = ", steps, ", but at least one is needed");
-  require_finite("integrate_fixed", y0, t0, t1);
+  detail::require_finite("integrate_fixed", y0, t0, t1);
 
   const Scalar h = (t1 - t0) / static_cast<Scalar>(steps);
   const auto time = [&](int i) { return i == steps ? t1 : t0 + static_cast<Scalar>(i) * h; };
@@ -38,5 +42,7 @@ State integrate_fixed(F&& f, const State& y0, ScalarOf<State> t0, ScalarOf<State
   }
   return y;
 }
+
+/// @}
 
 }  // namespace tumble

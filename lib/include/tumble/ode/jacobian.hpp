@@ -17,6 +17,11 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
+namespace detail {
+
 /// n×n for a state of n components.
 template <OdeState State>
 using JacobianOf =
@@ -49,11 +54,15 @@ class RhsWithJacobian {
   Jacobian jacobian_;
 };
 
+}  // namespace detail
+
 /// f with the Jacobian that jacobian(t, y) computes, for Radau5 and BackwardEuler.
 template <class F, class Jacobian>
-RhsWithJacobian<F, Jacobian> with_jacobian(F f, Jacobian jacobian) {
+detail::RhsWithJacobian<F, Jacobian> with_jacobian(F f, Jacobian jacobian) {
   return {std::move(f), std::move(jacobian)};
 }
+
+namespace detail {
 
 /// ∂f/∂y by one-sided differences: one evaluation of f for each component of y.
 /// @param dydt f(t, y)
@@ -95,5 +104,9 @@ JacobianOf<State> jacobian(F&& f, ScalarOf<State> t, const State& y, const State
     return finite_difference_jacobian(f, t, y, dydt, h);
   }
 }
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

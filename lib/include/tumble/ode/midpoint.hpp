@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// The state one step later.
 /// @param f right-hand side of y' = f(t, y)
 /// @param h step, negative to go back in time
@@ -30,5 +33,7 @@ struct Midpoint {
     return midpoint_step(f, t, y, h);
   }
 };
+
+/// @}
 
 }  // namespace tumble

@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// The slope of log error against log h, by least squares.
 /// @param h      steps, positive, at least two different ones
 /// @param errors error at each step, positive
@@ -43,5 +46,7 @@ inline double observed_order(std::span<const double> h, std::span<const double> 
   }
   return xy / xx;
 }
+
+/// @}
 
 }  // namespace tumble

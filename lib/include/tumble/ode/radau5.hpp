@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// Radau IIA for integrate_adaptive<Radau5> and integrate_fixed<Radau5>. Give f its Jacobian with
 /// with_jacobian() if you know it; else it is computed by finite differences.
 struct Radau5 {
@@ -42,7 +45,7 @@ class Radau5::Stepper {
   template <OdeRhs<State> F>
   Attempt<State> attempt(F&& f, Scalar t, const State& y, Scalar h) {
     if (jacobian_is_needed_) update_jacobian(f, t, y, h);
-    NewtonResult<State> newton = solve(f, t, y, h);
+    detail::NewtonResult<State> newton = solve(f, t, y, h);
     if (!newton.converged && !jacobian_is_fresh_) {
       update_jacobian(f, t, y, h);
       newton = solve(f, t, y, h);
@@ -65,17 +68,17 @@ class Radau5::Stepper {
 
   template <class F>
   void update_jacobian(F&& f, Scalar t, const State& y, Scalar h) {
-    J_ = jacobian(f, t, y, dydt_, h);
+    J_ = detail::jacobian(f, t, y, dydt_, h);
     jacobian_is_needed_ = false;
     jacobian_is_fresh_ = true;
     factorised_h_ = 0;
   }
 
   template <class F>
-  NewtonResult<State> solve(F&& f, Scalar t, const State& y, Scalar h) {
-    if (h != factorised_h_) matrices_ = Radau5Matrices<State>(h, J_);
+  detail::NewtonResult<State> solve(F&& f, Scalar t, const State& y, Scalar h) {
+    if (h != factorised_h_) matrices_ = detail::Radau5Matrices<State>(h, J_);
     factorised_h_ = h;
-    const auto norm = [&](const Radau5Stages<State>& W) {
+    const auto norm = [&](const detail::Radau5Stages<State>& W) {
       const Vector3<Scalar> norms(error_norm(State(W.col(0)), y, y, tolerances_),
                                   error_norm(State(W.col(1)), y, y, tolerances_),
                                   error_norm(State(W.col(2)), y, y, tolerances_));
@@ -84,14 +87,14 @@ class Radau5::Stepper {
     constexpr auto epsilon = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     const double tolerance = std::max(10 * epsilon / tolerances_.relative,
                                       std::min(0.03, std::sqrt(tolerances_.relative)));
-    return solve_radau5(f, t, y, h, starting_values(y, h), matrices_, norm,
-                        NewtonLimits{tolerance, max_iterations, last_eta_});
+    return detail::solve_radau5(f, t, y, h, starting_values(y, h), matrices_, norm,
+                                detail::NewtonLimits{tolerance, max_iterations, last_eta_});
   }
 
   /// The collocation polynomial of the last step, continued into this one.
-  Radau5Stages<State> starting_values(const State& y, Scalar h) const {
-    using C = Radau5Coefficients<Scalar>;
-    Radau5Stages<State> guess = Radau5Stages<State>::Zero(y.size(), 3);
+  detail::Radau5Stages<State> starting_values(const State& y, Scalar h) const {
+    using C = detail::Radau5Coefficients<Scalar>;
+    detail::Radau5Stages<State> guess = detail::Radau5Stages<State>::Zero(y.size(), 3);
     if (last_h_ == 0) return guess;
     for (int i = 0; i < 3; ++i) {
       const Vector3<Scalar> weights = C::interpolation_weights(1 + C::c()[i] * h / last_h_);
@@ -101,7 +104,7 @@ class Radau5::Stepper {
   }
 
   /// Newton's method has failed although the Jacobian is of here and now: half the step.
-  Attempt<State> no_solution(const State& y, Scalar h, const NewtonResult<State>& newton) {
+  Attempt<State> no_solution(const State& y, Scalar h, const detail::NewtonResult<State>& newton) {
     is_doubtful_ = true;
     const Scalar error = newton.finite ? std::numeric_limits<Scalar>::infinity()
                                        : std::numeric_limits<Scalar>::quiet_NaN();
@@ -112,8 +115,8 @@ class Radau5::Stepper {
   /// make it too large; filtered twice where it is not trusted.
   template <class F>
   Scalar estimate_error(F&& f, Scalar t, const State& y, const State& y1, Scalar h,
-                        const Radau5Stages<State>& Z) const {
-    const State difference = Z.lazyProduct(Radau5Coefficients<Scalar>::e()) / h;
+                        const detail::Radau5Stages<State>& Z) const {
+    const State difference = Z.lazyProduct(detail::Radau5Coefficients<Scalar>::e()) / h;
     State error = matrices_.solve_real(dydt_ + difference);
     const Scalar norm = error_norm(error, y, y1, tolerances_);
     if (norm <= 1 || !is_doubtful_) return norm;
@@ -123,7 +126,7 @@ class Radau5::Stepper {
   }
 
   /// Shorter where Newton's method had to work, and where the error is seen to grow.
-  Scalar next_step(Scalar h, Scalar error, const NewtonResult<State>& newton) const {
+  Scalar next_step(Scalar h, Scalar error, const detail::NewtonResult<State>& newton) const {
     const Scalar effort = Scalar(2 * max_iterations + 1) /
                           static_cast<Scalar>(2 * max_iterations + newton.iterations);
     const Scalar next_h = effort * adaptive_step_size(h, error, error_order);
@@ -135,7 +138,7 @@ class Radau5::Stepper {
     return keep_matrices ? h : factor * h;
   }
 
-  void keep(const State& dydt1, Scalar h, Scalar error, const NewtonResult<State>& newton) {
+  void keep(const State& dydt1, Scalar h, Scalar error, const detail::NewtonResult<State>& newton) {
     dydt_ = dydt1;
     last_Z_ = newton.Z;
     last_h_ = h;
@@ -149,9 +152,9 @@ class Radau5::Stepper {
 
   Tolerances tolerances_;
   State dydt_;
-  JacobianOf<State> J_;
-  Radau5Matrices<State> matrices_;
-  Radau5Stages<State> last_Z_;
+  detail::JacobianOf<State> J_;
+  detail::Radau5Matrices<State> matrices_;
+  detail::Radau5Stages<State> last_Z_;
   Scalar factorised_h_ = 0, last_h_ = 0, last_error_ = 1;
   double last_eta_ = 1;
   bool jacobian_is_needed_ = true, jacobian_is_fresh_ = false;
@@ -162,15 +165,15 @@ template <OdeState State, OdeRhs<State> F>
 State Radau5::step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
   using Scalar = ScalarOf<State>;
   const State dydt = f(t, y);
-  const Radau5Matrices<State> matrices(h, jacobian(f, t, y, dydt, h));
+  const detail::Radau5Matrices<State> matrices(h, detail::jacobian(f, t, y, dydt, h));
   const Scalar size = y.norm() + std::abs(h) * dydt.norm();
-  const auto norm = [&](const Radau5Stages<State>& W) {
+  const auto norm = [&](const detail::Radau5Stages<State>& W) {
     return size == 0 ? static_cast<double>(W.norm()) : static_cast<double>(W.norm() / size);
   };
   const double tolerance = 100 * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
-  const Radau5Stages<State> guess = Radau5Stages<State>::Zero(y.size(), 3);
-  const NewtonResult<State> newton =
-      solve_radau5(f, t, y, h, guess, matrices, norm, NewtonLimits{tolerance, 50, 1});
+  const detail::Radau5Stages<State> guess = detail::Radau5Stages<State>::Zero(y.size(), 3);
+  const detail::NewtonResult<State> newton = detail::solve_radau5(
+      f, t, y, h, guess, matrices, norm, detail::NewtonLimits{tolerance, 50, 1});
   if (!newton.converged) {
     std::ostringstream text;
     text << "Radau5::step: Newton's iteration does not converge from t = " << t << " with h = " << h
@@ -179,5 +182,7 @@ State Radau5::step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) 
   }
   return y + newton.Z.col(2);
 }
+
+/// @}
 
 }  // namespace tumble

@@ -13,7 +13,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The coefficients, rounded to `Scalar`.
 template <class Scalar>
@@ -66,4 +66,4 @@ struct Radau5Coefficients {
   }
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -16,7 +16,7 @@
 #include "tumble/ode/jacobian.hpp"
 #include "tumble/ode/radau5_coefficients.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Z₁, Z₂, Z₃ side by side.
 template <OdeState State>
@@ -134,4 +134,4 @@ NewtonResult<State> solve_radau5(F&& f, ScalarOf<State> t, const State& y, Scala
   return result;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// A column vector that owns its numbers: Eigen::VectorXd, Vec3, Eigen::Matrix<float, 13, 1>, …
 /// One of fixed size keeps every solver off the heap.
 template <class State>
@@ -38,6 +41,8 @@ concept OdeObserver = OdeState<State> && requires(F& observe, ScalarOf<State> t,
   observe(t, y);
 };
 
+namespace detail {
+
 /// Refuses a start or a span of time that is no number.
 /// @param who the function that asks, for the message
 /// @throws std::invalid_argument if y0, t0 or t1 is not finite
@@ -53,5 +58,9 @@ struct IgnoreSteps {
   template <class Time, class State>
   void operator()(const Time&, const State&) const {}
 };
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

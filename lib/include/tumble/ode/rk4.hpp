@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// The state one step later.
 /// @param f right-hand side of y' = f(t, y)
 /// @param h step, negative to go back in time
@@ -32,5 +35,7 @@ struct Rk4 {
     return rk4_step(f, t, y, h);
   }
 };
+
+/// @}
 
 }  // namespace tumble

@@ -18,6 +18,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// The step to try next.
 /// @param h     the step just tried
 /// @param error its error_norm(); NaN counts as far too large
@@ -31,6 +34,8 @@ Scalar adaptive_step_size(Scalar h, std::type_identity_t<Scalar> error, int orde
   const Scalar factor = safety * pow(error, Scalar(-1) / static_cast<Scalar>(order + 1));
   return h * std::clamp(factor, min_factor, max_factor);
 }
+
+namespace detail {
 
 /// A first step, from the sizes of y, y' and y'' at the start: what a step of Euler's method that
 /// moves y by 1 % of its scale says about the second derivative.
@@ -58,5 +63,9 @@ ScalarOf<State> initial_step_size(F&& f, ScalarOf<State> t0, const State& y0, co
                         : pow(small_part / largest, Scalar(1) / static_cast<Scalar>(order + 1));
   return copysign(min(min(100 * h0, h1), abs(span)), span);
 }
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

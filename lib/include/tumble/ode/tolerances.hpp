@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup ode
+/// @{
+
 /// The error allowed in one step: of a large component a fraction, of a small one an amount.
 struct Tolerances {
   double relative = 1e-6;
@@ -54,5 +57,7 @@ ScalarOf<State> error_norm(const State& error, const State& y0, const State& y1,
   }
   return sqrt(sum / static_cast<Scalar>(error.size()));
 }
+
+/// @}
 
 }  // namespace tumble

@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup particles
+/// @{
+
 /// Drag in proportion to the speed.
 struct LinearDrag {
   double k;  ///< [kg/s]
@@ -45,5 +48,7 @@ struct QuadraticDrag {
     require(k >= 0 && std::isfinite(k), "quadratic drag: k = ", k, " is not a finite number ≥ 0");
   }
 };
+
+/// @}
 
 }  // namespace tumble

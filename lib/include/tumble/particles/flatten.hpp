@@ -16,6 +16,9 @@
 
 namespace tumble {
 
+/// @addtogroup particles
+/// @{
+
 /// The state of n particles of scalar T: fixed size if n is known, else with n = Eigen::Dynamic.
 template <class T, int n>
 using ParticleState = Eigen::Matrix<T, n == Eigen::Dynamic ? n : 6 * n, 1>;
@@ -63,5 +66,7 @@ Particles unflatten(const Eigen::MatrixBase<Derived>& y, Particles particles) {
   }
   return particles;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup particles
+/// @{
+
 /// All particles, to look at. Indices are from 0 to size() − 1 and are not checked.
 template <class T>
 class ParticlesView {
@@ -68,10 +71,16 @@ concept SystemForce = requires(const F& force, T t, const ParticlesView<T>& part
 template <class F, class T>
 concept Force = ParticleForce<F, T> || SystemForce<F, T>;
 
+namespace detail {
+
 /// A force with a method require_valid(n) that refuses what makes no sense for n particles.
 template <class F>
 concept ValidatedForce = requires(const F& force, int n) {
   force.require_valid(n);
 };
+
+}  // namespace detail
+
+/// @}
 
 }  // namespace tumble

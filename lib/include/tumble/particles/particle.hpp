@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup particles
+/// @{
+
 /// A particle, with NaN for what has not been said.
 template <class T = double>
 struct Particle {
@@ -18,5 +21,7 @@ struct Particle {
   Vector3<T> x = Vector3<T>::Constant(std::numeric_limits<T>::quiet_NaN());  ///< position [m]
   Vector3<T> v = Vector3<T>::Constant(std::numeric_limits<T>::quiet_NaN());  ///< velocity [m/s]
 };
+
+/// @}
 
 }  // namespace tumble

@@ -19,6 +19,9 @@
 
 namespace tumble {
 
+/// @addtogroup particles
+/// @{
+
 /// The masses of n particles (or Eigen::Dynamic) and the forces on them, as an OdeRhs:
 ///
 ///     ParticleSystem system(particles, UniformGravity{{0, 0, -9.81}}, LinearDrag{0.1});
@@ -75,7 +78,7 @@ class ParticleSystem {
  private:
   template <class AForce>
   void check(const AForce& force) const {
-    if constexpr (ValidatedForce<AForce>) force.require_valid(size());
+    if constexpr (detail::ValidatedForce<AForce>) force.require_valid(size());
   }
 
   template <class AForce>
@@ -98,5 +101,7 @@ ParticleSystem(const std::vector<Particle<T>>&, Forces...)
 template <class T, std::size_t n, class... Forces>
 ParticleSystem(const std::array<Particle<T>, n>&, Forces...)
     -> ParticleSystem<T, static_cast<int>(n), Forces...>;
+
+/// @}
 
 }  // namespace tumble

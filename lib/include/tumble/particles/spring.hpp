@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup particles
+/// @{
+
 /// A spring between particles i and j. Where they are at the same place it has no direction and
 /// pulls with no force.
 struct Spring {
@@ -51,5 +54,7 @@ struct Spring {
             " is not a finite number ≥ 0");
   }
 };
+
+/// @}
 
 }  // namespace tumble

@@ -9,6 +9,9 @@
 
 namespace tumble {
 
+/// @addtogroup particles
+/// @{
+
 /// The same acceleration for every particle.
 struct UniformGravity {
   Vec3 g;  ///< [m/s²]
@@ -24,5 +27,7 @@ struct UniformGravity {
     require(g.allFinite(), "gravity: g = (", g.transpose(), ") is not finite");
   }
 };
+
+/// @}
 
 }  // namespace tumble

@@ -14,6 +14,9 @@
 
 namespace tumble {
 
+/// @addtogroup quaternion
+/// @{
+
 /// The numbers (w, x, y, z) of a quaternion, the order of text and of state vectors.
 template <class T>
 Eigen::Matrix<T, 4, 1> coefficients(const Quaternion<T>& q) {
@@ -87,5 +90,7 @@ inline Quat from_axis_angle(const Vec3& axis, double angle) {
   q.vec() = std::sin(angle / 2) * axis.stableNormalized();
   return q;
 }
+
+/// @}
 
 }  // namespace tumble

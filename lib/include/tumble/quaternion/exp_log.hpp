@@ -15,13 +15,16 @@
 
 namespace tumble {
 
+/// @addtogroup quaternion
+/// @{
+
 /// The unit quaternion of the rotation by |w| radians about the direction of w.
 /// @param w rotation vector [rad], any length
 template <class T>
 Quaternion<T> exp_quaternion(const Vector3<T>& w) {
   using std::cos;
   const T half = w.norm() / T(2);
-  const Vector3<T> v = (sinc(half) / T(2)) * w;
+  const Vector3<T> v = (detail::sinc(half) / T(2)) * w;
   return Quaternion<T>(cos(half), v.x(), v.y(), v.z());
 }
 
@@ -49,5 +52,7 @@ template <class T>
 T angle_between(const Quaternion<T>& a, const Quaternion<T>& b) {
   return log_quaternion<T>(a.conjugate() * b).norm();
 }
+
+/// @}
 
 }  // namespace tumble

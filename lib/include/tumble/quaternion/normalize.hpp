@@ -9,6 +9,9 @@
 
 namespace tumble {
 
+/// @addtogroup quaternion
+/// @{
+
 /// |q| − 1: how far integration has let a unit quaternion drift.
 template <class T>
 T norm_drift(const Quaternion<T>& q) {
@@ -23,5 +26,7 @@ inline Quat normalize(const Quat& q) {
           ' ', q.x(), ' ', q.y(), ' ', q.z(), ")");
   return Quat(Eigen::Vector4d(q.coeffs() / norm));
 }
+
+/// @}
 
 }  // namespace tumble

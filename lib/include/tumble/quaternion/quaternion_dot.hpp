@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+/// @addtogroup quaternion
+/// @{
+
 /// q̇ = ½ ⟨0, ω⟩ q [1/s], ω in world coordinates [rad/s]. The result is a rate, not a rotation.
 template <class T>
 Quaternion<T> quaternion_dot(const Quaternion<T>& q, const Vector3<T>& omega) {
@@ -21,5 +24,7 @@ Quaternion<T> quaternion_dot_body(const Quaternion<T>& q, const Vector3<T>& omeg
   const Vector3<T> h = omega_body / T(2);
   return q * Quaternion<T>(T(0), h.x(), h.y(), h.z());
 }
+
+/// @}
 
 }  // namespace tumble

@@ -10,6 +10,9 @@
 
 namespace tumble {
 
+/// @addtogroup quaternion
+/// @{
+
 /// The orientation a fraction t of the way from a to b: a at t = 0, b (or −b) at t = 1.
 /// @param a, b unit quaternions; b and −b give the same path, never longer than π
 /// @param t    any real; outside [0, 1] the turn goes on at the same rate
@@ -17,5 +20,7 @@ template <class T>
 Quaternion<T> slerp(const Quaternion<T>& a, const Quaternion<T>& b, const T& t) {
   return a * exp_quaternion<T>(t * log_quaternion<T>(a.conjugate() * b));
 }
+
+/// @}
 
 }  // namespace tumble

@@ -18,8 +18,13 @@
 
 namespace tumble {
 
+/// @addtogroup rotation
+/// @{
+
 /// The axes of the three turns, in order: six Tait–Bryan sequences, six proper Euler sequences.
 enum class EulerSequence { xyz, xzy, yxz, yzx, zxy, zyx, xyx, xzx, yxy, yzy, zxz, zyz };
+
+namespace detail {
 
 /// The axes of a sequence as 0, 1, 2 for x, y, z.
 /// @throws std::invalid_argument if `sequence` is none of the twelve
@@ -41,6 +46,8 @@ inline std::array<int, 3> axes_of(EulerSequence sequence) {
   return axes[index];
 }
 
+}  // namespace detail
+
 /// The rotation by `angle` [rad] about coordinate axis 0, 1 or 2.
 inline Mat3 axis_rotation(int axis, double angle) {
   return Eigen::AngleAxisd(angle, Vec3::Unit(axis)).toRotationMatrix();
@@ -52,7 +59,7 @@ inline Mat3 axis_rotation(int axis, double angle) {
 /// @throws std::invalid_argument if an angle is not finite
 inline Mat3 euler_angles_to_matrix(const Vec3& angles, EulerSequence sequence) {
   require(angles.allFinite(), "Euler angles must be finite, got ", angles.transpose());
-  const auto [i, j, k] = axes_of(sequence);
+  const auto [i, j, k] = detail::axes_of(sequence);
   return axis_rotation(i, angles[0]) * axis_rotation(j, angles[1]) * axis_rotation(k, angles[2]);
 }
 
@@ -61,7 +68,7 @@ inline Mat3 euler_angles_to_matrix(const Vec3& angles, EulerSequence sequence) {
 /// only α ± γ is determined; the angles returned still give R back to rounding.
 /// @param R a rotation matrix; not checked
 inline Vec3 matrix_to_euler_angles(const Mat3& R, EulerSequence sequence) {
-  const auto [i, j, last] = axes_of(sequence);
+  const auto [i, j, last] = detail::axes_of(sequence);
   const bool proper = last == i;
   const int k = 3 - i - j;
   const double s = (j - i + 3) % 3 == 1 ? 1 : -1;  // e_i × e_j = s e_k
@@ -79,8 +86,10 @@ inline Vec3 matrix_to_euler_angles(const Mat3& R, EulerSequence sequence) {
 /// @param angles (α, β, γ) [rad], in the order of the sequence
 inline Mat3 fixed_angles_to_matrix(const Vec3& angles, EulerSequence sequence) {
   require(angles.allFinite(), "fixed-axis angles must be finite, got ", angles.transpose());
-  const auto [i, j, k] = axes_of(sequence);
+  const auto [i, j, k] = detail::axes_of(sequence);
   return axis_rotation(k, angles[2]) * axis_rotation(j, angles[1]) * axis_rotation(i, angles[0]);
 }
+
+/// @}
 
 }  // namespace tumble

@@ -13,14 +13,19 @@
 
 namespace tumble {
 
+/// @addtogroup rotation
+/// @{
+
 /// The rotation by |w| radians about the direction of w.
 /// @param w rotation vector [rad], any length
 template <class T>
 Matrix3<T> exp_rotation(const Vector3<T>& w) {
   const T theta = w.norm();
-  const T half = sinc(theta / T(2));
+  const T half = detail::sinc(theta / T(2));
   const Matrix3<T> W = skew(w);
-  return Matrix3<T>::Identity() + sinc(theta) * W + (half * half / T(2)) * (W * W);
+  return Matrix3<T>::Identity() + detail::sinc(theta) * W + (half * half / T(2)) * (W * W);
 }
+
+/// @}
 
 }  // namespace tumble

@@ -8,6 +8,9 @@
 
 namespace tumble {
 
+/// @addtogroup rotation
+/// @{
+
 /// A rotation near M: x = m₁/|m₁|, y = the part of m₂ across x, normalised, z = x × y.
 /// @param M 3×3 with columns m₁, m₂, m₃ that have drifted from a rotation's
 /// @throws std::invalid_argument if M is not finite, its columns are dependent or left-handed
@@ -22,5 +25,7 @@ inline Mat3 gram_schmidt(const Mat3& M) {
   R << x, y, x.cross(y);
   return R;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup rotation
+/// @{
+
 /// The rotation R that minimises ‖R − M‖ (Frobenius).
 /// @param M any 3×3 matrix of rank 2 or 3
 /// @throws std::invalid_argument if M is not finite or of rank < 2: no rotation is nearest then
@@ -29,5 +32,7 @@ inline Mat3 nearest_rotation(const Mat3& M) {
   const double turn = (svd.matrixU() * svd.matrixV().transpose()).determinant() > 0 ? 1 : -1;
   return svd.matrixU() * Vec3(1, 1, turn).asDiagonal() * svd.matrixV().transpose();
 }
+
+/// @}
 
 }  // namespace tumble

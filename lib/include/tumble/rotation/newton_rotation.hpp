@@ -15,6 +15,11 @@
 
 namespace tumble {
 
+/// @addtogroup rotation
+/// @{
+
+namespace detail {
+
 /// X⁻ᵀ from cross products: its columns are x₂ × x₃, x₃ × x₁, x₁ × x₂ over det X.
 /// @throws std::invalid_argument unless det X is positive and finite
 inline Mat3 inverse_transpose(const Mat3& X) {
@@ -26,9 +31,11 @@ inline Mat3 inverse_transpose(const Mat3& X) {
   return C / det;
 }
 
+}  // namespace detail
+
 /// One Newton step towards the nearest rotation: an orthonormality error e becomes about e²/4.
 /// @throws std::invalid_argument unless det M is positive and finite
-inline Mat3 newton_rotation_step(const Mat3& M) { return (M + inverse_transpose(M)) / 2; }
+inline Mat3 newton_rotation_step(const Mat3& M) { return (M + detail::inverse_transpose(M)) / 2; }
 
 /// The nearest rotation, by Newton steps until they change nothing.
 /// @param M any 3×3 matrix with a positive determinant; scaled steps (Higham's γ) bring even a
@@ -40,7 +47,7 @@ inline Mat3 newton_rotation(const Mat3& M) {
   constexpr int max_iterations = 20;  // a cap that scaled steps do not come near
   Mat3 X = M;
   for (int i = 0; i < max_iterations; ++i) {
-    const Mat3 Y = inverse_transpose(X);
+    const Mat3 Y = detail::inverse_transpose(X);
     const double gamma = std::sqrt(Y.norm() / X.norm());
     const Mat3 next = (gamma * X + Y / gamma) / 2;
     const double change = (next - X).norm();
@@ -49,5 +56,7 @@ inline Mat3 newton_rotation(const Mat3& M) {
   }
   return X;
 }
+
+/// @}
 
 }  // namespace tumble

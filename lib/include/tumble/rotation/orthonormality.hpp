@@ -7,6 +7,9 @@
 
 namespace tumble {
 
+/// @addtogroup rotation
+/// @{
+
 /// ‖MᵀM − 1‖ (Frobenius): 0 for a rotation or a reflection, about twice the relative
 /// stretch or shear.
 inline double orthonormality_error(const Mat3& M) {
@@ -17,5 +20,7 @@ inline double orthonormality_error(const Mat3& M) {
 inline bool is_rotation(const Mat3& M, double tolerance) {
   return orthonormality_error(M) <= tolerance && M.determinant() > 0;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -10,6 +10,9 @@
 
 namespace tumble {
 
+/// @addtogroup rotation
+/// @{
+
 /// Ṙ = [ω]× R [1/s].
 /// @param R     orientation, body → world
 /// @param omega angular velocity in world coordinates [rad/s]
@@ -29,5 +32,7 @@ template <class T>
 Vector3<T> angular_velocity_of(const Matrix3<T>& R, const Matrix3<T>& R_dot) {
   return unskew<T>(R_dot * R.transpose());
 }
+
+/// @}
 
 }  // namespace tumble

@@ -9,6 +9,9 @@
 
 namespace tumble {
 
+/// @addtogroup rotation
+/// @{
+
 /// The skew-symmetric matrix [v]× with [v]× w = v × w for every w.
 /// @param v 3-vector, any unit
 /// @return 3×3, the unit of v
@@ -29,5 +32,7 @@ template <class T>
 Vector3<T> unskew(const Matrix3<T>& M) {
   return Vector3<T>(M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1)) / T(2);
 }
+
+/// @}
 
 }  // namespace tumble

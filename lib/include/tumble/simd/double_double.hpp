@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup core
+/// @{
+
 /// hi + lo with |lo| at most half a unit in the last place of hi.
 struct DoubleDouble {
   double hi = 0, lo = 0;
@@ -19,7 +22,7 @@ struct DoubleDouble {
   constexpr DoubleDouble() = default;
   constexpr DoubleDouble(double x) : hi(x) {}  // implicit: every double is one
   constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
-  DoubleDouble(const Pair<double>& x) : DoubleDouble(normalised(x.hi, x.lo)) {}
+  DoubleDouble(const detail::Pair<double>& x) : DoubleDouble(normalised(x.hi, x.lo)) {}
   explicit constexpr operator double() const { return hi + lo; }
 
  private:
@@ -32,34 +35,34 @@ struct DoubleDouble {
 inline DoubleDouble operator-(const DoubleDouble& x) { return {-x.hi, -x.lo}; }
 
 inline DoubleDouble operator+(const DoubleDouble& x, double y) {
-  const DoubleDouble s = two_sum(x.hi, y);
-  return fast_two_sum(s.hi, x.lo + s.lo);
+  const DoubleDouble s = detail::two_sum(x.hi, y);
+  return detail::fast_two_sum(s.hi, x.lo + s.lo);
 }
 
 inline DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
-  const DoubleDouble s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
-  const DoubleDouble v = fast_two_sum(s.hi, s.lo + t.hi);
-  return fast_two_sum(v.hi, t.lo + v.lo);
+  const DoubleDouble s = detail::two_sum(x.hi, y.hi), t = detail::two_sum(x.lo, y.lo);
+  const DoubleDouble v = detail::fast_two_sum(s.hi, s.lo + t.hi);
+  return detail::fast_two_sum(v.hi, t.lo + v.lo);
 }
 
 inline DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + -y; }
 
 inline DoubleDouble operator*(const DoubleDouble& x, double y) {
-  const DoubleDouble p = two_prod(x.hi, y);
-  const DoubleDouble s = fast_two_sum(p.hi, x.lo * y);
-  return fast_two_sum(s.hi, s.lo + p.lo);
+  const DoubleDouble p = detail::two_prod(x.hi, y);
+  const DoubleDouble s = detail::fast_two_sum(p.hi, x.lo * y);
+  return detail::fast_two_sum(s.hi, s.lo + p.lo);
 }
 
 inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
-  const DoubleDouble p = two_prod(x.hi, y.hi);
-  return fast_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+  const DoubleDouble p = detail::two_prod(x.hi, y.hi);
+  return detail::fast_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
 inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
   const double quotient = x.hi / y.hi;
   const DoubleDouble product = y * quotient;
   const double rest = (x.hi - product.hi) + (x.lo - product.lo);
-  return fast_two_sum(quotient, rest / y.hi);
+  return detail::fast_two_sum(quotient, rest / y.hi);
 }
 
 inline DoubleDouble& operator+=(DoubleDouble& x, double y) { return x = x + y; }
@@ -73,6 +76,8 @@ inline bool operator==(const DoubleDouble& x, const DoubleDouble& y) {
 inline bool operator<(const DoubleDouble& x, const DoubleDouble& y) {
   return x.hi < y.hi || (x.hi == y.hi && x.lo < y.lo);
 }
+
+/// @}
 
 }  // namespace tumble
 

@@ -6,11 +6,16 @@
 
 namespace tumble {
 
+/// @addtogroup core
+/// @{
+
 /// Threads and instructions of a loop. The result does not depend on the threads, and on the
 /// instructions only by rounding.
 struct LoopOptions {
   int threads = 1;  ///< at least 1
   simd::InstructionSet instructions = simd::best_instruction_set();
 };
+
+/// @}
 
 }  // namespace tumble

@@ -17,7 +17,7 @@
 #error "tumble/simd/pair.hpp: -ffast-math takes the error terms away; compile without it"
 #endif
 
-namespace tumble {
+namespace tumble::detail {
 
 using simd::Fma;
 
@@ -115,4 +115,4 @@ TUMBLE_INLINE Pair<T, fma> multiply_add(const Pair<T, fma>& a, const Pair<T, fma
   return a * b + c;
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -54,7 +54,7 @@ TUMBLE_INLINE Point<T> add_cross(const Point<T>& c, const Point<T>& a, const Poi
 /// a · b. @tparam fma how products are added up: see multiply_add()
 template <Fma fma = baseline_fma, class T>
 TUMBLE_INLINE T dot(const Point<T>& a, const Point<T>& b) {
-  return multiply_add<fma>(a.x, b.x, multiply_add<fma>(a.y, b.y, a.z * b.z));
+  return detail::multiply_add<fma>(a.x, b.x, detail::multiply_add<fma>(a.y, b.y, a.z * b.z));
 }
 
 template <class P>
@@ -62,7 +62,7 @@ TUMBLE_INLINE const P& leading(const P& x) {
   return x;
 }
 template <class P, Fma fma>
-TUMBLE_INLINE const P& leading(const Pair<P, fma>& x) {
+TUMBLE_INLINE const P& leading(const detail::Pair<P, fma>& x) {
   return x.hi;
 }
 

@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup simulate
+/// @{
+
 /// A callable (t, state) → number, whose change of sign is the event.
 template <class G>
 concept EventFunction = requires(const G& g, double t, const RigidBodyState<>& state) {
@@ -37,10 +40,13 @@ double change_of_sign(const Value& value, double a, double b, double value_a, do
     const double secant = a - value_a * ((b - a) / (value_b - value_a));
     const double t = i % 2 && secant > a && secant < b ? secant : middle;
     const double value_t = value(t);
-    if (value_t != 0 && std::signbit(value_t) == std::signbit(value_a))
-      a = t, value_a = value_t;
-    else
-      b = t, value_b = value_t;
+    if (value_t != 0 && std::signbit(value_t) == std::signbit(value_a)) {
+      a = t;
+      value_a = value_t;
+    } else {
+      b = t;
+      value_b = value_t;
+    }
   }
   return b;
 }
@@ -62,7 +68,8 @@ void visit_events(const Trajectory& trajectory, const G& g, const Visit& visit) 
         const double root = change_of_sign(value, before, t, g_before, g_now);
         if (!visit(Event{root, trajectory.at(root)})) return;
       }
-      before = t, g_before = g_now;
+      before = t;
+      g_before = g_now;
     }
 }
 
@@ -91,5 +98,7 @@ std::vector<Event> every_event(const Trajectory& trajectory, const G& g) {
   });
   return all;
 }
+
+/// @}
 
 }  // namespace tumble

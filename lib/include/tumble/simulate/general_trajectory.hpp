@@ -11,7 +11,7 @@
 #include "tumble/simulate/scaled_rhs.hpp"
 #include "tumble/simulate/stated_error.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// What is large and small in a scene: at least the motion through the body's own size, and the
 /// turn by one radian, in the whole time.
@@ -44,7 +44,8 @@ class GeneralTrajectory {
     const auto keep = [this](double t, const Numbers& y) { steps_.push_back({t, y}); };
     const auto solution =
         integrate_adaptive<Dop853>(rhs_, steps_.front().y, t0, t1, {tolerance, tolerance}, keep);
-    rejected_ = solution.rejected, evaluations_ = solution.evaluations;
+    rejected_ = solution.rejected;
+    evaluations_ = solution.evaluations;
   }
 
   int steps() const { return static_cast<int>(steps_.size()) - 1; }
@@ -81,4 +82,4 @@ class GeneralTrajectory {
   int rejected_ = 0, evaluations_ = 0;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -12,7 +12,7 @@
 #include "tumble/body/dydt.hpp"
 #include "tumble/simulate/stated_error.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// A right-hand side of a body under forces.
 /// @tparam Rhs a RigidBodyRhs<double, …>
@@ -66,4 +66,4 @@ class ScaledRhs {
   double per_mass_, per_length_, per_momentum_, per_angular_momentum_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -20,25 +20,15 @@
 #include "tumble/body/forces.hpp"
 #include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
+#include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/steady_trajectory.hpp"
 #include "tumble/simulate/trajectory.hpp"
 #include "tumble/steady/lagrange_top.hpp"
 
 namespace tumble {
 
-/// What a simulation is to give.
-enum class Wanted {
-  trajectory,  ///< everything
-  path_only,   ///< x and P; q and L stay as they were at the start
-};
-
-/// What to simulate beside the body and its forces.
-struct SimulationTask {
-  double t0 = 0;            ///< [s]
-  double t1 = 1;            ///< [s], not before t0
-  double tolerance = 1e-6;  ///< of the orientation in radians, of all else relative to its size
-  Wanted wanted = Wanted::trajectory;
-};
+/// @addtogroup simulate
+/// @{
 
 namespace detail {
 
@@ -69,9 +59,11 @@ inline Trajectory free_trajectory(const RigidBody<>& body, const RigidBodyState<
   const auto motion = std::make_shared<const FreeTrajectory>(body, start);
   const double omega = derived(body, start).omega.norm();
   const ModelChoice choice = choose_model(body);
-  const SimulationReport report{choice.model, std::string("closed form: ") + motion->name(),
-                                "no torque; " + choice.why, task.tolerance,
-                                closed_form_error(omega, task.t0, task.t1)};
+  const SimulationReport report{.model = choice.model,
+                                .method = std::string("closed form: ") + name_of(*motion),
+                                .why = "no torque; " + choice.why,
+                                .tolerance = task.tolerance,
+                                .error_estimate = closed_form_error(omega, task.t0, task.t1)};
   const auto at = [motion, path, t0 = task.t0](double t) -> RigidBodyState<> {
     const RigidBodyState<> turned = motion->at(t - t0);
     return {path.x(t - t0), turned.q, path.P(t - t0), turned.L};
@@ -81,9 +73,12 @@ inline Trajectory free_trajectory(const RigidBody<>& body, const RigidBodyState<
 
 inline Trajectory particle_trajectory(const RigidBodyState<>& start, const SteadyPath& path,
                                       const SimulationTask& task) {
-  const SimulationReport report{Model::particle, "closed form: path under steady forces",
-                                "nobody asks for the turning, and the path does not depend on it",
-                                task.tolerance, 1e-15};
+  const SimulationReport report{
+      .model = Model::particle,
+      .method = "closed form: path under steady forces",
+      .why = "nobody asks for the turning, and the path does not depend on it",
+      .tolerance = task.tolerance,
+      .error_estimate = 1e-15};
   const auto at = [start, path, t0 = task.t0](double t) -> RigidBodyState<> {
     return {path.x(t - t0), start.q, path.P(t - t0), start.L};
   };
@@ -93,10 +88,12 @@ inline Trajectory particle_trajectory(const RigidBodyState<>& start, const Stead
 inline Trajectory top_trajectory(const LagrangeTop& top, const RigidBody<>& body,
                                  const RigidBodyState<>& start, const SteadyPath& path,
                                  const SimulationTask& task) {
-  const SimulationReport report{Model::symmetric_top,
-                                "closed form: Lagrange top (elliptic functions)",
-                                "two principal moments are equal, and the force acts on the axis",
-                                task.tolerance, top.error_bound(task.t1 - task.t0)};
+  const SimulationReport report{
+      .model = Model::symmetric_top,
+      .method = "closed form: Lagrange top (elliptic functions)",
+      .why = "two principal moments are equal, and the force acts on the axis",
+      .tolerance = task.tolerance,
+      .error_estimate = top.error_bound(task.t1 - task.t0)};
   const auto at = [top, path, t0 = task.t0](double t) -> RigidBodyState<> {
     const LagrangeTop::State turned = top.at(t - t0);
     return {path.x(t - t0), turned.q, path.P(t - t0), turned.L};
@@ -111,8 +108,10 @@ Trajectory turning_trajectory(const SteadyTorque& torque, const SteadyPath& path
   const double span = task.t1 - task.t0, inertia = torque.axes().moments.mean();
   double turning = start.L.norm();
   for (int r = 0; r < torque.rank(); ++r) turning = std::max(turning, torque.arm(r).norm() * span);
-  const MotionScale scale{1, 1, std::max(turning, inertia / span)};
-  SimulationReport report{Model::full_body, "", "steady forces turn the body", task.tolerance, 0};
+  const MotionScale scale{
+      .length = 1, .momentum = 1, .angular_momentum = std::max(turning, inertia / span)};
+  SimulationReport report{
+      .model = Model::full_body, .why = "steady forces turn the body", .tolerance = task.tolerance};
   const auto run = [&](const RigidBodyState<>& from, double tolerance) {
     return SteadyTrajectory<rank>(torque, path, from, task.t0, task.t1, tolerance);
   };
@@ -149,9 +148,10 @@ Trajectory general_trajectory(const RigidBody<>& body, const RigidBodyState<>& s
   using Rhs = RigidBodyRhs<double, Forces...>;
   const Rhs rhs(body, forces...);
   const MotionScale scale = scale_of(rhs, start, task.t0, task.t1);
-  SimulationReport report{Model::full_body, "Dormand–Prince 8(5,3)",
-                          "a force depends on where the body is or how it is turned",
-                          task.tolerance, 0};
+  SimulationReport report{.model = Model::full_body,
+                          .method = "Dormand–Prince 8(5,3)",
+                          .why = "a force depends on where the body is or how it is turned",
+                          .tolerance = task.tolerance};
   const auto run = [&](const RigidBodyState<>& from, double tolerance) {
     return GeneralTrajectory<Rhs>(rhs, scale, from, task.t0, task.t1, tolerance);
   };
@@ -179,13 +179,15 @@ Trajectory simulate(const RigidBody<>& body, const RigidBodyState<>& start,
   require(pack(start).allFinite(), "simulate: the state (", pack(start).transpose(),
           ") is not finite");
   require(start.q.squaredNorm() > 0, "simulate: the quaternion is zero");
-  (require_valid_force(forces), ...);
+  (detail::require_valid_force(forces), ...);
   RigidBodyState<> from = start;
   from.q.normalize();
   if constexpr ((SteadyForce<Forces> && ...))
-    return detail::steady_trajectory(body, from, steady_forces(body, forces...), task);
+    return detail::steady_trajectory(body, from, detail::steady_forces(body, forces...), task);
   else
     return detail::general_trajectory(body, from, task, forces...);
 }
+
+/// @}
 
 }  // namespace tumble

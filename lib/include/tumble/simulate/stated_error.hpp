@@ -19,10 +19,11 @@
 #include <cmath>
 #include <type_traits>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/simulate/trajectory.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// How far two motions are from each other: the angle between orientations [rad], and everything
 /// else as a part of its largest size on the way; the largest of these at some moments.
@@ -47,13 +48,13 @@ struct StatedError {
 template <class Run>
 StatedError stated_error(const Run& rough, const Run& fine, const MotionScale& scale, double t0,
                          double t1, double epsilon, double tolerance) {
-  constexpr int moments = 8;
+  constexpr int samples = 8;
   double difference = 0;
-  for (int i = 1; i <= moments; ++i) {
-    const double t = i == moments ? t1 : t0 + i * (t1 - t0) / moments;
+  for (int i = 1; i <= samples; ++i) {
+    const double t = i == samples ? t1 : t0 + i * (t1 - t0) / samples;
     difference = std::max(difference, scale.difference(rough.at(t), fine.at(t)));
   }
-  constexpr double unit_roundoff = 0x1p-53, careful = 4;
+  constexpr double careful = 4;
   const double steps = std::sqrt(static_cast<double>(fine.steps()));
   const double share = careful * std::pow(tolerance / epsilon, Run::error_exponent) +
                        Run::margin * steps * unit_roundoff / epsilon;
@@ -74,7 +75,8 @@ std::invoke_result_t<Runner, const RigidBodyState<>&, double> run_to_tolerance(
     const double fine_tolerance = std::max(finer * epsilon, finest);
     const Run rough = run(start, epsilon);
     Run fine = run(start, fine_tolerance);
-    rough.account(report), fine.account(report);
+    rough.account(report);
+    fine.account(report);
     const StatedError error = stated_error(rough, fine, scale, t0, t1, epsilon, fine_tolerance);
     report.error_estimate = error.estimate;
     if (report.reached() || epsilon == lowest) return fine;
@@ -85,4 +87,4 @@ std::invoke_result_t<Runner, const RigidBodyState<>&, double> run_to_tolerance(
   }
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

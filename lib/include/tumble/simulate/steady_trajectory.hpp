@@ -9,7 +9,7 @@
 #include "tumble/steady/steady_path.hpp"
 #include "tumble/steady/turning_by_series.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// One integration of the turning, beside the path.
 template <int rank>
@@ -52,4 +52,4 @@ class SteadyTrajectory {
   TurningBySeries<rank> turning_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

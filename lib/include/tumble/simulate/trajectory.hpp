@@ -12,17 +12,20 @@
 
 namespace tumble {
 
+/// @addtogroup simulate
+/// @{
+
 /// What was chosen, why, what error is left and what it cost.
 struct SimulationReport {
-  Model model;            ///< the simplest that is exact for the scene
-  std::string method;     ///< in words
-  std::string why;        ///< in words
-  double tolerance;       ///< what was asked for
-  double error_estimate;  ///< in the same units
-  int runs = 0;           ///< integrations from t0 to t1; 0 for a closed form
-  int steps = 0;          ///< of all runs
-  int rejected = 0;       ///< of all runs
-  int evaluations = 0;    ///< of the forces, or expansions into a series
+  Model model = Model::full_body;  ///< the simplest that is exact for the scene
+  std::string method = {};         ///< in words
+  std::string why = {};            ///< in words
+  double tolerance = 0;            ///< what was asked for
+  double error_estimate = 0;       ///< in the same units
+  int runs = 0;                    ///< integrations from t0 to t1; 0 for a closed form
+  int steps = 0;                   ///< of all runs
+  int rejected = 0;                ///< of all runs
+  int evaluations = 0;             ///< of the forces, or expansions into a series
 
   /// Whether the tolerance was kept, as far as can be told. If not, error_estimate says what was.
   bool reached() const { return error_estimate <= tolerance; }
@@ -31,8 +34,8 @@ struct SimulationReport {
 /// The motion of a body from t0 to t1.
 class Trajectory {
  public:
-  /// @param at     the state at any time of the span
-  /// @param moments t0 … t1, ascending, so close that the motion between two of them is simple
+  /// @param at    the state at any time of the span
+  /// @param times t0 … t1, ascending, so close that the motion between two of them is simple
   Trajectory(std::function<RigidBodyState<>(double)> at, std::vector<double> times,
              SimulationReport report)
       : at_(std::move(at)), times_(std::move(times)), report_(std::move(report)) {}
@@ -55,5 +58,7 @@ class Trajectory {
   std::vector<double> times_;
   SimulationReport report_;
 };
+
+/// @}
 
 }  // namespace tumble

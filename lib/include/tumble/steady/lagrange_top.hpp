@@ -31,6 +31,9 @@
 
 namespace tumble {
 
+/// @addtogroup steady
+/// @{
+
 /// The closed form of a top's turning.
 class LagrangeTop {
  public:
@@ -73,7 +76,7 @@ class LagrangeTop {
  private:
   using Theta = std::variant<ThetaSeries, ComplementaryThetaSeries>;
 
-  LagrangeTop(const TopConstants& motion, const Vec3& up, const Vec3& axis, double slip);
+  LagrangeTop(const detail::TopConstants& motion, const Vec3& up, const Vec3& axis, double slip);
 
   static Theta series_for(const Modulus& k, const Amplitude& eta) {
     if (k.k2 <= k.kc2) return ThetaSeries(k, eta);
@@ -101,7 +104,7 @@ class LagrangeTop {
     return along_n * n + along_up * up_ + (motion_.A * w_rate / sin2) * up_.cross(n);
   }
 
-  TopConstants motion_;
+  detail::TopConstants motion_;
   Vec3 up_, axis_;  ///< e in the world, n in the body
   Quat upright_;    ///< z → e
   Quat frame_;      ///< body → coordinates with n along z
@@ -112,7 +115,7 @@ class LagrangeTop {
   std::complex<double> a0_ = 1, b0_ = 1;
 };
 
-inline LagrangeTop::LagrangeTop(const TopConstants& m, const Vec3& up, const Vec3& axis,
+inline LagrangeTop::LagrangeTop(const detail::TopConstants& m, const Vec3& up, const Vec3& axis,
                                 double slip)
     : motion_(m),
       up_(up),
@@ -164,5 +167,7 @@ inline std::optional<LagrangeTop> LagrangeTop::from(const SteadyTorque& torque, 
   top.b0_ = direction(wanted.x(), wanted.y()) / direction(raw.x(), raw.y());
   return top;
 }
+
+/// @}
 
 }  // namespace tumble

@@ -14,6 +14,11 @@
 
 namespace tumble {
 
+/// @addtogroup steady
+/// @{
+
+namespace detail {
+
 /// (e^y − 1)/y, 1 at y = 0.
 inline double phi1(double y) { return y == 0 ? 1 : std::expm1(y) / y; }
 
@@ -24,6 +29,8 @@ inline double phi2(double y) {
   for (int k = 18; k >= 2; --k) sum = (sum * y + 1) / k;  // Σ y^(k−2)/k!, from the smallest term
   return sum;
 }
+
+}  // namespace detail
 
 /// Where the centre of mass is, and its momentum.
 class SteadyPath {
@@ -38,17 +45,19 @@ class SteadyPath {
   /// [m]
   Vec3 x(double t) const {
     const double y = -rate_ * t;
-    return x_ + (t * phi1(y) / mass_) * P_ + (t * t * phi2(y) / mass_) * force_;
+    return x_ + (t * detail::phi1(y) / mass_) * P_ + (t * t * detail::phi2(y) / mass_) * force_;
   }
   /// [kg m/s]
   Vec3 P(double t) const {
     const double y = -rate_ * t;
-    return std::exp(y) * P_ + (t * phi1(y)) * force_;
+    return std::exp(y) * P_ + (t * detail::phi1(y)) * force_;
   }
 
  private:
   Vec3 x_, P_, force_;
   double mass_, rate_;
 };
+
+/// @}
 
 }  // namespace tumble

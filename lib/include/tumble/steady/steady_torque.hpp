@@ -15,6 +15,9 @@
 
 namespace tumble {
 
+/// @addtogroup steady
+/// @{
+
 /// How a body is turned and turns, in principal axes.
 struct TurningState {
   Quat q;      ///< principal axes → world
@@ -88,5 +91,7 @@ class SteadyTorque {
   int rank_ = 0;
   std::array<Vec3, 3> directions_, arms_;
 };
+
+/// @}
 
 }  // namespace tumble

@@ -17,7 +17,7 @@
 #include "tumble/free_body/polhode.hpp"
 #include "tumble/simd/double_double.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The constants of a top's motion and the turning points of its axis.
 struct TopConstants {
@@ -35,8 +35,6 @@ struct TopConstants {
   }
   Amplitude eta_b() const { return {std::sqrt(-w3 / (w2 - w3)), std::sqrt(w2 / (w2 - w3))}; }
 };
-
-namespace detail {
 
 /// √x with twice the digits, x ≥ 0.
 inline DoubleDouble square_root(const DoubleDouble& x) {
@@ -109,6 +107,4 @@ inline std::optional<TopConstants> top_constants(double A, double mu, const Vec3
   return m;
 }
 
-}  // namespace detail
-
-}  // namespace tumble
+}  // namespace tumble::detail

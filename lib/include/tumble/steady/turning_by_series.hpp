@@ -16,11 +16,18 @@
 
 namespace tumble {
 
+/// @addtogroup steady
+/// @{
+
+namespace detail {
+
 /// An even order that is good for steps with this tolerance: measured on free bodies and tops.
 inline int order_for(double tolerance) {
   const int order = 2 * static_cast<int>(std::lround((10 - 1.3 * std::log10(tolerance)) / 2));
   return std::clamp(order, 8, TurningSeries<0>::max_order);
 }
+
+}  // namespace detail
 
 /// The steps of a turning, and what is between them.
 template <int rank>
@@ -32,7 +39,7 @@ class TurningBySeries {
   ///         max_steps
   TurningBySeries(const SteadyTorque& torque, const TurningState& start, double t0, double t1,
                   double tolerance)
-      : series_(torque, order_for(tolerance)) {
+      : series_(torque, detail::order_for(tolerance)) {
     double t = t0;
     steps_.push_back({t, start});
     while (t < t1) {
@@ -57,7 +64,7 @@ class TurningBySeries {
     const auto after = std::upper_bound(steps_.begin() + 1, steps_.end(), t, later);
     const Step& step = *(after - 1);
     if (t == step.t) return step.state;
-    TurningSeries<rank> series = series_;
+    detail::TurningSeries<rank> series = series_;
     series.expand(step.state);
     return series.at(t - step.t);
   }
@@ -78,8 +85,10 @@ class TurningBySeries {
     detail::throw_error<std::runtime_error>(text.str());
   }
 
-  TurningSeries<rank> series_;
+  detail::TurningSeries<rank> series_;
   std::vector<Step> steps_;
 };
+
+/// @}
 
 }  // namespace tumble

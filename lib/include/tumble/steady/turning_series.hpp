@@ -19,9 +19,10 @@
 
 #include "tumble/simd/instruction_set.hpp"
 #include "tumble/simd/pair.hpp"
+#include "tumble/steady/four_lanes.hpp"
 #include "tumble/steady/steady_torque.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The series of a body's turning about one moment.
 /// @tparam rank how many directions the torque has, 0 … 3
@@ -34,14 +35,16 @@ class TurningSeries {
   /// @param torque with this rank
   /// @param order  even, 2 … max_order
   TurningSeries(const SteadyTorque& torque, int order)
-      : order_(order), instructions_(simd::best_instruction_set()), drag_(four(torque.drag())) {
+      : order_(order),
+        instructions_(simd::best_instruction_set()),
+        drag_(four_lanes(torque.drag())) {
     const Vec3& J = torque.axes().moments;
-    euler_ = four({(J[1] - J[2]) / J[0], (J[2] - J[0]) / J[1], (J[0] - J[1]) / J[2]});
+    euler_ = four_lanes({(J[1] - J[2]) / J[0], (J[2] - J[0]) / J[1], (J[0] - J[1]) / J[2]});
     for (int r = 0; r < rank; ++r) {
       const Vec3& a = torque.arm(r);
       directions_[r] = torque.direction(r);
-      plus_[r] = four({a[1] / J[0], a[2] / J[1], a[0] / J[2]});
-      minus_[r] = four({a[2] / J[0], a[0] / J[1], a[1] / J[2]});
+      plus_[r] = four_lanes({a[1] / J[0], a[2] / J[1], a[0] / J[2]});
+      minus_[r] = four_lanes({a[2] / J[0], a[0] / J[1], a[1] / J[2]});
     }
   }
 
@@ -50,20 +53,20 @@ class TurningSeries {
   /// Expands about a state; what was there before is forgotten.
   void expand(const TurningState& state) {
     const Quat& q = state.q;
-    w_[0] = arranged_omega(four(state.omega));
+    w_[0] = arranged_omega(four_lanes(state.omega));
     q_[0] = arranged_orientation(FourDoubles{q.w(), q.x(), q.y(), q.z()});
     const double scale = 1 / q.squaredNorm();
     for (int r = 0; r < rank; ++r)
-      u_[r][0] = arranged_direction(four(scale * (q.conjugate() * directions_[r])));
+      u_[r][0] = arranged_direction(four_lanes(scale * (q.conjugate() * directions_[r])));
     dispatch(instructions_, Expansion{*this});
   }
 
   /// The longest step whose last terms stay below the tolerance, relative to ω and to 1 for q.
   double step(double tolerance) const {
     double h = std::numeric_limits<double>::infinity();
-    const double q0 = size(q_[0].q), w0 = size(w_[0].xyz);
+    const double q0 = norm(q_[0].q), w0 = norm(w_[0].xyz);
     for (const int k : {order_ - 1, order_}) {
-      const double last = std::max(size(q_[k].q) / q0, w0 > 0 ? size(w_[k].xyz) / w0 : 0.0);
+      const double last = std::max(norm(q_[k].q) / q0, w0 > 0 ? norm(w_[k].xyz) / w0 : 0.0);
       // Three digits of h are plenty; single precision is faster.
       if (last > 0)
         h = std::min<double>(
@@ -75,21 +78,14 @@ class TurningSeries {
   /// The state a time h after the one expanded about.
   TurningState at(double h) const {
     FourDoubles q = q_[order_].q, w = w_[order_].xyz;
-    for (int k = order_ - 1; k >= 0; --k) q = q * h + q_[k].q, w = w * h + w_[k].xyz;
+    for (int k = order_ - 1; k >= 0; --k) {
+      q = q * h + q_[k].q;
+      w = w * h + w_[k].xyz;
+    }
     return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2])};
   }
 
  private:
-  using FourDoubles = simd::FourDoubles;
-
-  TUMBLE_INLINE static FourDoubles four(const Vec3& v) {
-    return FourDoubles{v.x(), v.y(), v.z(), 0};
-  }
-
-  static double size(const FourDoubles& x) {
-    return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]);
-  }
-
   struct Expansion {
     TurningSeries& series;
 
@@ -98,13 +94,6 @@ class TurningSeries {
       series.template expand_with<fma>();
     }
   };
-
-  TUMBLE_INLINE static FourDoubles yzx(const FourDoubles& a) {
-    return __builtin_shufflevector(a, a, 1, 2, 0, 3);
-  }
-  TUMBLE_INLINE static FourDoubles zxy(const FourDoubles& a) {
-    return __builtin_shufflevector(a, a, 2, 0, 1, 3);
-  }
 
   /// Coefficient k of ω in the orders in which products need it.
   struct Omega {
@@ -149,7 +138,11 @@ class TurningSeries {
         const Omega w{stored.xyz, stored.yzx, stored.zxy, stored.x, stored.y, stored.z};
         add<fma>(first, j, w);
         add<fma>(second, j, next);
-        next.yzx = w.yzx, next.zxy = w.zxy, next.x = w.x, next.y = w.y, next.z = w.z;
+        next.yzx = w.yzx;
+        next.zxy = w.zxy;
+        next.x = w.x;
+        next.y = w.y;
+        next.z = w.z;
       }
       finish(k, first);
       add<fma>(second, 0, w_[k + 1]);
@@ -197,4 +190,4 @@ class TurningSeries {
   Direction u_[slots][max_order + 1];
 };
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -210,7 +210,7 @@ Method free_closed_form() {
   const auto prepare = [](const Problem& problem, double) -> Run {
     if (!problem.scene.free()) return {};
     return [body = rigid_body(problem.body()), start = start_of(problem.body()),
-            t = problem.duration] { return FreeFlow(body).advance(start.q, start.L, t); };
+            t = problem.duration] { return detail::FreeFlow(body).advance(start.q, start.L, t); };
   };
   return {"tumble", "closed form", Knob::tolerance, prepare, 1e3};
 }

@@ -38,10 +38,10 @@ Answer plain_loop(const PolygonMesh& mesh, const Vec3& p) {
   for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
     const Point a = from_p(mesh.corners[i]), b = from_p(mesh.corners[i + 1]),
                 c = from_p(mesh.corners[i + 2]);
-    sum += raw_moments(simd::six_volume(a, b, c), a, b, c);
+    sum += detail::raw_moments(simd::six_volume(a, b, c), a, b, c);
   }
   Moments<DoubleDouble> all;
-  return mass_properties(with_factors(all += sum), p, 1);
+  return mass_properties(detail::with_factors(all += sum), p, 1);
 }
 
 template <class F>
@@ -113,8 +113,9 @@ void add_columns(std::vector<Method>& methods) {
 std::vector<Method> own_methods() {
   std::vector<Method> methods = {
       only_in_table(on_mesh("read once", read_once)),
-      on_mesh("plain loop",
-              [](const PolygonMesh& mesh) { return plain_loop(mesh, reference_point(mesh)); }),
+      on_mesh(
+          "plain loop",
+          [](const PolygonMesh& mesh) { return plain_loop(mesh, detail::reference_point(mesh)); }),
       only_in_table(
           on_mesh("plain loop about the origin",
                   [](const PolygonMesh& mesh) { return plain_loop(mesh, Vec3(0, 0, 0)); })),

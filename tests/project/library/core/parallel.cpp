@@ -7,6 +7,7 @@
 #include "project/harness/refusal.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 TEST_CASE("parallel_for: does every piece once, however many threads there are") {
   for (const int threads : {1, 2, 3, 8}) {

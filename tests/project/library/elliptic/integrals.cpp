@@ -5,6 +5,7 @@
 #include "project/harness/inputs.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::eps;
 
 TEST_CASE("carlson_rf: the values of Carlson's paper, and its symmetry and scale") {

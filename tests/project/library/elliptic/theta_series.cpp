@@ -6,6 +6,7 @@
 #include "tumble/elliptic/complementary_theta_series.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::eps;
 
 namespace {

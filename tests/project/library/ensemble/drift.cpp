@@ -6,6 +6,7 @@
 #include "project/harness/relative_error.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using simd::FourDoubles;
 using test::eps;
 

@@ -7,6 +7,7 @@
 #include "scenes.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::eps;
 
 TEST_CASE("Ensemble: gives back the states it was made of, in the bodies' own axes") {

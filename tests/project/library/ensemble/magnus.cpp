@@ -11,6 +11,7 @@
 #include "tumble/quaternion/quaternion_dot.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::eps;
 
 namespace {

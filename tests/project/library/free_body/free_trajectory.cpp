@@ -46,7 +46,7 @@ TEST_CASE(
   const RigidBody<> body(1, m.I_body);
   const FreeTrajectory motion(body, {Vec3::Zero(), m.q0, Vec3::Zero(), m.L_end});
   CHECK(angle_between(motion.at(m.duration).q, m.q_end) < 5e-14);
-  CHECK(std::string(motion.name()) == "free asymmetric top (elliptic functions)");
+  CHECK(std::string(name_of(motion)) == "free asymmetric top (elliptic functions)");
 }
 
 TEST_CASE("FreeTrajectory: random bodies, forwards and backwards in time") {
@@ -117,7 +117,7 @@ TEST_CASE("FreeTrajectory: an exact spin about each axis stays, also about the m
   for (const int axis : {0, 1, 2}) {
     const Vec3 omega = 3 * Vec3::Unit(axis);
     const FreeTrajectory motion(RigidBody<>(1, I), turning(J, Quat(1, 0, 0, 0), omega));
-    CHECK(std::string(motion.name()) == "uniform rotation");
+    CHECK(std::string(name_of(motion)) == "uniform rotation");
     CHECK(angle_between(motion.at(1000).q, exp_quaternion<double>(1000 * omega)) < 1e-12);
   }
   const FreeTrajectory still(RigidBody<>(1, I), {});
@@ -128,9 +128,9 @@ TEST_CASE("FreeTrajectory: a ball and a symmetric top need sines only") {
   test::Random rng(606);
   const Vec3 omega = rng.vector();
   for (const Vec3& J : {Vec3(1, 1, 1), Vec3(1, 1, 1.5), Vec3(0.3, 1, 1)}) {
-    CHECK(std::string(FreeTrajectory(RigidBody<>(1, Mat3(J.asDiagonal())),
-                                     turning(J, rng.rotation(), omega))
-                          .name()) != "free asymmetric top (elliptic functions)");
+    CHECK(std::string(name_of(FreeTrajectory(RigidBody<>(1, Mat3(J.asDiagonal())),
+                                             turning(J, rng.rotation(), omega)))) !=
+          "free asymmetric top (elliptic functions)");
     CHECK(error_in_roundings(J, turning(J, rng.rotation(), omega), 10) < kept);
   }
 }

@@ -14,6 +14,7 @@
 #include "tumble/mesh/read_obj.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::eps;
 using test::inertia_error;
 

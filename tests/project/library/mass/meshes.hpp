@@ -31,7 +31,7 @@ inline BoundedMassProperties textbook(const PolygonMesh& mesh, double density) {
 
 /// The error of a mass against the exact volume (density 1), relative.
 inline double mass_error(double mass, const PolygonMesh& mesh) {
-  const DoubleDouble exact = exact_moments(mesh, reference_point(mesh)).one;
+  const DoubleDouble exact = exact_moments(mesh, detail::reference_point(mesh)).one;
   return std::abs(double((DoubleDouble(mass) - exact) / exact));
 }
 
@@ -44,7 +44,7 @@ inline double inertia_error(const Mat3& I, const Mat3& truth) {
 inline double centre_error(const BoundedMassProperties& body, const PolygonMesh& mesh) {
   using T = DoubleDouble;
   const Vector3<T> found = body.centre.cast<T>() + body.centre_rest.cast<T>();
-  return to_double(found - exact_centre(mesh)).norm();
+  return detail::to_double(found - exact_centre(mesh)).norm();
 }
 
 }  // namespace tumble::test

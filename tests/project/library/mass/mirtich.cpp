@@ -9,6 +9,7 @@
 #include "tumble/mass/transform.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::askew;
 using test::eps;
 using test::inertia_error;

@@ -5,6 +5,7 @@
 #include "tumble/mass/mirtich/volume_integrals.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using namespace tumble::mirtich;
 using test::eps;
 

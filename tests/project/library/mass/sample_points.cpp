@@ -12,6 +12,7 @@
 #include "tumble/mass/stratified_points.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::eps;
 
 namespace {

@@ -6,6 +6,7 @@
 #include "tumble/mass.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using std::numbers::pi;
 using test::eps;
 using test::inertia_error;

@@ -8,6 +8,7 @@
 #include "tumble/mass/solids/box.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::askew;
 using test::eps;
 using test::inertia_error;

@@ -6,6 +6,7 @@
 #include "project/library/mesh/shapes.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::Random;
 
 TEST_CASE("has_no_area: exactly, where the cross product in doubles is not 0") {

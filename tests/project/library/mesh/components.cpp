@@ -8,6 +8,7 @@
 #include "project/library/mesh/shapes.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::parts_of;
 
 TEST_CASE("components: a cube is one part of volume 1") {

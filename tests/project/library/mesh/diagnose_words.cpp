@@ -5,6 +5,7 @@
 #include "tumble/mesh/diagnose.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "project/library/mesh/shapes.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 TEST_CASE("edge_balance: is 0 for closed surfaces, of triangles or polygons") {
   CHECK(is_closed(test::cube()));

@@ -5,6 +5,7 @@
 #include "project/harness/inputs.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 TEST_CASE("finite_bounds: the box of bounds(), for any number of vertices and all instructions") {
   test::Random rng(51);

@@ -8,6 +8,7 @@
 #include "tumble/mesh/jittered_lines.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::Random;
 
 namespace {

@@ -6,6 +6,7 @@
 #include "project/library/mesh/shapes.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::Random;
 
 TEST_CASE("orientation: left is 1, right is −1, on the line is 0") {

@@ -6,8 +6,8 @@
 
 namespace tumble::test {
 
-inline Components parts_of(const PolygonMesh& mesh) {
-  const LineLattice lattice(bounds(mesh), 16);
+inline detail::Components parts_of(const PolygonMesh& mesh) {
+  const detail::LineLattice lattice(bounds(mesh), 16);
   return components(mesh, survey(mesh, lattice.filter(), {}).enclosed);
 }
 

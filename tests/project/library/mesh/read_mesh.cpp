@@ -11,6 +11,7 @@
 #include "tumble/mesh/weld.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

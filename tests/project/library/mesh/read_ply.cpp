@@ -7,6 +7,7 @@
 #include "tumble/mesh/parse_ply.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "tumble/mesh/parse_stl.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "tumble/mesh/read_obj.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::parts_of;
 
 TEST_CASE("diagnose: finds nothing wrong with closed real meshes") {

@@ -7,6 +7,7 @@
 #include "tumble/mesh/sum_over_blocks.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "tumble/mesh/edge_balance.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 TEST_CASE("weld: closes a surface whose faces have their own corners") {
   for (const PolygonMesh& mesh : {test::cube(), test::sphere(2)}) {

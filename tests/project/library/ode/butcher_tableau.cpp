@@ -13,6 +13,7 @@
 #include "tumble/ode/dormand_prince_54.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "problems.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "problems.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::contains;
 using test::message_of;
 

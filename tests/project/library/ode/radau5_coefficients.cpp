@@ -5,6 +5,7 @@
 #include <limits>
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "problems.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 TEST_CASE("adaptive_step_size: a worked number") {
   // An error 32 times too large of order 4: half the step, and 0.9 of that for safety.

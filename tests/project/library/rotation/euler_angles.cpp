@@ -7,6 +7,7 @@
 #include "tumble/rotation/exp.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::eps;
 
 namespace {

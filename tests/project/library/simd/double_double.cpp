@@ -5,6 +5,7 @@
 #include "project/harness/inputs.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::Random;
 
 namespace {

@@ -9,6 +9,7 @@
 #include "tumble/simd/instruction_set.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using namespace tumble::simd;
 
 namespace {

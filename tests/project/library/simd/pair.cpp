@@ -6,6 +6,7 @@
 #include "tumble/simd/double_double.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::Random;
 
 namespace {

@@ -9,6 +9,7 @@
 #include "tumble/quaternion/exp_log.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "tumble/body/forces.hpp"
 
 using namespace tumble;
+using namespace tumble::detail;
 using test::eps;
 
 TEST_CASE("phi1 and phi2: their series near 0, their definition elsewhere, no step between") {

@@ -64,7 +64,7 @@ TEST_CASE("objects: each edge has two faces: nothing touches") {
     for (const int r : {1, 3}) {
       std::map<std::pair<int, int>, int> faces;
       const PolygonMesh mesh = object.mesh(r);
-      for (const EdgeUse& use : edge_uses(mesh)) ++faces[{use.low, use.high}];
+      for (const detail::EdgeUse& use : detail::edge_uses(mesh)) ++faces[{use.low, use.high}];
       CAPTURE(std::string(object.name));
       for (const auto& [edge, count] : faces) CHECK(count == 2);
     }
@@ -74,7 +74,7 @@ TEST_CASE("objects: no vertex is left over, and polygons are flat") {
   for (const Object& object : objects::all) {
     const PolygonMesh mesh = object.mesh(2);
     CAPTURE(std::string(object.name));
-    for (const int part : label_components(mesh).of_vertex) CHECK(part >= 0);
+    for (const int part : detail::label_components(mesh).of_vertex) CHECK(part >= 0);
     for (int f = 0; f < mesh.face_count(); ++f)
       for (std::size_t k = 3; k < mesh.face(f).size(); ++k) {
         const Vec3& o = mesh.vertex(mesh.face(f)[0]);

@@ -10,7 +10,7 @@
 #include "tumble/mass/mirtich/volume_integrals.hpp"
 #include "tumble/mesh/reference_point.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// The sums that bound the rounding errors of volume_integrals(). An integral over a shadow is a
 /// sum over edges of terms up to |edge| |x|ᵏ, whose difference is as small as the shadow: with the
@@ -42,4 +42,4 @@ inline BoundedMassProperties unchecked_mirtich(const PolygonMesh& mesh, double d
                  mirtich_rounding(mesh, p));
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -64,9 +64,15 @@ inline ProjectionIntegrals projection_integrals(std::span<const Vec3> corners, i
     add_edge(sum, {from[alpha], from[beta]}, {to[alpha], to[beta]});
   }
   sum.one /= 2;
-  sum.a /= 6, sum.b /= 6;
-  sum.aa /= 12, sum.ab /= 24, sum.bb /= 12;
-  sum.aaa /= 20, sum.aab /= 60, sum.abb /= 60, sum.bbb /= 20;
+  sum.a /= 6;
+  sum.b /= 6;
+  sum.aa /= 12;
+  sum.ab /= 24;
+  sum.bb /= 12;
+  sum.aaa /= 20;
+  sum.aab /= 60;
+  sum.abb /= 60;
+  sum.bbb /= 20;
   return sum;
 }
 

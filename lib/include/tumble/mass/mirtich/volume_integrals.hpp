@@ -50,9 +50,15 @@ inline Moments<double> plane_face_moments(std::span<const Vec3> corners, const P
   const Vec3& n = plane.n;
   const double x_dA = A == 0 ? f.a : B == 0 ? f.b : f.c;
   Vec3 first, square, mixed;
-  first[A] = n[A] * f.aa / 2, first[B] = n[B] * f.bb / 2, first[C] = n[C] * f.cc / 2;
-  square[A] = n[A] * f.aaa / 3, square[B] = n[B] * f.bbb / 3, square[C] = n[C] * f.ccc / 3;
-  mixed[A] = n[A] * f.aab / 2, mixed[B] = n[B] * f.bbc / 2, mixed[C] = n[C] * f.cca / 2;
+  first[A] = n[A] * f.aa / 2;
+  first[B] = n[B] * f.bb / 2;
+  first[C] = n[C] * f.cc / 2;
+  square[A] = n[A] * f.aaa / 3;
+  square[B] = n[B] * f.bbb / 3;
+  square[C] = n[C] * f.ccc / 3;
+  mixed[A] = n[A] * f.aab / 2;
+  mixed[B] = n[B] * f.bbc / 2;
+  mixed[C] = n[C] * f.cca / 2;
   return {n[0] * x_dA, first[0],  first[1], first[2], square[0],
           square[1],   square[2], mixed[0], mixed[1], mixed[2]};
 }
@@ -77,7 +83,7 @@ inline Moments<double> face_moments(std::span<const Vec3> corners) {
 /// @param mesh      closed, faces counter-clockwise seen from outside; nothing is checked
 /// @param reference the point they are about; near the body nothing cancels [m]
 inline Moments<DoubleDouble> volume_integrals(const PolygonMesh& mesh, const Vec3& reference) {
-  BlockedMoments sum;
+  detail::BlockedMoments sum;
   std::vector<Vec3> corners;
   for (int f = 0; f < mesh.face_count(); ++f) {
     corners.clear();

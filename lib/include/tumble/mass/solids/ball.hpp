@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A solid ball, |x| ≤ radius.
 struct Ball {
   double radius = 1;  ///< [m]
@@ -18,7 +21,7 @@ struct Ball {
   bool contains(const Vec3& point) const { return point.squaredNorm() <= radius * radius; }
   /// @throws std::invalid_argument if the radius is not positive and finite
   Eigen::AlignedBox3d bounds() const {
-    require_positive(radius, "the ball's radius");
+    detail::require_positive(radius, "the ball's radius");
     return {Vec3::Constant(-radius), Vec3::Constant(radius)};
   }
 };
@@ -27,11 +30,13 @@ struct Ball {
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if the radius or the density is not positive and finite
 inline MassProperties mass_properties(const Ball& ball, double density) {
-  require_positive(density, "the density");
-  require_positive(ball.radius, "the ball's radius");
+  detail::require_positive(density, "the density");
+  detail::require_positive(ball.radius, "the ball's radius");
   const double r = ball.radius, mass = density * (4 * std::numbers::pi / 3 * r * r * r);
   const double I = 0.4 * mass * r * r;
-  return symmetric_body(mass, 0, I, I, I);
+  return detail::symmetric_body(mass, 0, I, I, I);
 }
+
+/// @}
 
 }  // namespace tumble

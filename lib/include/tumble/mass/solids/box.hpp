@@ -9,6 +9,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A solid box, |x| ≤ size.x/2 and so on.
 struct Box {
   Vec3 size = Vec3::Ones();  ///< full lengths of the edges [m]
@@ -17,7 +20,7 @@ struct Box {
   /// @throws std::invalid_argument if a length is not positive and finite
   Eigen::AlignedBox3d bounds() const {
     for (const double length : {size.x(), size.y(), size.z()})
-      require_positive(length, "the box's edge");
+      detail::require_positive(length, "the box's edge");
     return {-size / 2, size / 2};
   }
 };
@@ -26,12 +29,14 @@ struct Box {
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a length or the density is not positive and finite
 inline MassProperties mass_properties(const Box& box, double density) {
-  require_positive(density, "the density");
+  detail::require_positive(density, "the density");
   const Vec3 squares = box.bounds().sizes().cwiseAbs2();
   const double mass = density * box.size.prod();
-  return symmetric_body(mass, 0, mass * (squares.y() + squares.z()) / 12,
-                        mass * (squares.z() + squares.x()) / 12,
-                        mass * (squares.x() + squares.y()) / 12);
+  return detail::symmetric_body(mass, 0, mass * (squares.y() + squares.z()) / 12,
+                                mass * (squares.z() + squares.x()) / 12,
+                                mass * (squares.x() + squares.y()) / 12);
 }
+
+/// @}
 
 }  // namespace tumble

@@ -13,6 +13,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// All points within radius of the segment from (0, 0, −height/2) to (0, 0, height/2).
 struct Capsule {
   double radius = 1;  ///< [m]
@@ -25,7 +28,7 @@ struct Capsule {
   /// @throws std::invalid_argument if the radius is not positive or the height negative or not
   /// finite
   Eigen::AlignedBox3d bounds() const {
-    require_positive(radius, "the capsule's radius");
+    detail::require_positive(radius, "the capsule's radius");
     require(height >= 0 && std::isfinite(height), "the capsule's height is ", height,
             ", negative or not finite");
     const Vec3 corner(radius, radius, radius + height / 2);
@@ -37,13 +40,16 @@ struct Capsule {
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a dimension or the density is wrong
 inline MassProperties mass_properties(const Capsule& capsule, double density) {
-  require_positive(density, "the density");
+  detail::require_positive(density, "the density");
   const double r = capsule.bounds().max().x(), r2 = r * r, h = capsule.height;
   const double cylinder = density * (std::numbers::pi * r2 * h);
   const double caps = density * (4 * std::numbers::pi / 3 * r2 * r);
   const double across =
       cylinder * (3 * r2 + h * h) / 12 + caps * (0.4 * r2 + h * h / 4 + 0.375 * h * r);
-  return symmetric_body(cylinder + caps, 0, across, across, cylinder * r2 / 2 + 0.4 * caps * r2);
+  return detail::symmetric_body(cylinder + caps, 0, across, across,
+                                cylinder * r2 / 2 + 0.4 * caps * r2);
 }
+
+/// @}
 
 }  // namespace tumble

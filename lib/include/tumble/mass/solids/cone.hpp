@@ -12,6 +12,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A solid cone with its base around the origin and its tip at z = height.
 struct Cone {
   double radius = 1;  ///< of the base [m]
@@ -24,8 +27,8 @@ struct Cone {
   }
   /// @throws std::invalid_argument if a dimension is not positive and finite
   Eigen::AlignedBox3d bounds() const {
-    require_positive(radius, "the cone's radius");
-    require_positive(height, "the cone's height");
+    detail::require_positive(radius, "the cone's radius");
+    detail::require_positive(height, "the cone's height");
     return {Vec3(-radius, -radius, 0), Vec3(radius, radius, height)};
   }
 };
@@ -34,12 +37,14 @@ struct Cone {
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a dimension or the density is not positive and finite
 inline MassProperties mass_properties(const Cone& cone, double density) {
-  require_positive(density, "the density");
+  detail::require_positive(density, "the density");
   const Vec3 corner = cone.bounds().max();
   const double r2 = corner.x() * corner.x(), h = corner.z();
   const double mass = density * (std::numbers::pi * r2 * h / 3);
   const double across = 3 * mass * (4 * r2 + h * h) / 80;
-  return symmetric_body(mass, h / 4, across, across, 3 * mass * r2 / 10);
+  return detail::symmetric_body(mass, h / 4, across, across, 3 * mass * r2 / 10);
 }
+
+/// @}
 
 }  // namespace tumble

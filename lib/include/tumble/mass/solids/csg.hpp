@@ -15,6 +15,11 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
+namespace detail {
+
 /// What is in a, in b or in both; counted once.
 template <Solid A, Solid B>
 struct Union {
@@ -53,22 +58,26 @@ struct Difference {
   Eigen::AlignedBox3d bounds() const { return a.bounds(); }
 };
 
+}  // namespace detail
+
 /// a ∪ b. (`union` is a word of the language.)
 template <Solid A, Solid B>
-Union<A, B> union_of(A a, B b) {
+detail::Union<A, B> union_of(A a, B b) {
   return {std::move(a), std::move(b)};
 }
 
 /// a ∩ b.
 template <Solid A, Solid B>
-Intersection<A, B> intersection(A a, B b) {
+detail::Intersection<A, B> intersection(A a, B b) {
   return {std::move(a), std::move(b)};
 }
 
 /// a without b.
 template <Solid A, Solid B>
-Difference<A, B> difference(A a, B b) {
+detail::Difference<A, B> difference(A a, B b) {
   return {std::move(a), std::move(b)};
 }
+
+/// @}
 
 }  // namespace tumble

@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A solid cylinder, x² + y² ≤ radius² and |z| ≤ height/2.
 struct Cylinder {
   double radius = 1;  ///< [m]
@@ -21,8 +24,8 @@ struct Cylinder {
   }
   /// @throws std::invalid_argument if a dimension is not positive and finite
   Eigen::AlignedBox3d bounds() const {
-    require_positive(radius, "the cylinder's radius");
-    require_positive(height, "the cylinder's height");
+    detail::require_positive(radius, "the cylinder's radius");
+    detail::require_positive(height, "the cylinder's height");
     return {Vec3(-radius, -radius, -height / 2), Vec3(radius, radius, height / 2)};
   }
 };
@@ -31,12 +34,14 @@ struct Cylinder {
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a dimension or the density is not positive and finite
 inline MassProperties mass_properties(const Cylinder& cylinder, double density) {
-  require_positive(density, "the density");
+  detail::require_positive(density, "the density");
   const Vec3 corner = cylinder.bounds().max();
   const double r2 = corner.x() * corner.x(), h = 2 * corner.z();
   const double mass = density * (std::numbers::pi * r2 * h);
   const double across = mass * (3 * r2 + h * h) / 12;
-  return symmetric_body(mass, 0, across, across, mass * r2 / 2);
+  return detail::symmetric_body(mass, 0, across, across, mass * r2 / 2);
 }
+
+/// @}
 
 }  // namespace tumble

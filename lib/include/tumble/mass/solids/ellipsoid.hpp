@@ -11,6 +11,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A solid ellipsoid, (x/a)² + (y/b)² + (z/c)² ≤ 1.
 struct Ellipsoid {
   Vec3 radii = Vec3::Ones();  ///< half axes a, b, c [m]
@@ -19,7 +22,7 @@ struct Ellipsoid {
   /// @throws std::invalid_argument if a half axis is not positive and finite
   Eigen::AlignedBox3d bounds() const {
     for (const double r : {radii.x(), radii.y(), radii.z()})
-      require_positive(r, "the ellipsoid's half axis");
+      detail::require_positive(r, "the ellipsoid's half axis");
     return {-radii, radii};
   }
 };
@@ -28,12 +31,14 @@ struct Ellipsoid {
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a half axis or the density is not positive and finite
 inline MassProperties mass_properties(const Ellipsoid& ellipsoid, double density) {
-  require_positive(density, "the density");
+  detail::require_positive(density, "the density");
   const Vec3 squares = ellipsoid.bounds().max().cwiseAbs2();
   const double mass = density * (4 * std::numbers::pi / 3 * ellipsoid.radii.prod());
-  return symmetric_body(mass, 0, mass * (squares.y() + squares.z()) / 5,
-                        mass * (squares.z() + squares.x()) / 5,
-                        mass * (squares.x() + squares.y()) / 5);
+  return detail::symmetric_body(mass, 0, mass * (squares.y() + squares.z()) / 5,
+                                mass * (squares.z() + squares.x()) / 5,
+                                mass * (squares.x() + squares.y()) / 5);
 }
+
+/// @}
 
 }  // namespace tumble

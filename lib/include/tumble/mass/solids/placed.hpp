@@ -9,6 +9,9 @@
 
 namespace tumble {
 
+/// @addtogroup mass
+/// @{
+
 /// A solid somewhere else than where its type defines it.
 template <Solid S>
 struct Placed {
@@ -44,5 +47,7 @@ template <Solid S>
 MassProperties mass_properties(const Placed<S>& placed, double density) {
   return translated(rotated(mass_properties(placed.solid, density), placed.R), placed.x);
 }
+
+/// @}
 
 }  // namespace tumble

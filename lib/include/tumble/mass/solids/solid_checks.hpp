@@ -7,7 +7,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/mass/mass_properties.hpp"
 
-namespace tumble {
+namespace tumble::detail {
 
 /// Refuses a length, density or the like that is not positive and finite.
 /// @param what its name, for the message: "the cylinder's radius"
@@ -22,4 +22,4 @@ inline MassProperties symmetric_body(double mass, double z, double Ixx, double I
   return {mass, Vec3(0, 0, z), Vec3(Ixx, Iyy, Izz).asDiagonal()};
 }
 
-}  // namespace tumble
+}  // namespace tumble::detail
