@@ -23,7 +23,7 @@ class GridPoints {
   std::int64_t count() const { return std::int64_t{n_} * n_ * n_; }
 
   Vec3 next() {
-    const Vec3 point = (Vec3(i_, j_, k_) + Vec3::Constant(0.5)) / n_;
+    Vec3 point = (Vec3(i_, j_, k_) + Vec3::Constant(0.5)) / n_;
     if (++i_ == n_) {
       i_ = 0;
       ++j_;

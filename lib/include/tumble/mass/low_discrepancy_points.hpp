@@ -49,7 +49,7 @@ class R3Points {
     // with growing i.
     x_ += 0xd1b54a32d192ed04, y_ += 0xabc98388fb8fac03,
         z_ += 0x8cb92ba72f3d8dd7;  // 2⁶⁴/g, /g², /g³
-    return Vec3(fraction(x_), fraction(y_), fraction(z_));
+    return {fraction(x_), fraction(y_), fraction(z_)};
   }
 
  private:

@@ -161,6 +161,7 @@ TUMBLE_INLINE void fetch_ahead(const int* corners) {
   constexpr int line = 64, bytes = 3 * simd::lanes<P> * sizeof(int);
   constexpr int ahead = 3 * TriangleBlocks::capacity * sizeof(int);
   for (int i = 0; i < bytes; i += line)  // as a number: it may lie behind the last corner
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
     __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(corners) +
                                                      static_cast<std::uintptr_t>(ahead + i)));
 }

@@ -9,9 +9,11 @@
 /// of all corners (Newell), and a face that is not plane is taken as the fan of triangles from its
 /// first corner, so that neighbours meet without gaps.
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/mirtich/face_integrals.hpp"
 #include "tumble/mass/moments.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
@@ -38,9 +40,9 @@ inline Plane plane_of(std::span<const Vec3> corners, const Vec3& area) {
 /// n · x + w has about 8 roundings (3 in the sum, 3 in w, 2 in n) of at most eps |x|₁ each. A
 /// height below that changes the volume less than its own rounding does.
 inline bool is_planar(std::span<const Vec3> corners, const Plane& plane) {
-  for (const Vec3& x : corners)
-    if (std::abs(plane.n.dot(x) + plane.w) > 8 * 0x1p-53 * x.lpNorm<1>()) return false;
-  return true;
+  return std::all_of(corners.begin(), corners.end(), [&](const Vec3& x) {
+    return !(std::abs(plane.n.dot(x) + plane.w) > 8 * unit_roundoff * x.lpNorm<1>());
+  });
 }
 
 /// What one plane face brings to the volume's integrals of 1, r and r rᵀ.
@@ -87,7 +89,7 @@ inline Moments<DoubleDouble> volume_integrals(const PolygonMesh& mesh, const Vec
   std::vector<Vec3> corners;
   for (int f = 0; f < mesh.face_count(); ++f) {
     corners.clear();
-    for (const int v : mesh.face(f)) corners.push_back(mesh.vertex(v) - reference);
+    for (const int v : mesh.face(f)) corners.emplace_back(mesh.vertex(v) - reference);
     sum.add(face_moments(corners));
   }
   return sum.total();
