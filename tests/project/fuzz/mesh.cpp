@@ -101,7 +101,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes bytes(data, size);
   PolygonMesh mesh = body(bytes);
   for (int i = 0;
-       i < 12 && !bytes.empty() && find_bad_indices(mesh).empty() && !mesh.corners.empty(); ++i)
+       i < 12 && !bytes.empty() && detail::find_bad_indices(mesh).empty() && !mesh.corners.empty();
+       ++i)
     change(mesh, bytes);
   fuzz::check_mesh(mesh);
   return 0;

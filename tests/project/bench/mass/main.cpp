@@ -41,7 +41,7 @@ double mass_error(const Result& r) { return std::abs(r.answer.mass / r.body->tru
 double centre_error(const Result& r) {
   using T = DoubleDouble;
   const Vector3<T> found = r.answer.centre.cast<T>() + r.answer.centre_rest.cast<T>();
-  return to_double(found - r.body->centre).norm() / r.body->diagonal;
+  return detail::to_double(found - r.body->centre).norm() / r.body->diagonal;
 }
 
 double inertia_error(const Result& r) { return relative(r.answer.inertia, r.body->truth.inertia); }
