@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "objects/objects.hpp"
 #include "support/chapter.hpp"
 #include "support/gallery.hpp"
-#include "objects/objects.hpp"
 #include "support/plot.hpp"
 #include "support/stopwatch.hpp"
 #include "tumble/ode.hpp"

@@ -70,7 +70,7 @@ MassProperties mass_of(const Place& body, const std::filesystem::path& folder) {
 }
 
 Quat orientation_of(const Place& body) {
-  if (!body.has("orientation")) return Quat(1, 0, 0, 0);
+  if (!body.has("orientation")) return {1, 0, 0, 0};
   const Place place = body["orientation"];
   if (!place.is_object()) {
     const Eigen::Vector4d q = place.numbers<4>();

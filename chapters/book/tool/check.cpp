@@ -53,13 +53,13 @@ std::vector<std::string> wide_tables(const Page& page) {
 
 /// What is wrong with a formula in a line of text; empty if nothing is.
 std::string mistake_of(const InlineFormula& formula, const std::string& line) {
-  if (const std::string what = mistake_in(formula.tex); !what.empty()) return what;
+  if (std::string what = mistake_in(formula.tex); !what.empty()) return what;
   const bool quoted = line[formula.begin + 1] == '`';
   if (const std::string trap = markdown_trap_in(formula.tex); !trap.empty() && !quoted)
     return "Markdown changes " + trap + " here: write $`…`$";
   const bool in_table = line.starts_with("|");
   if (in_table && formula.tex.find('|') != std::string::npos)
-    return "| ends the cell of the table: write \\lvert, \\lVert or \\mid";
+    return R"(| ends the cell of the table: write \lvert, \lVert or \mid)";
   return {};
 }
 
@@ -83,7 +83,7 @@ std::vector<std::string> bad_formulas(const Page& page) {
   const std::vector<Fence> fences = fences_of(page);
   for (const Fence& fence : fences)
     if (fence.language == "math")
-      if (const std::string what = mistake_in(content_of(page, fence)); !what.empty())
+      if (std::string what = mistake_in(content_of(page, fence)); !what.empty())
         bad.push_back(at(page, fence.opening) + what);
   for (std::size_t i = 0; i < page.lines.size(); ++i) {
     if (is_inside(fences, i)) continue;
@@ -91,7 +91,7 @@ std::vector<std::string> bad_formulas(const Page& page) {
     if (has_lonely_dollar(page.lines[i], formulas))
       bad.push_back(at(page, i) + "this $ has no partner in its line");
     for (const InlineFormula& formula : formulas)
-      if (const std::string what = mistake_of(formula, page.lines[i]); !what.empty())
+      if (std::string what = mistake_of(formula, page.lines[i]); !what.empty())
         bad.push_back(at(page, i) + what);
   }
   return bad;

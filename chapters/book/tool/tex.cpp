@@ -48,9 +48,9 @@ class Formula {
   explicit Formula(const std::string& tex) : tex_(tex) {}
 
   std::string mistake() {
-    if (const std::string what = mistake_of_braces(); !what.empty()) return what;
+    if (std::string what = mistake_of_braces(); !what.empty()) return what;
     while (at_ < tex_.size())
-      if (const std::string what = take_next(); !what.empty()) return what;
+      if (std::string what = take_next(); !what.empty()) return what;
     if (lefts_ != 0) return "a \\left without a \\right";
     return open_.empty() ? "" : "\\begin{" + open_.back() + "} is not closed";
   }
@@ -74,7 +74,7 @@ class Formula {
     if (c == '\\') return take_command();
     if (c == '&' && open_.empty()) return "an & outside of an environment";
     if (c == '^' || c == '_') {
-      if (const std::string what = mistake_of_scripts(); !what.empty()) return what;
+      if (std::string what = mistake_of_scripts(); !what.empty()) return what;
     }
     ++at_;
     return {};

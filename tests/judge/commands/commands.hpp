@@ -73,11 +73,11 @@ int watch(const Course& course);
 /// All units with what is known about them.
 int list(const Course& course);
 /// Shows the next hint, or the one with this number, for this unit or for the next open one.
-int hint(const Course& course, const std::string& unit, int number);
+int hint(const Course& course, const std::string& what, int number);
 /// Puts the untouched stub back, and keeps what was there.
-int reset(const Course& course, const std::string& unit);
+int reset(const Course& course, const std::string& what);
 /// Shows the solution of a unit that passes.
-int solution(const Course& course, const std::string& unit, bool anyway);
+int solution(const Course& course, const std::string& what, bool anyway);
 /// Which walls of the sandbox stand here.
 int sandbox(const Course& course);
 /// Grades a class.

@@ -21,6 +21,6 @@ Targets all_specs();
 
 /// The specs of the units that count, by the settings or by default, and of an engine if its curves
 /// go with the grades.
-Targets specs_that_count(const Course& course, const std::optional<fs::path>& settings);
+Targets specs_that_count(const Course& course, const std::optional<fs::path>& file);
 
 }  // namespace tumble::judge

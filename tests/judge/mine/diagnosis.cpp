@@ -111,8 +111,8 @@ std::string sentence_about(const Turning& turning) {
 }
 
 std::string sentence_about_motion(const ProblemResult& result) {
-  const std::string text = (result.laws ? sentence_about(*result.laws) : "") +
-                           (result.turning ? sentence_about(*result.turning) : "");
+  std::string text = (result.laws ? sentence_about(*result.laws) : "") +
+                     (result.turning ? sentence_about(*result.turning) : "");
   if (!text.empty() || !result.laws) return text;
   return result.problem.pull
              ? " Energy and |q| = 1 are kept, and q turns with ω."

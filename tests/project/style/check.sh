@@ -51,9 +51,9 @@ if have clang-tidy; then
   # shellcheck disable=SC2046  # one word a file: their names have no spaces
   {
     check judge tidy judge $(sources tests/judge | grep -v 'judge/\(commands\|mine\|worker\)/')
-    check commands tidy commands $(sources tests/judge/commands)
+    check commands tidy commands $(sources tests/judge/commands tests/judge/mine)
     check worker tidy worker $(sources tests/judge/worker)
-    check programs tidy programs $(sources chapters/scenes chapters/tour)
+    check scenes tidy scenes $(sources chapters/scenes)
     check book tidy book $(sources chapters/book/tool)
   }
 fi

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// A hostile or broken submission, as tests/project/attacks/ keeps it: a source file whose first comments
-/// say what it tries and what the judge has to say to it.
+/// A hostile or broken submission, as tests/project/attacks/ keeps it: a source file whose first
+/// comments say what it tries and what the judge has to say to it.
 
 #include <algorithm>
 #include <array>
@@ -84,7 +84,8 @@ inline Submission read_submission(const fs::path& file) {
   std::string text = replaced(text_of(file), "@ROOT@", root().string());
   // What several attacks need, such as reading and writing frames by hand: @forge@ is
   // parts/forge.hpp.
-  for (const fs::directory_entry& part : fs::directory_iterator(root() / "tests/project/attacks/parts"))
+  for (const fs::directory_entry& part :
+       fs::directory_iterator(root() / "tests/project/attacks/parts"))
     text = replaced(text, "@" + part.path().stem().string() + "@", text_of(part.path()));
   Submission submission{file.stem().string(), text, {}, 0};
   bool says_what_it_tries = false;

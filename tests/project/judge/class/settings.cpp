@@ -64,7 +64,8 @@ TEST_CASE("settings: units, weights of chapters and of units, credit, hidden, du
 TEST_CASE("settings: what means nothing is refused, and where it stands is said") {
   CHECK_REFUSED(settings("{"), "is no JSON");
   CHECK_REFUSED(settings(R"({"weight": {}})"), R"(has "weight", which means nothing here)");
-  CHECK_REFUSED(settings(R"({"units": ["7"]})"), "course.json.units[0]: there is no exercise or chapter");
+  CHECK_REFUSED(settings(R"({"units": ["7"]})"),
+                "course.json.units[0]: there is no exercise or chapter");
   CHECK_REFUSED(settings(R"({"units": []})"), "units is empty");
   CHECK_REFUSED(settings(R"({"units": "4"})"), "units is not a list");
   CHECK_REFUSED(settings(R"({"weights": {"4.1": -1}})"), "weights.4.1 is -1");
