@@ -73,6 +73,6 @@ case $2 in
     class
     for platform in gradescope prairielearn classroom50 github-actions; do
       tumble export $platform $platform --course course.json
-      ls $platform | sed 's/^/  /'
+      (cd "$platform" && printf '  %s\n' *)
     done ;;
 esac

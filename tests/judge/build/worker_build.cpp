@@ -20,14 +20,13 @@ namespace {
 /// The steps from a source file to a worker, each a run of the compiler behind its walls.
 class Builder {
  public:
-  Builder(const Course& course, const Unit& unit, const fs::path& folder,
-          Instrumentation instrumentation)
-      : course_(course),
-        unit_(unit),
-        tools_(course.toolchain),
+  Builder(const Job& job, Instrumentation instrumentation)
+      : course_(job.course),
+        unit_(job.unit),
+        tools_(job.course.toolchain),
         sanitized_(instrumentation == Instrumentation::sanitizers),
-        contracts_(contracts_of(course)),
-        compiler_(course, folder, files_to_read(course, unit)) {}
+        contracts_(contracts_of(job.course)),
+        compiler_(job.course, job.folder, files_to_read(job.course, job.unit)) {}
 
   WorkerBuild build(const std::string& text, const ObjectCache* cache) {
     WorkerBuild result = cache ? compiled_once(text, *cache) : compiled(text);
@@ -187,7 +186,7 @@ class Builder {
         result.detail = called + "is not written yet:  ./tumble check " + earlier.number + "\n";
         return false;
       }
-      const WorkerBuild build = compile_unit(course_, earlier, source, folder() / earlier.name);
+      const WorkerBuild build = compile_unit({course_, earlier, source, folder() / earlier.name});
       if (build.outcome != BuildOutcome::built) {
         result.outcome = BuildOutcome::does_not_compile;
         result.detail =
@@ -219,8 +218,9 @@ class Builder {
       result.detail = "These functions are used, and are not there:\n";
       for (const std::string& name : undefined) result.detail += "  " + name + "\n";
       const bool of_eigen = undefined.front().find("Eigen::") != std::string::npos;
-      result.detail += of_eigen ? "(Eigen/Core is all of Eigen that an exercise has.)\n"
-                                : "(A later unit? A helper that is declared, but not defined?)\n";
+      result.detail += of_eigen
+                           ? "(Eigen/Core is all of Eigen that an exercise has.)\n"
+                           : "(A later exercise? A helper that is declared, but not defined?)\n";
     } else {
       result.detail = "linking fails:\n" + step.output;  // names of functions, no text of a file
     }
@@ -291,18 +291,16 @@ std::string name_of(BuildOutcome outcome) {
   return "unknown";
 }
 
-WorkerBuild build_worker(const Course& course, const Unit& unit, const fs::path& source,
-                         const fs::path& folder, Instrumentation instrumentation,
+WorkerBuild build_worker(const Job& job, Instrumentation instrumentation,
                          const ObjectCache* compiled) {
-  return with_text_of(source, [&](const std::string& text) {
-    return Builder(course, unit, folder, instrumentation).build(text, compiled);
+  return with_text_of(job.source, [&](const std::string& text) {
+    return Builder(job, instrumentation).build(text, compiled);
   });
 }
 
-WorkerBuild compile_unit(const Course& course, const Unit& unit, const fs::path& source,
-                         const fs::path& folder) {
-  return with_text_of(source, [&](const std::string& text) {
-    return Builder(course, unit, folder, Instrumentation::none).compiled(text);
+WorkerBuild compile_unit(const Job& job) {
+  return with_text_of(job.source, [&](const std::string& text) {
+    return Builder(job, Instrumentation::none).compiled(text);
   });
 }
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "judge/course/course.hpp"
+#include "judge/build/job.hpp"
 #include "judge/sandbox/worker_program.hpp"
 
 namespace tumble::judge {
@@ -39,16 +39,13 @@ enum class Instrumentation {
 
 class ObjectCache;
 
-/// Builds the worker of `unit` from the file `source`, in `folder` (made here).
+/// Builds the worker of a job.
 /// @param compiled what was compiled before, if anything
 /// @throws std::runtime_error if the judge itself is broken: no compiler, no walls
-WorkerBuild build_worker(const Course& course, const Unit& unit,
-                         const std::filesystem::path& source, const std::filesystem::path& folder,
-                         Instrumentation instrumentation = Instrumentation::none,
+WorkerBuild build_worker(const Job& job, Instrumentation instrumentation = Instrumentation::none,
                          const ObjectCache* compiled = nullptr);
 
 /// The same as far as the object, which other units' objects can be linked with.
-WorkerBuild compile_unit(const Course& course, const Unit& unit,
-                         const std::filesystem::path& source, const std::filesystem::path& folder);
+WorkerBuild compile_unit(const Job& job);
 
 }  // namespace tumble::judge

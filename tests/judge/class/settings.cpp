@@ -26,7 +26,7 @@ std::vector<Unit> units_in(const Course& course, const Place& list) {
   std::vector<Unit> units;
   for (const Unit& unit : course.units)
     if (meant.contains(unit.id())) units.push_back(unit);
-  require(!units.empty(), list.name(), " is empty: leave it out for all units");
+  require(!units.empty(), list.name(), " is empty: leave it out for all exercises");
   return units;
 }
 
@@ -87,7 +87,7 @@ CourseSettings settings_of(const Course& course, const Place& place) {
   if (place.has("due")) settings.due = read_time(place["due"]);
   if (place.has("seed")) settings.seed = read_seed(place["seed"]);
   if (place.has("curve")) settings.curve = place["curve"].yes();
-  require(settings.most() > 0, place.name(), ": no unit is worth any points");
+  require(settings.most() > 0, place.name(), ": no exercise is worth any points");
   return settings;
 }
 

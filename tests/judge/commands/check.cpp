@@ -60,7 +60,7 @@ void remember(Progress& progress, const Course& course, const UnitResult& result
 void print_totals(const std::vector<UnitResult>& results) {
   std::size_t passed = 0;
   for (const UnitResult& result : results) passed += result.passed() ? 1u : 0u;
-  std::cout << passed << " of " << results.size() << " units pass\n";
+  std::cout << passed << " of " << results.size() << " exercises pass\n";
 }
 
 void print_next(const Course& course, const Progress& progress) {
@@ -68,7 +68,7 @@ void print_next(const Course& course, const Progress& progress) {
     std::cout << "  Next: " << unit->number << " " << unit->name << ", in "
               << fs::relative(course.exercise(*unit), course.root).string() << "\n";
   else
-    std::cout << "  Every unit passes. Well done.\n";
+    std::cout << "  Every exercise passes. Well done.\n";
 }
 
 /// Two chapters may have a function of the same name.

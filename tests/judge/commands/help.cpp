@@ -25,7 +25,8 @@ Unit one_unit(const Course& course, const std::string& what) {
 
 Unit next_open(const Progress& progress) {
   const std::optional<Unit> unit = progress.next_open();
-  require(unit.has_value(), "every unit passes; a hint for which one? Such as: ./tumble hint 4.1");
+  require(unit.has_value(),
+          "every exercise passes; a hint for which one? Such as: ./tumble hint 4.1");
   return *unit;
 }
 

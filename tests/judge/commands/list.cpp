@@ -67,7 +67,7 @@ int list(const Course& course) {
     chapter = line.chapter;
     std::cout << (widest <= width ? in_one_line(line) : in_two_lines(line, width)) << "\n";
   }
-  std::cout << "\n" << done << " of " << course.units.size() << " units pass\n";
+  std::cout << "\n" << done << " of " << course.units.size() << " exercises pass\n";
   return 0;
 }
 

@@ -73,13 +73,13 @@ class CommandLine {
         [this](const Course& course) { return check(course, check_); },
         [this](const Course& course) { return specs_of(units_to_check(course, check_.what)); });
     app.add_option("what", check_.what,
-                   "unit (4.1 or product), chapter (4), all; 4.1.3 is one case");
+                   "exercise (4.1 or product), chapter (4), all; 4.1.3 is one case");
     app.add_option("--seed", check_.seed,
                    "of the random inputs; another one each time if not given");
     app.add_option("--seeds", check_.seeds, "try this many, one after the other")
         ->check(CLI::Range(1, 100000));
     app.add_option("--from", check_.from, "folder with the files to judge, instead of exercises/");
-    app.add_option("--json", check_.json, "write the results here, again after each unit");
+    app.add_option("--json", check_.json, "write the results here, again after each exercise");
     app.add_flag("--every-case", check_.every_case, "explain every case that fails");
     app.add_flag("--strict", check_.strict, strict_help);
     app.add_flag("--solutions", check_.solutions, "judge the solutions");
@@ -99,12 +99,12 @@ class CommandLine {
 
   void add_progress() {
     command("watch", "judge each file when it is saved", watch, everything);
-    command("list", "all units, and how far you are", list, nothing);
+    command("list", "all exercises, and how far you are", list, nothing);
   }
 
   void add_help() {
     CLI::App& hints = command(
-        "hint", "three hints a unit, one at a time",
+        "hint", "three hints per exercise, one at a time",
         [this](const Course& course) { return hint(course, unit_, hint_); }, nothing);
     hints.add_option("unit", unit_, "4.1 or product; the next open one if not given");
     hints.add_option("number", hint_, "1, 2 or 3; the next one if not given");
@@ -114,7 +114,7 @@ class CommandLine {
         .add_option("unit", unit_)
         ->required();
     CLI::App& answer = command(
-        "solution", "the solution of a unit that passes",
+        "solution", "the solution of an exercise that passes",
         [this](const Course& course) { return solution(course, unit_, anyway_); }, nothing);
     answer.add_option("unit", unit_)->required();
     answer.add_flag("--anyway", anyway_, "although it does not pass");
@@ -129,7 +129,7 @@ class CommandLine {
     app.add_option("--out", grade_.out, "folder for the results; grading goes on where it was")
         ->capture_default_str();
     app.add_option("--course", grade_.settings,
-                   "course.json: units, weights, credit, due date, seed");
+                   "course.json: exercises, weights, credit, due date, seed");
     app.add_option("--jobs", grade_.at_once, "submissions at a time; as many as cores if not given")
         ->check(CLI::Range(1, 1000));
     app.add_flag("--strict", grade_.strict, strict_help);
@@ -141,7 +141,7 @@ class CommandLine {
         [this](const Course& course) { return report(course, report_); }, everything);
     app.add_option("GRADES", report_.grades, "folder that `grade` has made")->capture_default_str();
     app.add_option("--out", report_.out, "the page")->capture_default_str();
-    app.add_option("--course", report_.settings, "course.json: units, weights, credit");
+    app.add_option("--course", report_.settings, "course.json: exercises, weights, credit");
     app.add_flag("--names", report_.names, "the students' names, too");
   }
 
@@ -161,7 +161,7 @@ class CommandLine {
     app.add_option("PLATFORM", export_.platform, platforms)->required();
     app.add_option("DIR", export_.to, "a new folder")->required();
     app.add_option("--course", export_.settings,
-                   "course.json: units, weights, credit, hidden, due date, seed");
+                   "course.json: exercises, weights, credit, hidden, due date, seed");
     app.add_option("--image", export_.image, "name of PrairieLearn's grader image")
         ->capture_default_str();
   }
@@ -181,7 +181,7 @@ class CommandLine {
         "matrix", "every spec against every misconception",
         [this](const Course& course) { return matrix(course, what_, seed_); },
         [this](const Course& course) { return specs_of(course.select(what_)); });
-    kills.add_option("what", what_, "unit, chapter, all")->capture_default_str();
+    kills.add_option("what", what_, "exercise, chapter, all")->capture_default_str();
     kills.add_option("--seed", seed_, "of the random inputs")->capture_default_str();
     command("stubs", "every stub is untouched and fails every case", stubs, everything);
     command("sandbox", "which walls stand here", sandbox, nothing);

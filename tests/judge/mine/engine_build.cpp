@@ -51,7 +51,7 @@ void take_solution(const Course& course, Compiled& part, const std::string& why,
   part.object = part.part.unit.solution;
   const fs::path source = course.instead_of_solution(part.part.unit);
   if (part.object.empty() && source != part.part.source && fs::exists(source))
-    part.object = compile_unit(course, part.part.unit, source, folder / "solution").object;
+    part.object = compile_unit({course, part.part.unit, source, folder / "solution"}).object;
 }
 
 Compiled compile(const Course& course, Part part, const fs::path& folder) {
@@ -60,7 +60,7 @@ Compiled compile(const Course& course, Part part, const fs::path& folder) {
     take_solution(course, result, why, folder);
     return result;
   }
-  const WorkerBuild build = compile_unit(course, result.part.unit, result.part.source, folder);
+  const WorkerBuild build = compile_unit({course, result.part.unit, result.part.source, folder});
   result.object = build.object;
   if (build.outcome == BuildOutcome::built) return result;
   result.part.detail = build.detail;

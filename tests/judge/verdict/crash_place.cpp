@@ -73,15 +73,16 @@ std::string resolve_addresses(const std::string& report, const WorkerProgram& wo
 
 }  // namespace
 
-std::string crash_place(const Course& course, const SpecRun& run, const Unit& unit,
-                        const std::filesystem::path& source, const std::filesystem::path& folder) {
-  const WorkerBuild build = build_worker(course, unit, source, folder, Instrumentation::sanitizers);
+std::string crash_place(const Job& job, const SpecRun& run) {
+  Job again_with_sanitizers = job;
+  again_with_sanitizers.folder /= "sanitized";
+  const WorkerBuild build = build_worker(again_with_sanitizers, Instrumentation::sanitizers);
   if (build.outcome != BuildOutcome::built) return {};
   StudentWorker worker(build.worker);
   const std::vector<CaseResult> again = run_spec(run, worker);
   if (again.empty() || again.front().passed()) return {};
   const std::string& report = again.front().finding->printed;
-  const std::string file = source.filename().string();
+  const std::string file = job.source.filename().string();
   std::string line = line_in(report, file);
   if (line.empty()) line = line_in(resolve_addresses(report, build.worker), file);
   if (line.empty()) return {};

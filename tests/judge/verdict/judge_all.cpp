@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "judge/build/work_folder.hpp"
+#include "judge/sandbox/pipe.hpp"
 #include "judge/spec/load_spec.hpp"
 
 namespace tumble::judge {
@@ -30,17 +31,16 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
   for (const Unit& unit : units)
     load_spec(unit);  // before anything can be called a student's fault
   const WorkFolder work;
-  const auto folder_of = [&](const Unit& unit) {
-    return work.path() / (unit.chapter + "-" + unit.name);
+  const auto job_of = [&](const Unit& unit) -> Job {
+    return {course, unit, source(unit), work.path() / (unit.chapter + "-" + unit.name)};
   };
   const auto instrumentation =
       judgement.only_sanitized ? Instrumentation::sanitizers : Instrumentation::none;
   const auto start_build = [&](const Unit& unit) {
-    return std::async(std::launch::async, [&, file = source(unit)] {
+    return std::async(std::launch::async, [&, job = job_of(unit)] {
       const auto start = Clock::now();
       TimedBuild timed;
-      timed.build =
-          build_worker(course, unit, file, folder_of(unit), instrumentation, judgement.compiled);
+      timed.build = build_worker(job, instrumentation, judgement.compiled);
       timed.seconds = seconds_since(start);
       return timed;
     });
@@ -61,12 +61,12 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
     builds.pop_front();
     start_builds();
     const auto start = Clock::now();
-    UnitResult result =
-        judge_build(course, unit, source(unit), folder_of(unit), judgement, built.build);
+    const Job job = job_of(unit);
+    UnitResult result = judge_build(job, judgement, built.build);
     result.seconds = built.seconds + seconds_since(start);
     done(result);
     std::error_code ignored;
-    fs::remove_all(folder_of(unit), ignored);  // a class of students would fill the disk
+    fs::remove_all(job.folder, ignored);  // a class of students would fill the disk
   }
 }
 

@@ -8,12 +8,10 @@
 
 namespace tumble::judge {
 
-UnitResult judge_build(const Course& course, const Unit& unit, const std::filesystem::path& source,
-                       const std::filesystem::path& folder, const Judgement& judgement,
-                       const WorkerBuild& build) {
+UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerBuild& build) {
   UnitResult result;
-  result.unit = unit;
-  result.source = source;
+  result.unit = job.unit;
+  result.source = job.source;
   result.seed = judgement.seed;
   result.build = build.outcome;
   result.build_detail = build.detail;
@@ -23,15 +21,14 @@ UnitResult judge_build(const Course& course, const Unit& unit, const std::filesy
   StudentWorker worker(build.worker);
   for (int i = 0; i < judgement.seeds && (i == 0 || result.passed()); ++i) {
     result.seed = judgement.seed + static_cast<std::uint64_t>(i);
-    result.cases = run_spec({unit.id(), result.seed, judgement.only_case}, worker);
+    result.cases = run_spec({job.unit.id(), result.seed, judgement.only_case}, worker);
   }
   if (!judgement.locate_crashes) return result;
   const auto crashed = std::find_if(
       result.cases.begin(), result.cases.end(),
       [](const CaseResult& c) { return c.finding && c.finding->outcome == Outcome::crashed; });
   if (crashed != result.cases.end())
-    crashed->finding->place = crash_place(course, {unit.id(), result.seed, crashed->number}, unit,
-                                          source, folder / "sanitized");
+    crashed->finding->place = crash_place(job, {job.unit.id(), result.seed, crashed->number});
   return result;
 }
 

@@ -3,9 +3,8 @@
 /// From a student's file to the verdict on it.
 
 #include <cstdint>
-#include <filesystem>
 
-#include "judge/course/course.hpp"
+#include "judge/build/job.hpp"
 #include "judge/verdict/unit_result.hpp"
 
 namespace tumble::judge {
@@ -21,10 +20,7 @@ struct Judgement {
   const ObjectCache* compiled = nullptr;  ///< what was compiled before; not with sanitizers
 };
 
-/// Holds a worker, built from `source`, against the spec of its unit. What more has to be built,
-/// goes into `folder`.
-UnitResult judge_build(const Course& course, const Unit& unit, const std::filesystem::path& source,
-                       const std::filesystem::path& folder, const Judgement& judgement,
-                       const WorkerBuild& build);
+/// Holds what was built for a job against the spec of its unit.
+UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerBuild& build);
 
 }  // namespace tumble::judge

@@ -71,7 +71,7 @@ TEST_CASE("settings: what means nothing is refused, and where it stands is said"
   CHECK_REFUSED(settings(R"({"weights": {"4.1": -1}})"), "weights.4.1 is -1");
   CHECK_REFUSED(settings(R"({"weights": {"4.1": "two"}})"), "weights.4.1 is not a number");
   CHECK_REFUSED(settings(R"({"weights": {"9": 1}})"), "weights.9: there is no exercise or chapter");
-  CHECK_REFUSED(settings(R"({"weights": {"all": 0}})"), "no unit is worth any points");
+  CHECK_REFUSED(settings(R"({"weights": {"all": 0}})"), "no exercise is worth any points");
   CHECK_REFUSED(settings(R"({"credit": "some"})"), "\"some\", not \"unit\"");
   CHECK_REFUSED(settings(R"({"due": "tomorrow"})"), "\"tomorrow\", not a time such as");
   CHECK_REFUSED(settings(R"({"due": "2026-12-01T23:59"})"), "not a time");  // in which zone?

@@ -65,7 +65,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 TEST_CASE("list: untouched, tried, passed, changed since") {
   const FreshCourse fresh;
-  CHECK(contains(judge("list").output, "0 of 2 units pass"));
+  CHECK(contains(judge("list").output, "0 of 2 exercises pass"));
 
   write(twice, "#include \"contract.hpp\"\n");
   CHECK(judge("check 1.2").status == 1);
@@ -74,18 +74,18 @@ TEST_CASE("list: untouched, tried, passed, changed since") {
   write(twice, solution());
   CHECK(judge("check 1.2").status == 0);
   CHECK(contains(judge("list").output, "passed, 2 tries"));
-  CHECK(contains(judge("list").output, "1 of 2 units pass"));
+  CHECK(contains(judge("list").output, "1 of 2 exercises pass"));
 
   write(twice, solution() + "\n");
   CHECK(contains(judge("list").output, "changed since the last check"));
-  CHECK(contains(judge("list").output, "0 of 2 units pass"));
+  CHECK(contains(judge("list").output, "0 of 2 exercises pass"));
 }
 
 TEST_CASE("check: a unit by number or name, a chapter, or the next open one") {
   const FreshCourse fresh;
   CHECK(contains(judge("check twice").output, "1.2 twice  not implemented"));
   CHECK(contains(judge("check").output, "1.1 carry  not implemented"));
-  CHECK(contains(judge("check 1").output, "0 of 2 units pass"));
+  CHECK(contains(judge("check 1").output, "0 of 2 exercises pass"));
   const CommandResult unknown = judge("check 9.9");
   CHECK(unknown.status == 2);
   CHECK(contains(unknown.output,

@@ -67,7 +67,7 @@ void check_as_handed_out(const BuiltCourse& course) {
     CHECK_MESSAGE(!fs::exists(course.tree / other), other);
   const CommandResult untouched = course.in_the_tree("check all");
   CHECK_MESSAGE(untouched.status == 1, untouched.output);
-  CHECK_MESSAGE(test::contains(untouched.output, "0 of 5 units pass"), untouched.output);
+  CHECK_MESSAGE(test::contains(untouched.output, "0 of 5 exercises pass"), untouched.output);
   CHECK(test::contains(course.in_the_tree("solution 1.1 --anyway").output, "has no solutions"));
   CHECK(test::contains(course.in_the_tree("mine").output, "takes functions of all chapters"));
   CHECK(
@@ -124,7 +124,7 @@ void check_on_github_actions(const BuiltCourse& course) {
                   fs::copy_options::overwrite_existing);
   const CommandResult solved = course.in_the_tree("check all");
   CHECK_MESSAGE(solved.status == 0, solved.output);
-  CHECK(test::contains(solved.output, "5 of 5 units pass"));
+  CHECK(test::contains(solved.output, "5 of 5 exercises pass"));
   const fs::path summary = course.work.path() / "summary.md";
   const CommandResult pushed = test::run_command("GITHUB_STEP_SUMMARY=" + summary.string() + " " +
                                                  course.platform("github-actions", course.tree));
@@ -154,7 +154,7 @@ void check_on_gradescope(const BuiltCourse& course) {
   fs::last_write_time(course.tree / "CMakeLists.txt", fs::file_time_type::clock::now());
   const CommandResult judged = course.in_the_tree("check all --solutions");
   REQUIRE_MESSAGE(judged.status == 0, judged.output);
-  CHECK(test::contains(judged.output, "5 of 5 units pass"));
+  CHECK(test::contains(judged.output, "5 of 5 exercises pass"));
   const CommandResult graded =
       test::run_command(without_network((autograder / "run_autograder").string()));
   REQUIRE_MESSAGE(graded.status == 0, graded.output);
