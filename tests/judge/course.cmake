@@ -87,6 +87,21 @@ function(tumble_student_object target source)
   endif()
 endfunction()
 
+# What calls a unit's function in the student's process.
+function(tumble_add_worker target root chapter name)
+  set(exercises ${root}/exercises/${chapter})
+  set(contract ${exercises}/contract.hpp)
+  string(REGEX REPLACE "^[0-9]+_" "" namespace ${chapter})
+  set(worker ${CMAKE_CURRENT_BINARY_DIR}/workers/${chapter}/${name}.cpp)
+  file(CONFIGURE OUTPUT ${worker} CONTENT [[
+#include "judge/worker/serve.hpp"
+#include "@contract@"
+
+int main() { return tumble::judge::serve(@namespace@::@name@); }
+]] @ONLY)
+  tumble_student_object(${target} ${worker} ${PROJECT_SOURCE_DIR}/tests ${exercises} ${root}/exercises)
+endfunction()
+
 # The same check for those who live in an IDE: a target check.04.product, and a ctest with the labels
 # exercise and ch04. Presets leave these out: a stub that nobody has filled in is no defect.
 function(tumble_add_check target chapter name number)
@@ -108,6 +123,30 @@ function(tumble_add_spec target judge unit spec)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${ARGN})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(${target} PRIVATE ${judge} tumble_support doctest::doctest nlohmann_json::nlohmann_json)
+endfunction()
+
+# Writes ${target}.json, which tells the judge what there is.
+function(tumble_write_course target root engine json)
+  tumble_json_list(flags ${TUMBLE_STUDENT_FLAGS})
+  tumble_json_list(link ${TUMBLE_LINK_FLAGS})
+  tumble_json_list(link_confined ${TUMBLE_LINK_CONFINED})
+  tumble_json_list(link_first_counts ${TUMBLE_LINK_FIRST_COUNTS})
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.json CONTENT
+"{
+  \"root\": \"${root}\",
+  \"state\": \"${CMAKE_CURRENT_BINARY_DIR}/${target}.state\",
+  \"compiler\": \"${CMAKE_CXX_COMPILER}\", \"compiler_id\": \"${CMAKE_CXX_COMPILER_ID}\",
+  \"flags\": [${flags}],
+  \"precompiled\": \"${TUMBLE_STUDENT_PCH}\",
+  \"linker\": \"${TUMBLE_STUDENT_LINKER}\",
+  \"link\": [${link}], \"link_confined\": [${link_confined}], \"link_first_counts\": [${link_first_counts}],
+  \"engine\": \"${engine}\",
+  \"mine\": \"$<TARGET_FILE:tumble_judge_mine>\",
+  \"runtime\": \"$<TARGET_FILE:tumble_worker>\",
+  \"units\": [${json}
+  ]
+}
+")
 endfunction()
 
 # Adds `target`, the judge of the course under `root`, and for each unit a target that builds all that
@@ -134,7 +173,6 @@ function(tumble_add_judge target root)
   foreach(contract IN LISTS contracts)
     cmake_path(GET contract PARENT_PATH exercises)
     cmake_path(GET exercises FILENAME chapter)
-    string(REGEX REPLACE "^[0-9]+_" "" namespace ${chapter})
     if(NOT EXISTS ${root}/tests/${chapter})
       set(whole FALSE)
       continue() # a hand-out has this contract only because others speak of its types
@@ -152,15 +190,7 @@ function(tumble_add_judge target root)
       tumble_require_file(${spec} "the spec of ${unit}")
 
       set(id ${target}_${chapter}_${name})
-      set(worker ${CMAKE_CURRENT_BINARY_DIR}/workers/${chapter}/${name}.cpp)
-      file(CONFIGURE OUTPUT ${worker} CONTENT [[
-#include "judge/worker/serve.hpp"
-#include "@contract@"
-
-int main() { return tumble::judge::serve(@namespace@::@name@); }
-]] @ONLY)
-      tumble_student_object(${id}_worker ${worker}
-        ${PROJECT_SOURCE_DIR}/tests ${exercises} ${root}/exercises)
+      tumble_add_worker(${id}_worker ${root} ${chapter} ${name})
       tumble_add_spec(${id}_spec ${target} ${chapter}/${name} ${spec} ${root}/exercises)
       set(all_of_unit ${prefix}spec.${chapter}.${name})
       add_custom_target(${all_of_unit})
@@ -206,26 +236,7 @@ int main() { return tumble::judge::serve(@namespace@::@name@); }
     set(engine "$<FILTER:$<TARGET_OBJECTS:${target}_engine>,INCLUDE,/engine.cpp>")
   endif()
 
-  tumble_json_list(flags ${TUMBLE_STUDENT_FLAGS})
-  tumble_json_list(link ${TUMBLE_LINK_FLAGS})
-  tumble_json_list(link_confined ${TUMBLE_LINK_CONFINED})
-  tumble_json_list(link_first_counts ${TUMBLE_LINK_FIRST_COUNTS})
-  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.json CONTENT
-"{
-  \"root\": \"${root}\",
-  \"state\": \"${CMAKE_CURRENT_BINARY_DIR}/${target}.state\",
-  \"compiler\": \"${CMAKE_CXX_COMPILER}\", \"compiler_id\": \"${CMAKE_CXX_COMPILER_ID}\",
-  \"flags\": [${flags}],
-  \"precompiled\": \"${TUMBLE_STUDENT_PCH}\",
-  \"linker\": \"${TUMBLE_STUDENT_LINKER}\",
-  \"link\": [${link}], \"link_confined\": [${link_confined}], \"link_first_counts\": [${link_first_counts}],
-  \"engine\": \"${engine}\",
-  \"mine\": \"$<TARGET_FILE:tumble_judge_mine>\",
-  \"runtime\": \"$<TARGET_FILE:tumble_worker>\",
-  \"units\": [${json}
-  ]
-}
-")
+  tumble_write_course(${target} ${root} "${engine}" "${json}")
   target_compile_definitions(${target} PRIVATE
     TUMBLE_COURSE="${CMAKE_CURRENT_BINARY_DIR}/${target}.json")
 endfunction()

@@ -29,9 +29,9 @@ struct Child {
   Descriptor ticks;
 };
 
-using Job = std::function<void(std::size_t, const std::function<void()>&)>;
+using Task = std::function<void(std::size_t, const std::function<void()>&)>;
 
-[[noreturn]] void run_job(const Job& job, std::size_t number, int ticks) {
+[[noreturn]] void run_job(const Task& job, std::size_t number, int ticks) {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing goes on when the parent is killed
   if (getppid() == 1) _exit(1);
@@ -49,7 +49,7 @@ using Job = std::function<void(std::size_t, const std::function<void()>&)>;
   _exit(status);  // what else is open belongs to the parent
 }
 
-Child start(const Job& job, std::size_t number) {
+Child start(const Task& job, std::size_t number) {
   Pipe pipe = make_pipe();
   std::cout.flush();
   const pid_t pid = fork();
@@ -81,7 +81,7 @@ bool has_news(const Child& child) {
 
 }  // namespace
 
-void run_in_processes(std::size_t count, std::size_t at_once, const Job& job,
+void run_in_processes(std::size_t count, std::size_t at_once, const Task& job,
                       const std::function<void()>& ticked,
                       const std::function<void(FinishedJob)>& finished) {
   std::vector<Child> running;
