@@ -10,16 +10,18 @@ build=${1:-$root/build/dev}
 cd "$root"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-checked=0 failed=0
 
 # check NAME COMMAND...: runs it; of a failure, what it says.
 check() {
   name=$1
   shift
-  checked=$((checked + 1))
-  if "$@" >"$work/$name" 2>&1; then echo "passed  $name"; return; fi
-  failed=$((failed + 1))
+  if "$@" >"$work/$name" 2>&1; then
+    echo "passed  $name"
+    : >"$work/$name.passed"
+    return
+  fi
   echo "FAILED  $name"
+  : >"$work/$name.failed"
   grep -v 'warnings generated\|Suppressed\|Use -header-filter' "$work/$name" | head -n 60
 }
 
@@ -48,16 +50,20 @@ have shellcheck && check shellcheck scripts
 if have clang-tidy; then
   eigen=$(sed -n 's/^Eigen3_DIR:PATH=\(.*\)\/share\/eigen3\/cmake$/\1\/include\/eigen3/p' "$build/CMakeCache.txt")
   sources() { git ls-files "$@" | grep '\.cpp$' | grep -v '_none\.cpp$\|spec/doctest\.cpp$\|class/unpack\.cpp$\|mine/engine\.cpp$'; }
-  check library tidy library lib/include/tumble/tumble.hpp
+  # Two at a time, of about the same length.
   # shellcheck disable=SC2046  # one word a file: their names have no spaces
   {
     check judge tidy judge $(sources tests/judge | grep -v 'judge/\(commands\|mine\|worker\)/')
-    check commands tidy commands $(sources tests/judge/commands tests/judge/mine)
     check worker tidy worker $(sources tests/judge/worker)
     check scenes tidy scenes $(sources chapters/scenes)
     check book tidy book $(sources chapters/book/tool)
-  }
+  } &
+  check library tidy library lib/include/tumble/tumble.hpp
+  # shellcheck disable=SC2046
+  check commands tidy commands $(sources tests/judge/commands tests/judge/mine)
+  wait
 fi
-echo "$checked checked, $failed failed"
-[ "$failed" = 0 ] || exit 1
-[ "$checked" != 0 ] || exit 77
+count() { find "$work" -name "*.$1" | wc -l; }
+echo "$(count passed) passed, $(count failed) failed"
+[ "$(count failed)" = 0 ] || exit 1
+[ "$(count passed)" != 0 ] || exit 77

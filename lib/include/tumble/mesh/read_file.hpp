@@ -13,7 +13,7 @@ namespace tumble::detail {
 inline std::ifstream open_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (file.is_open()) file.peek();  // a directory can be opened, but not read
-  if (!file.is_open() || file.bad()) throw std::runtime_error(path + ": cannot be read");
+  if (!file.is_open() || file.bad()) detail::throw_error<std::runtime_error>(path + ": cannot be read");
   file.clear();
   return file;
 }
@@ -41,7 +41,7 @@ inline std::string read_all(std::istream& in, std::size_t size, const std::strin
     bytes.resize(before + static_cast<std::size_t>(in.gcount()));
     step = bytes.size();
   }
-  if (in.bad()) throw std::runtime_error(name + ": cannot be read");
+  if (in.bad()) detail::throw_error<std::runtime_error>(name + ": cannot be read");
   return bytes;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tumble/core/require.hpp"
 #include "tumble/mesh/line_blocks.hpp"
 #include "tumble/mesh/parse_obj.hpp"
 #include "tumble/mesh/read_file.hpp"
@@ -30,7 +31,7 @@ inline PolygonMesh read_obj(std::istream& in, const std::string& name) {
     else
       reader.emplace(text, name);
   });
-  if (!all) throw std::runtime_error(name + ": cannot be read");
+  if (!all) detail::throw_error<std::runtime_error>(name + ": cannot be read");
   return reader->mesh();
 }
 
