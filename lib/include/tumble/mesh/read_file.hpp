@@ -13,7 +13,8 @@ namespace tumble::detail {
 inline std::ifstream open_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (file.is_open()) file.peek();  // a directory can be opened, but not read
-  if (!file.is_open() || file.bad()) detail::throw_error<std::runtime_error>(path + ": cannot be read");
+  if (!file.is_open() || file.bad())
+    detail::throw_error<std::runtime_error>(path + ": cannot be read");
   file.clear();
   return file;
 }
