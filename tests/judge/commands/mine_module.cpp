@@ -7,9 +7,12 @@
 namespace tumble::judge {
 
 const MineModule& mine_module(const Course& course) {
+  if (course.engine.empty())
+    throw std::runtime_error(
+        "an engine takes functions of all chapters, and this tree has not all");
   if (!fs::exists(course.mine))
-    throw std::runtime_error("the part that measures engines is not built: build the target " +
-                             std::string("tumble_judge_mine"));
+    throw std::runtime_error(
+        "the part that measures engines is not built: build the target tumble_judge_mine");
   static const support::Module module(course.mine);
   return module.symbol<const MineModule>("tumble_mine_module");
 }

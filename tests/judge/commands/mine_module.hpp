@@ -22,7 +22,8 @@ struct MineModule {
                                                  const fs::path& folder);
 };
 
-/// @throws std::runtime_error if it is not built
+/// @throws std::runtime_error if it is not built, or the tree has no whole course to make an engine
+/// of
 const MineModule& mine_module(const Course& course);
 
 }  // namespace tumble::judge

@@ -25,6 +25,7 @@ void write_files(const PlatformRun& run, const StudentRecord& record, const std:
 
 /// The student's own engine, if there is one to be made.
 std::string figure_of(const Grading& grading, const PlatformRun& run, const fs::path& folder) {
+  if (grading.course.engine.empty()) return "";
   Course course = grading.course;
   if (!run.solutions.empty())
     course.stand_in = [&](const Unit& unit) { return file_in(run.solutions, unit); };

@@ -9,7 +9,6 @@ namespace tumble::judge::mine {
 std::optional<std::string> travelling_curve(const Course& course,
                                             const std::function<fs::path(const Unit&)>& source,
                                             const fs::path& folder) {
-  if (course.engine.empty()) return std::nullopt;
   const EngineBuild build = build_engine(course, source, folder);
   const bool none_own = build.missing().size() == build.parts.size();
   if (!build.does_not_link.empty() || none_own) return std::nullopt;
