@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <future>
 #include <map>
-#include <stdexcept>
 #include <thread>
 #include <utility>
 
