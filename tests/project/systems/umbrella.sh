@@ -28,7 +28,7 @@ echo '#include "tumble/tumble.hpp"' >"$work/umbrella.cpp"
 cat >"$work/refused.cpp" <<'CPP'
 #include "tumble/core/parallel.hpp"
 int main() {
-  tumble::parallel_for(4, 2, [](int) {});
+  tumble::detail::parallel_for(4, 2, [](int) {});
   tumble::require(false, "the mass is ", -1);
 }
 CPP
