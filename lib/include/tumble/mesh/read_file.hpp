@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tumble/core/require.hpp"
+
 namespace tumble::detail {
 
 /// @throws std::runtime_error when the file cannot be read
