@@ -203,7 +203,9 @@ TEST_CASE("wrong usage: what is wrong, what was meant, and status 2") {
       {"chekc 1.1", "tumble: there is no command 'chekc'; did you mean check?"},
       {"reset", "unit is required"},
       {"", "tumble: "}};
-  for (const auto& [arguments, message] : wrong) {
+  for (const auto& each : wrong) {
+    const auto& arguments = each.first;  // clang 14: no lambda of doctest's takes a binding
+    const auto& message = each.second;
     const CommandResult result = judge(arguments);
     CHECK_MESSAGE(result.status == 2, arguments);
     CHECK_MESSAGE(contains(result.output, message), result.output);
