@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "project/harness/command.hpp"
+#include "project/harness/skip.hpp"
 #include "project/harness/temporary_folder.hpp"
 #include "project/house/includes.hpp"
 
@@ -42,6 +43,8 @@ TEST_CASE("the project: no folders include each other in a circle") {
 }
 
 TEST_CASE("the project: each chapter alone can be handed out, with all that it includes") {
+  if (!fs::exists(std::getenv("TUMBLE_JUDGE")))
+    return test::skip("presets with sanitizers build the judge of the fixture only");
   for (int chapter = 1; chapter <= 10; ++chapter) {
     CAPTURE(chapter);
     const test::TemporaryFolder folder;
