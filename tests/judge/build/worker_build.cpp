@@ -230,12 +230,12 @@ class Builder {
   /// Its shadow memory is terabytes, and it reads about itself in /proc.
   WorkerProgram sanitized_worker() const {
     WorkerProgram program = confined_worker(folder(), worker());
-    Confinement& confinement = program.confinement;
-    confinement.system_calls = CallRules::sanitizer;
-    confinement.limits.memory_bytes = ~0ull;
-    confinement.limits.cpu_seconds = 10;
-    confinement.files.read.insert(confinement.files.read.end(),
-                                  {"/proc", "/usr", "/lib", "/lib64", "/etc/ld.so.cache"});
+    Walls& walls = program.walls;
+    walls.system_calls = CallRules::sanitizer;
+    walls.limits.memory_bytes = ~0ull;
+    walls.limits.cpu_seconds = 10;
+    walls.files.read.insert(walls.files.read.end(),
+                            {"/proc", "/usr", "/lib", "/lib64", "/etc/ld.so.cache"});
     program.environment = {
         "ASAN_OPTIONS=detect_leaks=0:handle_abort=1:handle_sigfpe=1:hard_rss_limit_mb=1024",
         "UBSAN_OPTIONS=print_stacktrace=1"};

@@ -64,7 +64,7 @@ struct StudentWorker::Running {
   std::size_t printed = 0;
 
   explicit Running(const WorkerProgram& program)
-      : process({program.file.string()}, program.environment, program.confinement,
+      : process({program.file.string()}, program.environment, program.walls,
                 // 0, 1, 2, and as in worker/descriptors.hpp
                 {-1, text.write.number(), text.write.number(), answers.write.number(),
                  questions.read.number()}) {
@@ -123,9 +123,9 @@ Message StudentWorker::receive(Clock::time_point deadline) {
     }
     if (ready.first && !read_some(run.answers.read.number(), run.received)) no_answer_came();
     if (Clock::now() >= deadline)
-      stop(Outcome::hung,
-           "no answer after " +
-               std::to_string(static_cast<int>(program_.confinement.limits.wall_seconds)) + " s");
+      stop(Outcome::hung, "no answer after " +
+                              std::to_string(static_cast<int>(program_.walls.limits.wall_seconds)) +
+                              " s");
   }
 }
 
@@ -142,8 +142,7 @@ void StudentWorker::no_answer_came() {
   if (!ending) stop(Outcome::malformed, "it closed the pipe for answers");
   if (!ending->by_signal) stop(Outcome::exited, "with status " + std::to_string(ending->number));
   if (ending->number == SIGXCPU || ending->number == SIGKILL)
-    stop(Outcome::hung, "no answer after " +
-                            std::to_string(program_.confinement.limits.cpu_seconds) +
+    stop(Outcome::hung, "no answer after " + std::to_string(program_.walls.limits.cpu_seconds) +
                             " s of computing");
   if (ending->number == SIGABRT) stop(Outcome::crashed, abort_text(printed_));
   if (ending->number == SIGSYS)
@@ -167,7 +166,7 @@ Value StudentWorker::answer_of(const Message& message) {
       stop(Outcome::threw, first_text());
     case Kind::out_of_memory:
       stop(Outcome::out_of_memory,
-           "more than " + std::to_string(program_.confinement.limits.memory_bytes >> 20) + " MB");
+           "more than " + std::to_string(program_.walls.limits.memory_bytes >> 20) + " MB");
     case Kind::forbidden: {
       const std::int64_t* call = content.empty() ? nullptr : content[0].as<std::int64_t>();
       const int number = call ? static_cast<int>(*call) : -1;
@@ -186,7 +185,7 @@ Value StudentWorker::ask(const Call& question, const CallBack& call_back) {
     throw NoAnswer(Outcome::not_run, "two cases before this one had no answer in time");
   if (!running_) running_ = std::make_unique<Running>(program_);
   token_ = static_cast<std::int64_t>(tokens_() >> 1);
-  const Clock::time_point deadline = after(program_.confinement.limits.wall_seconds);
+  const Clock::time_point deadline = after(program_.walls.limits.wall_seconds);
   try {
     send(Kind::question, question.arguments, deadline);
     for (std::size_t evaluations = 0;; ++evaluations) {

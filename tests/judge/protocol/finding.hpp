@@ -37,7 +37,7 @@ struct Question {
 };
 
 /// A misconception whose numbers are those that came back.
-struct NamedMistake {
+struct Misconception {
   std::string name;      ///< "operands swapped"
   std::string sentence;  ///< what happened and what to look at
   std::string section;   ///< heading of the chapter's page that explains it
@@ -51,7 +51,7 @@ struct Finding {
   std::optional<Value> answer;
   std::optional<Value> demanded;  ///< absent when a law was tried, not a value
   double tolerance = 0;           ///< how far the answer may be from `demanded`
-  std::vector<NamedMistake> mistakes;
+  std::vector<Misconception> misconceptions;
   std::string printed;  ///< what the student's code printed in this case
   std::string place;    ///< file:line of a crash, where it could be found
 };

@@ -36,7 +36,7 @@ struct Failure {
 
 /// All that the child needs, put together before fork: after it nothing may be allocated.
 struct Plan {
-  const Confinement& confinement;
+  const Walls& walls;
   const FileRules& rules;
   const CallFilter& filter;
   std::vector<const char*> argv, environment;
@@ -80,11 +80,11 @@ bool set_limits(const Limits& limits) {
 }
 
 /// Where the judge is root, nobody; the count of processes is that user's, so it comes after.
-bool change_user(const Confinement& confinement) {
-  if (geteuid() != 0 || !confinement.other_user) return true;
+bool change_user(const Walls& walls) {
+  if (geteuid() != 0 || !walls.other_user) return true;
   return setgroups(0, nullptr) == 0 && setregid(unprivileged_id, unprivileged_id) == 0 &&
          setreuid(unprivileged_id, unprivileged_id) == 0 &&
-         limit_resource(RLIMIT_NPROC, confinement.limits.processes, confinement.limits.processes);
+         limit_resource(RLIMIT_NPROC, walls.limits.processes, walls.limits.processes);
 }
 
 [[noreturn]] void become_program(const Plan& plan) {
@@ -100,9 +100,9 @@ bool change_user(const Confinement& confinement) {
   const int moved = arrange_files(plan);
   if (moved < 0) stop(Step::files);
   report = moved;
-  if (chdir(plan.confinement.folder.c_str()) != 0) stop(Step::folder);
-  if (!set_limits(plan.confinement.limits)) stop(Step::limits);
-  if (!change_user(plan.confinement) || !platform::die_with_parent()) stop(Step::user);
+  if (chdir(plan.walls.folder.c_str()) != 0) stop(Step::folder);
+  if (!set_limits(plan.walls.limits)) stop(Step::limits);
+  if (!change_user(plan.walls) || !platform::die_with_parent()) stop(Step::user);
   if (!plan.filter.empty()) {
     if (!install_call_filter(plan.filter)) stop(Step::calls);
     execute_behind_filter(plan.argv.data(), plan.environment.data());
@@ -128,15 +128,14 @@ void throw_on_failure(int report, const std::string& program) {
 }  // namespace
 
 ConfinedProcess::ConfinedProcess(const std::vector<std::string>& command,
-                                 const std::vector<std::string>& environment,
-                                 const Confinement& confinement,
+                                 const std::vector<std::string>& environment, const Walls& walls,
                                  const std::vector<int>& descriptors) {
-  const FileRules rules(confinement.files);
+  const FileRules rules(walls.files);
   const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
   Pipe report = make_pipe();
-  const Plan plan = {confinement,
+  const Plan plan = {walls,
                      rules,
-                     call_filter(confinement.system_calls),
+                     call_filter(walls.system_calls),
                      pointers(command),
                      pointers(environment),
                      descriptors,
@@ -184,13 +183,13 @@ std::optional<Ending> ConfinedProcess::wait(double seconds) {
 }
 
 Finished run_confined(const std::vector<std::string>& command,
-                      const std::vector<std::string>& environment, const Confinement& confinement,
+                      const std::vector<std::string>& environment, const Walls& walls,
                       std::size_t most_output, int input) {
   Pipe text = make_pipe();
   const int out = text.write.number();
-  ConfinedProcess process(command, environment, confinement, {input, out, out});
+  ConfinedProcess process(command, environment, walls, {input, out, out});
   text.write.reset();
-  const Clock::time_point deadline = after(confinement.limits.wall_seconds);
+  const Clock::time_point deadline = after(walls.limits.wall_seconds);
   Finished finished;
   bool open = true;
   while (open && Clock::now() < deadline) {

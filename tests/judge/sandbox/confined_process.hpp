@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/sandbox/confinement.hpp"
+#include "judge/sandbox/walls.hpp"
 
 namespace tumble::judge {
 
@@ -25,7 +25,7 @@ class ConfinedProcess {
   /// descriptors[i] of this one, −1 for /dev/null; it has no others.
   /// @throws std::runtime_error naming the wall that could not be built, or the program
   ConfinedProcess(const std::vector<std::string>& command,
-                  const std::vector<std::string>& environment, const Confinement& confinement,
+                  const std::vector<std::string>& environment, const Walls& walls,
                   const std::vector<int>& descriptors);
   ConfinedProcess(const ConfinedProcess&) = delete;
   ConfinedProcess& operator=(const ConfinedProcess&) = delete;
@@ -51,7 +51,7 @@ struct Finished {
 /// Runs a program to its end, or to the limit of time.
 /// @param input file descriptor of its standard input, −1 for /dev/null
 Finished run_confined(const std::vector<std::string>& command,
-                      const std::vector<std::string>& environment, const Confinement& confinement,
+                      const std::vector<std::string>& environment, const Walls& walls,
                       std::size_t most_output = 1 << 16, int input = -1);
 
 }  // namespace tumble::judge

@@ -27,8 +27,8 @@ double largest_magnitude(const Value& value) {
 
 }  // namespace
 
-std::vector<NamedMistake>& mistakes_of(const std::string& unit) {
-  static std::map<std::string, std::vector<NamedMistake>> registry;
+std::vector<Misconception>& misconceptions_of(const std::string& unit) {
+  static std::map<std::string, std::vector<Misconception>> registry;
   return registry[unit];
 }
 
@@ -91,7 +91,7 @@ Finding Session::wrong_answer(std::size_t number, const CloseTo* unmet) const {
   Finding finding;
   finding.question = Question{call.arguments, call.evaluations.size()};
   finding.answer = call.answer;
-  finding.mistakes = matching_mistakes(number, unmet);
+  finding.misconceptions = matching_misconceptions(number, unmet);
   return finding;
 }
 
@@ -124,15 +124,15 @@ void Session::malformed(std::size_t number, const std::string& why) {
   found(std::move(finding));
 }
 
-std::vector<NamedMistake> Session::matching_mistakes(std::size_t number,
-                                                     const CloseTo* unmet) const {
+std::vector<Misconception> Session::matching_misconceptions(std::size_t number,
+                                                            const CloseTo* unmet) const {
   const Call& call = calls_[number];
   const auto meets = [&](std::size_t k) {
     const Value other = call.misconception(k, call.functions);
     return unmet->metric(other, unmet->expected) <= unmet->tolerance;
   };
-  const std::vector<NamedMistake>& all = mistakes_of(unit_);
-  std::vector<NamedMistake> matching;
+  const std::vector<Misconception>& all = misconceptions_of(unit_);
+  std::vector<Misconception> matching;
   for (std::size_t k = 0; k < all.size(); ++k)
     if (gives_the_same(k) && !(unmet && meets(k))) matching.push_back(all[k]);
   return matching;

@@ -77,7 +77,8 @@ class Session {
  private:
   Finding wrong_answer(std::size_t number, const CloseTo* unmet = nullptr) const;
   /// The misconceptions that give the same numbers everywhere, and do not meet `unmet`.
-  std::vector<NamedMistake> matching_mistakes(std::size_t number, const CloseTo* unmet) const;
+  std::vector<Misconception> matching_misconceptions(std::size_t number,
+                                                     const CloseTo* unmet) const;
   bool gives_the_same(std::size_t misconception) const;
 
   std::string unit_;

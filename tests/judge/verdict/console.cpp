@@ -173,7 +173,8 @@ class Printer {
       out_ << sentence_about(finding) << "\n";
     if (!finding.place.empty())
       out_ << label("It happens at") << paint(one_line(finding.place), Colour::bold) << "\n";
-    for (const NamedMistake& mistake : finding.mistakes) explain_mistake(mistake);
+    for (const Misconception& misconception : finding.misconceptions)
+      explain_misconception(misconception);
     if (!finding.printed.empty())
       out_ << "\n      It printed:\n" << indented(finding.printed, "        | ", 12);
     out_ << "\n      Again, this case alone:  "
@@ -257,12 +258,12 @@ class Printer {
     return detail;
   }
 
-  void explain_mistake(const NamedMistake& mistake) {
-    out_ << "\n      " << paint("This is what “" + mistake.name + "” gives.", Colour::yellow)
-         << "\n      " << wrapped(mistake.sentence, 6) << "\n";
+  void explain_misconception(const Misconception& misconception) {
+    out_ << "\n      " << paint("This is what “" + misconception.name + "” gives.", Colour::yellow)
+         << "\n      " << wrapped(misconception.sentence, 6) << "\n";
     const fs::path page = course_.page(result_.unit);
-    if (!mistake.section.empty() && fs::exists(page))
-      out_ << "      Read " << relative(page) << ", “" << mistake.section << "”.\n";
+    if (!misconception.section.empty() && fs::exists(page))
+      out_ << "      Read " << relative(page) << ", “" << misconception.section << "”.\n";
   }
 
   void print_warnings() {
