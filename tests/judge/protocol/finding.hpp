@@ -23,7 +23,8 @@ enum class Outcome {
   flooded,    ///< printed without end
   exited,     ///< ended the program instead of returning
   forbidden,  ///< asked the system for what an exercise may not do
-  malformed,  ///< wrote something else than an answer into the answers' pipe
+  wrong_call,  ///< called a function that it was given with what that is not defined for
+  malformed,   ///< wrote something else than an answer into the answers' pipe
   not_run,    ///< skipped: too many cases before it had no answer
 };
 
