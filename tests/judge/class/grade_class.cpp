@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <random>
 
-#include "judge/sandbox/process_pool.hpp"
 #include "judge/class/progress_line.hpp"
+#include "judge/sandbox/process_pool.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -22,8 +22,8 @@ std::uint64_t class_seed(const CourseSettings& settings, const GradesFolder& fol
 }
 
 std::vector<FailedStudent> grade_class(const Grading& grading,
-                                     const std::vector<Submission>& submissions,
-                                     const GradesFolder& folder, std::size_t at_once) {
+                                       const std::vector<Submission>& submissions,
+                                       const GradesFolder& folder, std::size_t at_once) {
   std::vector<FailedStudent> failed;
   ProgressLine line(submissions.size() * grading.settings.units.size(), "exercises");
   ProcessPool pool;

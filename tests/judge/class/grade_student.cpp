@@ -56,7 +56,8 @@ class Sources {
 /// Is a record of before a verdict on this file, with these inputs, by this judge?
 bool still_holds(const UnitRecord& unit, const StudentRecord& before, const StudentRecord& now,
                  const fs::path& source) {
-  return unit.judge_failure.empty() && before.judge == now.judge && unit.seed == now.seed && unit.source == fingerprint(source);
+  return unit.judge_failure.empty() && before.judge == now.judge && unit.seed == now.seed &&
+         unit.source == fingerprint(source);
 }
 
 /// Those units whose verdict is known already.

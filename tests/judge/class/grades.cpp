@@ -97,7 +97,8 @@ std::string grades_junit(const CourseSettings& settings,
     const std::size_t unjudged = count_judge_failures(record), errors = refused + unjudged;
     out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
         << record.units.size() + refused << "\" failures=\""
-        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors << "\">\n";
+        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors
+        << "\">\n";
     if (refused > 0)
       out << "    <testcase classname=\"" << markup(record.student)
           << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)

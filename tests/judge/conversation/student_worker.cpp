@@ -149,8 +149,9 @@ void StudentWorker::no_answer_came() {
   const std::optional<Ending> ending = running_->process.wait(2);
   if (!ending) stop(Outcome::malformed, "it closed the pipe for answers");
   if (running_->process.killed_from_outside())
-    throw std::runtime_error("the student's program was killed from outside: the memory of this "
-                             "machine is used up?");
+    throw std::runtime_error(
+        "the student's program was killed from outside: the memory of this "
+        "machine is used up?");
   if (!ending->by_signal) stop(Outcome::exited, "with status " + std::to_string(ending->number));
   if (ending->number == SIGXCPU || ending->number == SIGKILL)
     stop(Outcome::hung, "no answer after " + std::to_string(program_.walls.limits.cpu_seconds) +

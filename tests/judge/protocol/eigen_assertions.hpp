@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Eigen's assertions as exceptions, in everything that judges: an answer of the wrong size is then a
-/// wrong answer, and no end of the judge. The build includes this file before any other.
+/// Eigen's assertions as exceptions, in everything that judges: an answer of the wrong size is then
+/// a wrong answer, and no end of the judge. The build includes this file before any other.
 
 #include <stdexcept>
 #include <string>

@@ -20,8 +20,9 @@ struct FinishedJob {
 using SendBytes = std::function<void(const std::string& bytes)>;
 
 struct ProcessPool {
-  std::size_t at_once = 1;          ///< jobs that run at the same time
-  std::size_t memory_bytes = 0;     ///< of one job, 0: no limit; the programs that it starts have their own
+  std::size_t at_once = 1;  ///< jobs that run at the same time
+  std::size_t memory_bytes =
+      0;  ///< of one job, 0: no limit; the programs that it starts have their own
   /// Called here with what a job has sent, in the order in which it was sent.
   std::function<void(std::size_t number, const std::string& bytes)> received;
   /// Called here when a job has ended, after all that it has sent.

@@ -68,12 +68,14 @@ std::vector<Misconception> general_misconceptions(const Finding& finding) {
   const Value& answer = *finding.answer;
   if (contains(answer, [](double x) { return std::isnan(x); }))
     return {{"not a number",
-             "Your answer contains NaN: somewhere 0 is divided by 0, or a root or an arc cosine is taken "
+             "Your answer contains NaN: somewhere 0 is divided by 0, or a root or an arc cosine is "
+             "taken "
              "of what it is not defined for. Look for a divisor that these arguments make zero.",
              ""}};
   if (contains(answer, [](double x) { return std::isinf(x); }))
     return {{"infinite",
-             "Your answer contains infinity: something is divided by 0, or grows without end.", ""}};
+             "Your answer contains infinity: something is divided by 0, or grows without end.",
+             ""}};
   if (is_argument(finding))
     return {{"the argument as it came", "Your answer is one of the arguments, unchanged.", ""}};
   if (!finding.demanded) return {};
@@ -81,11 +83,12 @@ std::vector<Misconception> general_misconceptions(const Finding& finding) {
   const auto meets = [&](const Value& value) {
     return largest_difference(value, demanded) <= finding.tolerance;
   };
-  if (const auto rows_for_columns = transposed(answer); rows_for_columns && meets(*rows_for_columns))
+  if (const auto rows_for_columns = transposed(answer);
+      rows_for_columns && meets(*rows_for_columns))
     return {{"rows for columns", "Your matrix is the transpose of the one that is demanded.", ""}};
   if (count_nonzero(demanded) >= 2 && meets(negated(answer)))
-    return {{"the opposite sign", "Every number of your answer has the wrong sign, and the right size.",
-             ""}};
+    return {{"the opposite sign",
+             "Every number of your answer has the wrong sign, and the right size.", ""}};
   return {};
 }
 

@@ -97,9 +97,9 @@ Value evaluated(const Call& call, FunctionId id, const List& arguments) {
   constexpr std::size_t always_allowed = 16;
   const std::size_t longest = longest_list(arguments);
   if (longest > std::max(always_allowed, longest_list(call.arguments)))
-    throw NoAnswer(Outcome::wrong_call,
-                   "with a list of " + std::to_string(longest) + " numbers, longer than any in "
-                   "the question");
+    throw NoAnswer(Outcome::wrong_call, "with a list of " + std::to_string(longest) +
+                                            " numbers, longer than any in "
+                                            "the question");
   try {
     return call.functions(id, arguments);
   } catch (const std::bad_alloc&) {

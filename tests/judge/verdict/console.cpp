@@ -94,7 +94,8 @@ class Printer {
 
   void explain_judge_failure() {
     out_ << "\n  The judge failed here: " << one_line(result_.judge_failure)
-         << ".\n  This is no verdict on your code. Try again; if it stays, tell your instructor.\n\n";
+         << ".\n  This is no verdict on your code. Try again; if it stays, tell your "
+            "instructor.\n\n";
   }
 
   // ── Not built ──
@@ -265,8 +266,10 @@ class Printer {
         return "      Your code " + detail +
                ".\n      An exercise computes: it has no files, no network, no other processes.";
       case Outcome::wrong_call:
-        return "      Your code called a function that it was given in a way it is not defined for:\n"
-               "      " + detail + ".";
+        return "      Your code called a function that it was given in a way it is not defined "
+               "for:\n"
+               "      " +
+               detail + ".";
       case Outcome::malformed:
         return "      What came back is no answer: " + detail +
                ".\n      Only the value that your function returns counts.";
