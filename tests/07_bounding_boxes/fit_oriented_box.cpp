@@ -231,7 +231,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       const double bound = 512 * eps;
       REQUIRE(box == obeys("RᵀR = 1", tumble::orthonormality_error(box->R), bound));
       REQUIRE(box == obeys("det R = 1", std::abs(box->R.determinant() - 1), bound));
-      REQUIRE(box == obeys("size ≥ 0", -box->size.minCoeff(), 0));
+      REQUIRE(box == obeys("size ≥ 0", -box->size.minCoeff<Eigen::PropagateNaN>(), 0));
     }
   }
 }

@@ -58,10 +58,11 @@ double rounding(const Polyhedron& body) { return std::fmax(rounding(body, 0), ro
 double error(const VolumeIntegrals& v, const VolumeIntegrals& expected, const Polyhedron& body) {
   const double second = rounding(body, 2);
   double worst = 0;
-  for (const double ratio : {std::abs(v.one - expected.one) / rounding(body, 0),
-                             (v.r - expected.r).cwiseAbs().maxCoeff() / rounding(body, 1),
-                             (v.squares - expected.squares).cwiseAbs().maxCoeff() / second,
-                             (v.products - expected.products).cwiseAbs().maxCoeff() / second})
+  for (const double ratio :
+       {std::abs(v.one - expected.one) / rounding(body, 0),
+        (v.r - expected.r).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / rounding(body, 1),
+        (v.squares - expected.squares).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / second,
+        (v.products - expected.products).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / second})
     if (!(ratio <= worst)) worst = ratio;  // a NaN stays
   return worst;
 }

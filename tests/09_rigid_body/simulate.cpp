@@ -60,7 +60,7 @@ double growth(const Scene& scene) {
                                     small * largest(scene.start) * PackedState::Unit(n));
     const States others = right(other);
     for (std::size_t i = 0; i < states.size(); ++i)
-      most = std::fmax(most, difference(states[i], others[i]) / (small * largest(scene.start)));
+      most = worse(most, difference(states[i], others[i]) / (small * largest(scene.start)));
   }
   return most;
 }
@@ -162,8 +162,8 @@ TEST_SUITE(TUMBLE_UNIT) {
       double late = 0, off = 0;
       for (std::size_t i = 0; i < places.size(); ++i) {
         const auto& [t, state] = places[i];
-        late = std::fmax(late, std::abs(from_value<double>(asked[i].arguments[0]) - t));
-        off = std::fmax(off, difference(from_value<State>(asked[i].arguments[1]), state));
+        late = worse(late, std::abs(from_value<double>(asked[i].arguments[0]) - t));
+        off = worse(off, difference(from_value<State>(asked[i].arguments[1]), state));
       }
       // Times that are added up are off by one rounding a step.
       REQUIRE(states == obeys("it is asked at the start, twice halfway and at the end of each step",

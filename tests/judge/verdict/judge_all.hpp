@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Judges many units, each in a process of its own: where the judge itself fails at one, by whatever
-/// its answers make of it, the others are judged all the same, and the verdict says so.
+/// Judges many units, each in a process of its own: where the judge itself fails at one, by
+/// whatever its answers make of it, the others are judged all the same, and the verdict says so.
 
 #include <filesystem>
 #include <functional>

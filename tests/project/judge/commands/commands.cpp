@@ -107,15 +107,15 @@ TEST_CASE("check: what was asked, what came back, the misconception, and how to 
         "  return f(t, f(t, y));\n}\n}\n");
   const std::string output = judge("check 1.2 --seed 5").output;
   for (const char* part :
-       {"1.2 twice  wrong, 0 of 3 laws hold", "Asked was twice(f, t, y, h) with",
+       {"1.2 twice  wrong, 0 of 3 laws hold", "twice(f, t, y, h) was called with",
         "f = a function of the judge", "Calls of the functions that it was given: 2", "Your answer",
         "Demanded", "This is what “time stands still” gives.",
-        "Again, this case alone:  ./tumble check 1.2.1 --seed 5"})
+        "To run only this case:  ./tumble check 1.2.1 --seed 5"})
     CHECK_MESSAGE(contains(output, part), output);
 
   const std::string again = judge("check 1.2.1 --seed 5").output;
   const auto from_question = [](const std::string& text) {
-    return text.substr(text.find("Asked was"), text.find("Again") - text.find("Asked was"));
+    return text.substr(text.find("was called"), text.find("To run") - text.find("was called"));
   };
   CHECK(from_question(again) == from_question(output));
   CHECK(contains(again, "0 of 1 laws hold"));
