@@ -19,15 +19,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path course = std::getenv("TUMBLE_FIXTURE");
+const fs::path fixture_course = std::getenv("TUMBLE_FIXTURE");
 const std::string program = "'" + std::string(std::getenv("TUMBLE_FIXTURE_JUDGE")) + "' ";
 
-bool contains(const std::string& text, const std::string& part) {
+bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
 std::string solution(const std::string& name) {
-  return support::read_text(course / "solutions/01_crossing" / (name + ".cpp"));
+  return support::read_text(fixture_course / "solutions/01_crossing" / (name + ".cpp"));
 }
 
 /// A class of one student, both exercises right but for what is changed.
@@ -62,27 +62,27 @@ TEST_CASE("a failure of the judge at one exercise is that exercise's verdict, th
   support::write_text(student.files / "carry.cpp", solution("carry") + with_interpreter);
   const CommandResult checked = student.check();
   CHECK_MESSAGE(checked.status == 2, checked.output);
-  CHECK_MESSAGE(contains(checked.output, "1.1 carry  judge failed"), checked.output);
-  CHECK_MESSAGE(contains(checked.output, "The judge failed here: "), checked.output);
-  CHECK_MESSAGE(contains(checked.output, "1.2 twice  passed"), checked.output);
+  CHECK_MESSAGE(says(checked.output, "1.1 carry  judge failed"), checked.output);
+  CHECK_MESSAGE(says(checked.output, "The judge failed here: "), checked.output);
+  CHECK_MESSAGE(says(checked.output, "1.2 twice  passed"), checked.output);
 
   const CommandResult graded = student.grade();
   CHECK_MESSAGE(graded.status == 2, graded.output);
-  CHECK_MESSAGE(contains(graded.output, "the judge failed at ann, 1.1 carry"), graded.output);
-  CHECK_MESSAGE(contains(student.csv(), "the judge failed at 1.1: no verdict,,1"), student.csv());
-  CHECK(contains(support::read_text(student.out / "junit.xml"), "errors=\"1\""));
+  CHECK_MESSAGE(says(graded.output, "the judge failed at ann, 1.1 carry"), graded.output);
+  CHECK_MESSAGE(says(student.csv(), "the judge failed at 1.1: no verdict,,1"), student.csv());
+  CHECK(says(support::read_text(student.out / "junit.xml"), "errors=\"1\""));
 
   support::write_text(student.files / "carry.cpp", solution("carry"));
   CHECK(student.grade().status == 0);
-  CHECK_MESSAGE(contains(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
+  CHECK_MESSAGE(says(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
 }
 
 TEST_CASE("limits of the student's shell are lowered, not a wall that is missing") {
   const Student student;
   for (const char* limit : {"ulimit -v 3000000; ", "ulimit -t 5; ", "ulimit -v 8000000 -t 20; "}) {
     const CommandResult checked = student.check(limit);
-    CHECK_MESSAGE(contains(checked.output, "2 of 2 exercises pass"), limit, checked.output);
-    CHECK_MESSAGE(!contains(checked.output, "the sandbox lacks a list"), checked.output);
+    CHECK_MESSAGE(says(checked.output, "2 of 2 exercises pass"), limit, checked.output);
+    CHECK_MESSAGE(!says(checked.output, "the sandbox lacks a list"), checked.output);
   }
 }
 
@@ -95,8 +95,8 @@ TEST_CASE("a full disk is no student's zero: nothing is counted, and the next gr
   const CommandResult graded = student.grade("TMPDIR='" + small.string() + "' ");
   ::umount(small.c_str());
   CHECK_MESSAGE(graded.status == 2, graded.output);
-  CHECK_MESSAGE(contains(graded.output, "the judge failed at ann"), graded.output);
-  CHECK_MESSAGE(!contains(graded.output, "does not compile"), graded.output);
+  CHECK_MESSAGE(says(graded.output, "the judge failed at ann"), graded.output);
+  CHECK_MESSAGE(!says(graded.output, "does not compile"), graded.output);
   CHECK(student.grade().status == 0);
-  CHECK_MESSAGE(contains(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
+  CHECK_MESSAGE(says(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
 }
