@@ -16,7 +16,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/ode/jacobian.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -51,7 +51,7 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
   detail::throw_error<std::runtime_error>(text.str());
 }
 
-/// Backward Euler as a type, for integrate_fixed<BackwardEuler>.
+/// Backward Euler as a type, for integrate_fixed<runge_kutta::BackwardEuler>.
 struct BackwardEuler {
   static constexpr int order = 1;
 
@@ -63,4 +63,4 @@ struct BackwardEuler {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta
