@@ -5,6 +5,7 @@
 /// @defgroup quaternion Quaternions
 /// Everything about quaternions that Eigen does not have.
 
+#include "tumble/quaternion/between_directions.hpp"
 #include "tumble/quaternion/convert.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/quaternion/normalize.hpp"

@@ -39,20 +39,20 @@ ConfinedCompiler::ConfinedCompiler(const Course& course, fs::path folder,
                                    const std::vector<fs::path>& reads)
     : tools_(course.toolchain), folder_(std::move(folder)) {
   fs::create_directories(folder_);
-  confinement_.folder = folder_;
-  confinement_.limits = {.cpu_seconds = 10,
-                         .wall_seconds = 40,
-                         .memory_bytes = 4ull << 30,
-                         .file_bytes = 256ull << 20,
-                         .processes = 64};
-  confinement_.other_user = others_may_compile(course);
-  confinement_.files.write = {folder_, "/dev/null"};
-  confinement_.files.read = system_files(tools_);
-  confinement_.files.read.insert(confinement_.files.read.end(), reads.begin(), reads.end());
+  walls_.folder = folder_;
+  walls_.limits = {.cpu_seconds = 10,
+                   .wall_seconds = 40,
+                   .memory_bytes = 4ull << 30,
+                   .file_bytes = 256ull << 20,
+                   .processes = 64};
+  walls_.other_user = others_may_compile(course);
+  walls_.files.write = {folder_, "/dev/null"};
+  walls_.files.read = system_files(tools_);
+  walls_.files.read.insert(walls_.files.read.end(), reads.begin(), reads.end());
 }
 
 void ConfinedCompiler::hand_over(const std::vector<fs::path>& files) const {
-  if (geteuid() != 0 || !confinement_.other_user) return;
+  if (geteuid() != 0 || !walls_.other_user) return;
   const auto give = [](const fs::path& path) {
     if (chown(path.c_str(), unprivileged_id, unprivileged_id) != 0)
       throw std::runtime_error("cannot hand " + path.string() + " to the compiler's user");
@@ -66,7 +66,7 @@ Finished ConfinedCompiler::run(const Arguments& arguments) const {
   command.insert(command.end(), arguments.begin(), arguments.end());
   return run_confined(
       command, {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + folder_.string()},
-      confinement_);
+      walls_);
 }
 
 bool ran_into_limits(const Finished& step) {
@@ -85,11 +85,11 @@ WorkerProgram confined_worker(const fs::path& folder, const fs::path& worker) {
   const fs::path empty = folder / "empty";
   fs::create_directory(empty);
   fs::permissions(empty, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
-  Confinement confinement;
-  confinement.folder = empty;
-  confinement.files.read = {worker};
-  confinement.system_calls = CallRules::worker;
-  return {worker, confinement, {}};
+  Walls walls;
+  walls.folder = empty;
+  walls.files.read = {worker};
+  walls.system_calls = CallRules::worker;
+  return {worker, walls, {}};
 }
 
 }  // namespace tumble::judge

@@ -32,7 +32,7 @@ class ConfinedCompiler {
  private:
   const Toolchain& tools_;
   fs::path folder_;
-  Confinement confinement_;
+  Walls walls_;
 };
 
 /// Whether a step of the compiler was stopped by its limits.

@@ -12,8 +12,8 @@ namespace tumble::judge {
 namespace {
 
 /// Reads, computes, writes to its pipe, and nothing else.
-Confinement walls_of(const fs::path& program) {
-  Confinement walls;
+Walls walls_of(const fs::path& program) {
+  Walls walls;
   walls.folder = "/";
   walls.limits.cpu_seconds = 20;
   walls.limits.wall_seconds = 60;

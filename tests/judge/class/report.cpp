@@ -39,10 +39,10 @@ std::string share(std::size_t n, std::size_t of) {
 }
 
 /// The misconception of a unit with this name; an empty one if a newer judge no longer knows it.
-NamedMistake mistake_named(const Unit& unit, const std::string& name) {
+Misconception misconception_named(const Unit& unit, const std::string& name) {
   load_spec(unit);
-  for (const NamedMistake& mistake : mistakes_of(unit.id()))
-    if (mistake.name == name) return mistake;
+  for (const Misconception& misconception : misconceptions_of(unit.id()))
+    if (misconception.name == name) return misconception;
   return {name, "", ""};
 }
 
@@ -131,13 +131,13 @@ class Page {
     }
     out_ << "<ol>\n";
     for (const Frequent& each : frequent) {
-      const NamedMistake mistake = mistake_named(each.unit->unit, each.name);
+      const Misconception misconception = misconception_named(each.unit->unit, each.name);
       out_ << "<li><b>" << markup(each.name) << "</b>, in " << each.unit->unit.number << " "
            << markup(each.unit->unit.name) << ": " << share(each.count, each.unit->all()) << "<br>"
-           << markup(mistake.sentence);
-      if (!mistake.section.empty())
+           << markup(misconception.sentence);
+      if (!misconception.section.empty())
         out_ << " <small>Chapter " << each.unit->unit.chapter_number() << ", “"
-             << markup(mistake.section) << "”</small>";
+             << markup(misconception.section) << "”</small>";
       out_ << "</li>\n";
     }
     out_ << "</ol>\n";

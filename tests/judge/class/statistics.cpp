@@ -50,12 +50,12 @@ class UnitCounter {
   void add_failed(const UnitRecord& record) {
     ++statistics_.failed;
     ++outcomes_[record.summary];
-    std::set<std::string> mistakes;  // each counts once a student
+    std::set<std::string> misconceptions;  // each counts once a student
     for (const CaseRecord& each : record.cases) {
       if (!each.passed()) ++laws_[each.law];
-      mistakes.insert(each.misconceptions.begin(), each.misconceptions.end());
+      misconceptions.insert(each.misconceptions.begin(), each.misconceptions.end());
     }
-    for (const std::string& mistake : mistakes) ++misconceptions_[mistake];
+    for (const std::string& misconception : misconceptions) ++misconceptions_[misconception];
   }
 
   UnitStatistics statistics_;

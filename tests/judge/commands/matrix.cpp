@@ -23,6 +23,7 @@ struct Kill {
   std::string verdict(const std::string& name) const {
     if (failed == 0) return "**survives**";
     if (named.empty()) return "**not named**";
+    if (named == "not a number" || named == "infinite") return "yes, as “" + named + "”";
     if (named != name) return "**as " + named + "**";
     return explained ? "yes" : "**no such section in the page**";
   }
@@ -44,8 +45,8 @@ Kill try_to_kill(const Unit& unit, std::size_t k, std::uint64_t seed) {
     ++kill.cases;
     if (result.passed()) continue;
     if (++kill.failed > 1) continue;
-    for (const NamedMistake& mistake : result.finding->mistakes)
-      kill.named += (kill.named.empty() ? "" : " or ") + mistake.name;
+    for (const Misconception& misconception : result.finding->misconceptions)
+      kill.named += (kill.named.empty() ? "" : " or ") + misconception.name;
   }
   return kill;
 }
@@ -60,18 +61,18 @@ bool print_kill_matrix(std::ostream& out, const Course& course, const std::vecto
   out << "| unit | misconception | cases that fail | named |\n|---|---|---|---|\n";
   for (const Unit& unit : units) {
     load_spec(unit);
-    const std::vector<NamedMistake>& mistakes = mistakes_of(unit.id());
-    for (std::size_t k = 0; k < mistakes.size(); ++k) {
+    const std::vector<Misconception>& misconceptions = misconceptions_of(unit.id());
+    for (std::size_t k = 0; k < misconceptions.size(); ++k) {
       Kill kill = try_to_kill(unit, k, seed);
-      kill.explained = is_explained(course.page(unit), mistakes[k].section);
-      const std::string verdict = kill.verdict(mistakes[k].name);
-      out << "| " << unit.number << " " << unit.name << " | " << mistakes[k].name << " | "
+      kill.explained = is_explained(course.page(unit), misconceptions[k].section);
+      const std::string verdict = kill.verdict(misconceptions[k].name);
+      out << "| " << unit.number << " " << unit.name << " | " << misconceptions[k].name << " | "
           << kill.failed << " of " << kill.cases << " | " << verdict << " |\n";
       ++total;
-      right += verdict == "yes" ? 1u : 0u;
+      right += verdict.starts_with("yes") ? 1u : 0u;
     }
-    if (mistakes.size() < at_least) {
-      out << "| " << unit.number << " " << unit.name << " | **only " << mistakes.size()
+    if (misconceptions.size() < at_least) {
+      out << "| " << unit.number << " " << unit.name << " | **only " << misconceptions.size()
           << " misconceptions** | | |\n";
       complete = false;
     }

@@ -8,34 +8,34 @@
 
 namespace tumble::judge {
 
-std::vector<MissingLayer> missing_walls(const Course& course) {
-  std::vector<MissingLayer> missing = missing_layers();
-  const bool one_user = std::any_of(missing.begin(), missing.end(), [](const MissingLayer& each) {
-    return each.layer == Layer::other_user;
+std::vector<MissingWall> missing_walls(const Course& course) {
+  std::vector<MissingWall> missing = missing_walls();
+  const bool one_user = std::any_of(missing.begin(), missing.end(), [](const MissingWall& each) {
+    return each.wall == Wall::other_user;
   });
   if (!one_user && !others_may_compile(course))
-    missing.push_back({Layer::other_user, "other users may not enter " + course.root.string() +
-                                              ", so the compiler runs as root"});
+    missing.push_back({Wall::other_user, "other users may not enter " + course.root.string() +
+                                             ", so the compiler runs as root"});
   return missing;
 }
 
 bool may_judge(const Course& course, Strangers strangers) {
-  const std::vector<MissingLayer> missing = missing_walls(course);
-  for (const MissingLayer& each : missing)
-    if (strangers != Strangers::no || each.layer != Layer::other_user)
-      std::cerr << "tumble: the sandbox lacks " << name_of(each.layer) << ": " << each.why << "\n";
+  const std::vector<MissingWall> missing = missing_walls(course);
+  for (const MissingWall& each : missing)
+    if (strangers != Strangers::no || each.wall != Wall::other_user)
+      std::cerr << "tumble: the sandbox lacks " << name_of(each.wall) << ": " << each.why << "\n";
   if (missing.empty() || strangers != Strangers::strictly) return true;
   std::cerr << "tumble: --strict: nothing is judged\n";
   return false;
 }
 
 int sandbox(const Course& course) {
-  const std::vector<MissingLayer> missing = missing_walls(course);
-  for (const Layer layer : {Layer::limits, Layer::other_user, Layer::files, Layer::system_calls}) {
+  const std::vector<MissingWall> missing = missing_walls(course);
+  for (const Wall wall : {Wall::limits, Wall::other_user, Wall::files, Wall::system_calls}) {
     std::string why;
-    for (const MissingLayer& each : missing)
-      if (each.layer == layer) why = each.why;
-    std::cout << (why.empty() ? "stands   " : "missing  ") << name_of(layer)
+    for (const MissingWall& each : missing)
+      if (each.wall == wall) why = each.why;
+    std::cout << (why.empty() ? "stands   " : "missing  ") << name_of(wall)
               << (why.empty() ? "" : ": " + why) << "\n";
   }
   return missing.empty() ? 0 : 1;

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "judge/course/course.hpp"
-#include "judge/sandbox/confinement.hpp"
+#include "judge/sandbox/walls.hpp"
 
 namespace tumble::judge {
 
 /// The walls that are missing around a worker or around the compiler. The compiler of a judge that
 /// root has started is another user only if other users may enter the course's folders.
-std::vector<MissingLayer> missing_walls(const Course& course);
+std::vector<MissingWall> missing_walls(const Course& course);
 
 /// Whose code is judged.
 enum class Strangers {

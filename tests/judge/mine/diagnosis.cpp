@@ -83,7 +83,7 @@ void look_at_drift(const DriftResult& drift, std::vector<std::string>& found) {
 // ── The curves ──
 
 /// Which laws the finest run breaks, and what that means.
-std::string sentence_about(const Laws& laws) {
+std::string sentence_about(const Invariants& laws) {
   std::string text;
   if (!(laws.momentum <= steady))
     text +=

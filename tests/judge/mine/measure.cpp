@@ -184,7 +184,7 @@ Measurement measure(const OwnEngine& engine,
     result.chosen = chosen_for(engine, result.problem);
     take_curves(engine, result, gave_up);
     result.library = library_curves(result.problem);
-    look_at_laws(engine, result);
+    look_at_invariants(engine, result);
     all.problems.push_back(std::move(result));
   }
   all.drift = drift_of(engine, all.problems.front());

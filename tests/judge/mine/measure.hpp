@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/mine/laws.hpp"
+#include "judge/mine/invariants.hpp"
 #include "judge/mine/own_engine.hpp"
 #include "judge/mine/problem.hpp"
 
@@ -48,7 +48,7 @@ struct ProblemResult {
   std::optional<Curve> closed_form;  ///< by 10.2, if that was chosen
   std::string closed_form_failure;
   std::vector<Curve> library;
-  std::optional<Laws> laws;        ///< of the finest run of the best method
+  std::optional<Invariants> laws;  ///< of the finest run of the best method
   std::optional<Turning> turning;  ///< by the best method
 
   /// The body as the student's mass properties have it, or as it is where they cannot be used.

@@ -20,11 +20,12 @@ enum class Outcome {
   crashed,          ///< ended by a signal
   hung,             ///< no answer within the limits of time
   out_of_memory,
-  flooded,    ///< printed without end
-  exited,     ///< ended the program instead of returning
-  forbidden,  ///< asked the system for what an exercise may not do
-  malformed,  ///< wrote something else than an answer into the answers' pipe
-  not_run,    ///< skipped: too many cases before it had no answer
+  flooded,     ///< printed without end
+  exited,      ///< ended the program instead of returning
+  forbidden,   ///< asked the system for what an exercise may not do
+  wrong_call,  ///< called a function that it was given with what that is not defined for
+  malformed,   ///< wrote something else than an answer into the answers' pipe
+  not_run,     ///< skipped: too many cases before it had no answer
 };
 
 /// The word for an outcome in tables, JSON and tests: "not implemented", "out of memory", …
@@ -37,7 +38,7 @@ struct Question {
 };
 
 /// A misconception whose numbers are those that came back.
-struct NamedMistake {
+struct Misconception {
   std::string name;      ///< "operands swapped"
   std::string sentence;  ///< what happened and what to look at
   std::string section;   ///< heading of the chapter's page that explains it
@@ -51,7 +52,7 @@ struct Finding {
   std::optional<Value> answer;
   std::optional<Value> demanded;  ///< absent when a law was tried, not a value
   double tolerance = 0;           ///< how far the answer may be from `demanded`
-  std::vector<NamedMistake> mistakes;
+  std::vector<Misconception> misconceptions;
   std::string printed;  ///< what the student's code printed in this case
   std::string place;    ///< file:line of a crash, where it could be found
 };

@@ -36,7 +36,7 @@ struct Failure {
 
 /// All that the child needs, put together before fork: after it nothing may be allocated.
 struct Plan {
-  const Confinement& confinement;
+  const Walls& walls;
   const FileRules& rules;
   const CallFilter& filter;
   std::vector<const char*> argv, environment;
@@ -80,11 +80,11 @@ bool set_limits(const Limits& limits) {
 }
 
 /// Where the judge is root, nobody; the count of processes is that user's, so it comes after.
-bool change_user(const Confinement& confinement) {
-  if (geteuid() != 0 || !confinement.other_user) return true;
+bool change_user(const Walls& walls) {
+  if (geteuid() != 0 || !walls.other_user) return true;
   return setgroups(0, nullptr) == 0 && setregid(unprivileged_id, unprivileged_id) == 0 &&
          setreuid(unprivileged_id, unprivileged_id) == 0 &&
-         limit_resource(RLIMIT_NPROC, confinement.limits.processes, confinement.limits.processes);
+         limit_resource(RLIMIT_NPROC, walls.limits.processes, walls.limits.processes);
 }
 
 [[noreturn]] void become_program(const Plan& plan) {
@@ -100,9 +100,9 @@ bool change_user(const Confinement& confinement) {
   const int moved = arrange_files(plan);
   if (moved < 0) stop(Step::files);
   report = moved;
-  if (chdir(plan.confinement.folder.c_str()) != 0) stop(Step::folder);
-  if (!set_limits(plan.confinement.limits)) stop(Step::limits);
-  if (!change_user(plan.confinement) || !platform::die_with_parent()) stop(Step::user);
+  if (chdir(plan.walls.folder.c_str()) != 0) stop(Step::folder);
+  if (!set_limits(plan.walls.limits)) stop(Step::limits);
+  if (!change_user(plan.walls) || !platform::die_with_parent()) stop(Step::user);
   if (!plan.filter.empty()) {
     if (!install_call_filter(plan.filter)) stop(Step::calls);
     execute_behind_filter(plan.argv.data(), plan.environment.data());
@@ -112,6 +112,10 @@ bool change_user(const Confinement& confinement) {
   }
   stop(Step::start);
   _exit(127);  // not reached: the compiler does not know that stop() never returns
+}
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 void throw_on_failure(int report, const std::string& program) {
@@ -128,15 +132,15 @@ void throw_on_failure(int report, const std::string& program) {
 }  // namespace
 
 ConfinedProcess::ConfinedProcess(const std::vector<std::string>& command,
-                                 const std::vector<std::string>& environment,
-                                 const Confinement& confinement,
-                                 const std::vector<int>& descriptors) {
-  const FileRules rules(confinement.files);
+                                 const std::vector<std::string>& environment, const Walls& walls,
+                                 const std::vector<int>& descriptors)
+    : cpu_seconds_allowed_(walls.limits.cpu_seconds) {
+  const FileRules rules(walls.files);
   const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
   Pipe report = make_pipe();
-  const Plan plan = {confinement,
+  const Plan plan = {walls,
                      rules,
-                     call_filter(confinement.system_calls),
+                     call_filter(walls.system_calls),
                      pointers(command),
                      pointers(environment),
                      descriptors,
@@ -160,9 +164,18 @@ ConfinedProcess::~ConfinedProcess() { kill(); }
 
 void ConfinedProcess::kill() {
   if (ending_ || pid_ < 0) return;
+  killed_here_ = true;
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);
   wait(60);
+}
+
+bool ConfinedProcess::waits_for_processor() const {
+  return !ending_ && platform::is_runnable(pid_);
+}
+
+bool ConfinedProcess::killed_from_outside() const {
+  return ending_ == Ending{true, SIGKILL} && !killed_here_ && cpu_seconds_ < cpu_seconds_allowed_;
 }
 
 std::optional<Ending> ConfinedProcess::wait(double seconds) {
@@ -172,7 +185,10 @@ std::optional<Ending> ConfinedProcess::wait(double seconds) {
     const auto id = static_cast<id_t>(pid_);
     if (waitid(P_PID, id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_) {
       ::kill(-pid_, SIGKILL);  // what it has started, while its number cannot be anybody else's
-      waitid(P_PID, id, &info, WEXITED);
+      rusage used = {};
+      int status = 0;
+      wait4(pid_, &status, 0, &used);
+      cpu_seconds_ = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
       ending_ = Ending{info.si_code != CLD_EXITED, info.si_status};
     } else if (Clock::now() >= deadline) {
       break;
@@ -184,13 +200,13 @@ std::optional<Ending> ConfinedProcess::wait(double seconds) {
 }
 
 Finished run_confined(const std::vector<std::string>& command,
-                      const std::vector<std::string>& environment, const Confinement& confinement,
+                      const std::vector<std::string>& environment, const Walls& walls,
                       std::size_t most_output, int input) {
   Pipe text = make_pipe();
   const int out = text.write.number();
-  ConfinedProcess process(command, environment, confinement, {input, out, out});
+  ConfinedProcess process(command, environment, walls, {input, out, out});
   text.write.reset();
-  const Clock::time_point deadline = after(confinement.limits.wall_seconds);
+  const Clock::time_point deadline = after(walls.limits.wall_seconds);
   Finished finished;
   bool open = true;
   while (open && Clock::now() < deadline) {
@@ -203,6 +219,7 @@ Finished run_confined(const std::vector<std::string>& command,
   const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
   const std::optional<Ending> ending = process.wait(open ? 0 : left);
   finished.timed_out = !ending;
+  finished.killed_from_outside = process.killed_from_outside();
   finished.ending = ending.value_or(Ending{true, SIGKILL});
   return finished;
 }

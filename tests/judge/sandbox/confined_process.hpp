@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/sandbox/confinement.hpp"
+#include "judge/sandbox/walls.hpp"
 
 namespace tumble::judge {
 
@@ -25,7 +25,7 @@ class ConfinedProcess {
   /// descriptors[i] of this one, −1 for /dev/null; it has no others.
   /// @throws std::runtime_error naming the wall that could not be built, or the program
   ConfinedProcess(const std::vector<std::string>& command,
-                  const std::vector<std::string>& environment, const Confinement& confinement,
+                  const std::vector<std::string>& environment, const Walls& walls,
                   const std::vector<int>& descriptors);
   ConfinedProcess(const ConfinedProcess&) = delete;
   ConfinedProcess& operator=(const ConfinedProcess&) = delete;
@@ -35,10 +35,17 @@ class ConfinedProcess {
   /// How it has ended, or nothing if it still runs after `seconds`.
   std::optional<Ending> wait(double seconds);
   void kill();
+  /// Whether it wants to compute and does not get to it: a machine with too much to do.
+  bool waits_for_processor() const;
+  /// Whether somebody else has killed it: the kernel, when the machine's memory is used up.
+  bool killed_from_outside() const;
 
  private:
   pid_t pid_ = -1;
   std::optional<Ending> ending_;
+  int cpu_seconds_allowed_;
+  double cpu_seconds_ = 0;  ///< used, once it has ended
+  bool killed_here_ = false;
 };
 
 /// What a program that ran to its end has printed.
@@ -46,12 +53,13 @@ struct Finished {
   Ending ending;
   std::string output;  ///< standard output and error, the first `most_output` bytes
   bool timed_out = false;
+  bool killed_from_outside = false;
 };
 
 /// Runs a program to its end, or to the limit of time.
 /// @param input file descriptor of its standard input, −1 for /dev/null
 Finished run_confined(const std::vector<std::string>& command,
-                      const std::vector<std::string>& environment, const Confinement& confinement,
+                      const std::vector<std::string>& environment, const Walls& walls,
                       std::size_t most_output = 1 << 16, int input = -1);
 
 }  // namespace tumble::judge

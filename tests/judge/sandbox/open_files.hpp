@@ -2,7 +2,7 @@
 /// @file
 /// The files that a confined program may open, kept by the kernel (Landlock).
 
-#include "judge/sandbox/confinement.hpp"
+#include "judge/sandbox/walls.hpp"
 
 namespace tumble::judge {
 

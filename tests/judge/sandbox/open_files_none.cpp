@@ -1,5 +1,5 @@
 /// @file
-/// A system without Landlock: no rules, and missing_layers() says so.
+/// A system without Landlock: no rules, and missing_walls() says so.
 #include "judge/sandbox/open_files.hpp"
 
 namespace tumble::judge {

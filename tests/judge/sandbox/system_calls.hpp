@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/sandbox/confinement.hpp"
+#include "judge/sandbox/walls.hpp"
 
 namespace tumble::judge {
 

@@ -1,5 +1,5 @@
 /// @file
-/// A system without seccomp: no filter, and missing_layers() says so.
+/// A system without seccomp: no filter, and missing_walls() says so.
 #include "judge/sandbox/system_calls.hpp"
 
 namespace tumble::judge {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "judge/sandbox/confinement.hpp"
+#include "judge/sandbox/walls.hpp"
 
 namespace tumble::judge {
 
 /// How a worker is started: behind all walls, or with a sanitizer that needs some of them open.
 struct WorkerProgram {
   std::filesystem::path file;
-  Confinement confinement;
+  Walls walls;
   std::vector<std::string> environment = {};
 };
 

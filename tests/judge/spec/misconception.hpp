@@ -14,14 +14,14 @@
 namespace tumble::judge {
 
 /// What is said about each misconception of `unit`, in the order of its spec.
-std::vector<NamedMistake>& mistakes_of(const std::string& unit);
+std::vector<Misconception>& misconceptions_of(const std::string& unit);
 
 template <class Signature>
-struct Misconception;
+struct MisconceivedFunction;
 
 /// A mistake that students make, as another body of the same function.
 template <class Result, class... Arguments>
-struct Misconception<Result(Arguments...)> {
+struct MisconceivedFunction<Result(Arguments...)> {
   std::string name;      ///< short: "operands swapped"
   std::string sentence;  ///< what happened, and where to look; no formula that solves the unit
   std::string section;   ///< heading of the chapter's page that explains it
@@ -32,13 +32,13 @@ struct Misconception<Result(Arguments...)> {
 template <class Signature>
 class Misconceptions {
  public:
-  Misconceptions(const std::string& unit, std::vector<Misconception<Signature>> list) {
+  Misconceptions(const std::string& unit, std::vector<MisconceivedFunction<Signature>> list) {
     for (const auto& [name, sentence, section, body] : list)
-      mistakes_of(unit).push_back({name, sentence, section});
+      misconceptions_of(unit).push_back({name, sentence, section});
     of(unit) = std::move(list);
   }
-  static std::vector<Misconception<Signature>>& of(const std::string& unit) {
-    static std::map<std::string, std::vector<Misconception<Signature>>> registry;
+  static std::vector<MisconceivedFunction<Signature>>& of(const std::string& unit) {
+    static std::map<std::string, std::vector<MisconceivedFunction<Signature>>> registry;
     return registry[unit];
   }
 };

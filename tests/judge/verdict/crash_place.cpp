@@ -66,9 +66,9 @@ std::string resolve_addresses(const std::string& report, const WorkerProgram& wo
   std::vector<std::string> command{"/usr/bin/addr2line", "-e", worker.file.string()};
   command.insert(command.end(), addresses.begin(), addresses.end());
   if (addresses.empty() || !std::filesystem::exists(command[0])) return {};
-  Confinement confinement = worker.confinement;
-  confinement.limits.memory_bytes = 1ull << 30;
-  return run_confined(command, {}, confinement).output;
+  Walls walls = worker.walls;
+  walls.limits.memory_bytes = 1ull << 30;
+  return run_confined(command, {}, walls).output;
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ CaseRecord record_of(const CaseResult& result) {
   record.outcome = name_of(result.finding->outcome);
   record.detail = result.finding->detail;
   record.place = result.finding->place;
-  for (const NamedMistake& mistake : result.finding->mistakes)
-    record.misconceptions.push_back(mistake.name);
+  for (const Misconception& misconception : result.finding->misconceptions)
+    record.misconceptions.push_back(misconception.name);
   return record;
 }
 
@@ -34,6 +34,7 @@ UnitRecord record_of(const Course& course, const UnitResult& result) {
   record.seconds = result.seconds;
   record.source = fingerprint(result.source);
   record.detail = result.build_detail;
+  record.judge_failure = result.judge_failure;
   std::ostringstream text;
   print_result(text, course, result, {});
   record.explanation = text.str();

@@ -26,6 +26,7 @@
 
 #include "tumble/elliptic/complementary_theta_series.hpp"
 #include "tumble/elliptic/theta_series.hpp"
+#include "tumble/quaternion/between_directions.hpp"
 #include "tumble/steady/steady_torque.hpp"
 #include "tumble/steady/top_constants.hpp"
 
@@ -120,8 +121,8 @@ inline LagrangeTop::LagrangeTop(const detail::TopConstants& m, const Vec3& up, c
     : motion_(m),
       up_(up),
       axis_(axis),
-      upright_(Quat::FromTwoVectors(Vec3::UnitZ(), up)),
-      frame_(Quat::FromTwoVectors(axis, Vec3::UnitZ())),
+      upright_(detail::between_directions(Vec3::UnitZ(), up)),
+      frame_(detail::between_directions(axis, Vec3::UnitZ())),
       slip_(slip / 2),
       alpha_(series_for(m.modulus(), m.eta_a())),
       beta_(series_for(m.modulus(), m.eta_b())) {

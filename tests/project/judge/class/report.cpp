@@ -55,7 +55,7 @@ TEST_CASE("statistics: who passed, who did not, who has not begun") {
 }
 
 TEST_CASE("report: what to explain again, and no names unless asked") {
-  mistakes_of(unit.id()) = {{"swapped", "q p is not p q.", "The product"}};
+  misconceptions_of(unit.id()) = {{"swapped", "q p is not p q.", "The product"}};
   CourseSettings course = settings();
   course.title = "A & B <script>";
   const std::vector<StudentRecord> records = {student("Meyer<", "passed", 1),
@@ -73,5 +73,5 @@ TEST_CASE("report: what to explain again, and no names unless asked") {
   const std::string with_names = report_html(course, records, Names::shown);
   CHECK(has(with_names, "Meyer&lt;"));
   CHECK(has(with_names, "4.1 wrong"));
-  mistakes_of(unit.id()).clear();
+  misconceptions_of(unit.id()).clear();
 }

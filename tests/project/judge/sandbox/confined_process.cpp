@@ -17,24 +17,24 @@ using namespace tumble::judge;
 
 namespace {
 
-Confinement walls() {
-  Confinement confinement;
-  confinement.folder = "/";
-  confinement.files.read = {"/usr", "/bin", "/lib", "/lib64", "/etc/ld.so.cache"};
-  confinement.files.write = {"/dev/null"};
-  confinement.limits.processes = 64;
-  return confinement;
+Walls usual_walls() {
+  Walls walls;
+  walls.folder = "/";
+  walls.files.read = {"/usr", "/bin", "/lib", "/lib64", "/etc/ld.so.cache"};
+  walls.files.write = {"/dev/null"};
+  walls.limits.processes = 64;
+  return walls;
 }
 
-Finished shell(const std::string& script, const Confinement& confinement = walls()) {
-  return run_confined({"/bin/sh", "-c", script}, {"PATH=/usr/bin:/bin"}, confinement);
+Finished shell(const std::string& script, const Walls& walls = usual_walls()) {
+  return run_confined({"/bin/sh", "-c", script}, {"PATH=/usr/bin:/bin"}, walls);
 }
 
 /// Whether this machine has not got the wall; the test case then counts as skipped.
-bool lacks(Layer layer) {
-  for (const MissingLayer& each : missing_layers()) {
-    if (each.layer != layer) continue;
-    tumble::test::skip("this machine has no " + name_of(layer) + ": " + each.why);
+bool lacks(Wall wall) {
+  for (const MissingWall& each : missing_walls()) {
+    if (each.wall != wall) continue;
+    tumble::test::skip("this machine has no " + name_of(wall) + ": " + each.why);
     return true;
   }
   return false;
@@ -50,20 +50,20 @@ TEST_CASE("a program runs, and what it prints and how it ends is known") {
 
 TEST_CASE("it has the environment that it is given and no other") {
   setenv("TUMBLE_SECRET", "token", 1);
-  CHECK(run_confined({"/usr/bin/env"}, {"ONLY=this"}, walls()).output == "ONLY=this\n");
+  CHECK(run_confined({"/usr/bin/env"}, {"ONLY=this"}, usual_walls()).output == "ONLY=this\n");
 }
 
 TEST_CASE("it has no open files but its own") {
   const std::ifstream secret("/etc/passwd");
   REQUIRE(secret);
-  Confinement confinement = walls();
-  confinement.files.read.emplace_back("/proc");
+  Walls walls = usual_walls();
+  walls.files.read.emplace_back("/proc");
   // ls opens the folder itself as 3.
-  CHECK(run_confined({"/bin/ls", "/proc/self/fd"}, {}, confinement).output == "0\n1\n2\n3\n");
+  CHECK(run_confined({"/bin/ls", "/proc/self/fd"}, {}, walls).output == "0\n1\n2\n3\n");
 }
 
 TEST_CASE("it opens no file that is not listed") {
-  if (lacks(Layer::files)) return;
+  if (lacks(Wall::files)) return;
   CHECK(shell("cat /etc/passwd").ending != Ending{false, 0});
   CHECK(shell("cat /etc/passwd").output.find("root:") == std::string::npos);
   const auto file = std::filesystem::temp_directory_path() / "tumble-wall-test";
@@ -72,24 +72,24 @@ TEST_CASE("it opens no file that is not listed") {
 }
 
 TEST_CASE("root's programs run as nobody") {
-  if (lacks(Layer::other_user)) return;
+  if (lacks(Wall::other_user)) return;
   CHECK(shell("id -u; id -g; id -G").output == "65534\n65534\n65534\n");
 }
 
 TEST_CASE("time, memory and file size end") {
-  Confinement confinement = walls();
-  confinement.limits.cpu_seconds = 1;
-  CHECK(shell("while :; do :; done", confinement).ending == Ending{true, SIGXCPU});
+  Walls walls = usual_walls();
+  walls.limits.cpu_seconds = 1;
+  CHECK(shell("while :; do :; done", walls).ending == Ending{true, SIGXCPU});
 
-  confinement.limits.wall_seconds = 0.2;
+  walls.limits.wall_seconds = 0.2;
   const auto start = std::chrono::steady_clock::now();
-  CHECK(shell("sleep 30", confinement).timed_out);
+  CHECK(shell("sleep 30", walls).timed_out);
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
 
-  confinement = walls();
-  confinement.limits.memory_bytes = 64 << 20;
-  confinement.files.read.emplace_back("/dev/zero");
-  CHECK(shell("head -c 200000000 /dev/zero | tail", confinement).output.find("exhausted") !=
+  walls = usual_walls();
+  walls.limits.memory_bytes = 64 << 20;
+  walls.files.read.emplace_back("/dev/zero");
+  CHECK(shell("head -c 200000000 /dev/zero | tail", walls).output.find("exhausted") !=
         std::string::npos);
 }
 
@@ -106,36 +106,36 @@ TEST_CASE("what it has started ends with it") {
 
 TEST_CASE("a program that is not there, or a folder, is said plainly") {
   CHECK_THROWS_WITH(
-      run_confined({"/no/such/program"}, {}, walls()),
+      run_confined({"/no/such/program"}, {}, usual_walls()),
       doctest::Contains("cannot confine /no/such/program: the program: No such file"));
-  Confinement confinement = walls();
-  confinement.folder = "/no/such/folder";
-  CHECK_THROWS_WITH(shell("true", confinement), doctest::Contains("its folder: No such file"));
+  Walls walls = usual_walls();
+  walls.folder = "/no/such/folder";
+  CHECK_THROWS_WITH(shell("true", walls), doctest::Contains("its folder: No such file"));
 }
 
 TEST_CASE("behind the list of system calls only the prepared program starts, and no other") {
-  if (lacks(Layer::system_calls)) return;
-  Confinement confinement = walls();
-  confinement.system_calls = CallRules::sanitizer;  // a shell comes up behind this one
-  CHECK(shell("echo alive", confinement).output == "alive\n");
-  CHECK(shell("exec /bin/echo other", confinement).output.find("other\n") == std::string::npos);
-  CHECK(shell("(echo forked)", confinement).output.find("forked\n") == std::string::npos);
-  CHECK(shell("kill -0 $$ && echo signalled", confinement).output.find("signalled\n") ==
+  if (lacks(Wall::system_calls)) return;
+  Walls walls = usual_walls();
+  walls.system_calls = CallRules::sanitizer;  // a shell comes up behind this one
+  CHECK(shell("echo alive", walls).output == "alive\n");
+  CHECK(shell("exec /bin/echo other", walls).output.find("other\n") == std::string::npos);
+  CHECK(shell("(echo forked)", walls).output.find("forked\n") == std::string::npos);
+  CHECK(shell("kill -0 $$ && echo signalled", walls).output.find("signalled\n") ==
         std::string::npos);
 }
 
 TEST_CASE(
     "behind the sanitizers' filter files are read only, where the list of files would let them") {
-  if (lacks(Layer::system_calls)) return;
+  if (lacks(Wall::system_calls)) return;
   const auto file = std::filesystem::temp_directory_path() / "tumble-read-only-test";
   std::ofstream(file) << "kept";
   std::filesystem::permissions(file, std::filesystem::perms::all);
-  Confinement confinement = walls();
-  confinement.files.write.push_back(file.parent_path());
-  confinement.limits.file_bytes = 1000;
-  confinement.system_calls = CallRules::sanitizer;
-  shell("echo changed > " + file.string(), confinement);
+  Walls walls = usual_walls();
+  walls.files.write.push_back(file.parent_path());
+  walls.limits.file_bytes = 1000;
+  walls.system_calls = CallRules::sanitizer;
+  shell("echo changed > " + file.string(), walls);
   CHECK(std::filesystem::file_size(file) == 4);
-  CHECK(shell("read word < " + file.string() + "; echo $word", confinement).output == "kept\n");
+  CHECK(shell("read word < " + file.string() + "; echo $word", walls).output == "kept\n");
   std::filesystem::remove(file);
 }

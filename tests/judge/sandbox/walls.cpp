@@ -1,4 +1,4 @@
-#include "judge/sandbox/confinement.hpp"
+#include "judge/sandbox/walls.hpp"
 
 #include <unistd.h>
 
@@ -11,18 +11,18 @@
 
 namespace tumble::judge {
 
-std::string name_of(Layer layer) {
-  switch (layer) {
-    case Layer::limits:
+std::string name_of(Wall wall) {
+  switch (wall) {
+    case Wall::limits:
       return "limits of time and memory";
-    case Layer::other_user:
+    case Wall::other_user:
       return "another user";
-    case Layer::files:
+    case Wall::files:
       return "a list of files that may be opened (Landlock)";
-    case Layer::system_calls:
+    case Wall::system_calls:
       return "a list of system calls (seccomp)";
   }
-  return "unknown layer";
+  return "unknown wall";
 }
 
 bool others_may_enter(const fs::path& path) {
@@ -34,11 +34,11 @@ bool others_may_enter(const fs::path& path) {
 
 namespace {
 
-/// Does a process start behind the walls of `confinement`? Behind a call filter a program that is
+/// Does a process start behind `walls`? Behind a call filter a program that is
 /// linked dynamically cannot come up, but the walls have to stand before it fails.
-std::string failure_of(const Confinement& confinement) {
+std::string failure_of(const Walls& walls) {
   try {
-    ConfinedProcess probe({platform::do_nothing()}, {}, confinement, {-1, -1, -1});
+    ConfinedProcess probe({platform::do_nothing()}, {}, walls, {-1, -1, -1});
     probe.wait(5);
     return {};
   } catch (const std::runtime_error& e) {
@@ -48,21 +48,21 @@ std::string failure_of(const Confinement& confinement) {
 
 }  // namespace
 
-std::vector<MissingLayer> missing_layers() {
-  std::vector<MissingLayer> missing;
-  Confinement walls;
+std::vector<MissingWall> missing_walls() {
+  std::vector<MissingWall> missing;
+  Walls walls;
   walls.folder = "/";
   walls.files.read = {"/"};
   if (const std::string why = failure_of(walls); !why.empty())
-    missing.push_back({Layer::limits, why});
-  if (geteuid() != 0) missing.push_back({Layer::other_user, "only root can become another user"});
+    missing.push_back({Wall::limits, why});
+  if (geteuid() != 0) missing.push_back({Wall::other_user, "only root can become another user"});
   if (!file_rules_available())
-    missing.push_back({Layer::files, "this kernel has no Landlock, or does not allow it here"});
+    missing.push_back({Wall::files, "this kernel has no Landlock, or does not allow it here"});
   walls.system_calls = CallRules::worker;
   if (!call_filters_available())
-    missing.push_back({Layer::system_calls, "this system has no seccomp"});
+    missing.push_back({Wall::system_calls, "this system has no seccomp"});
   else if (const std::string why = failure_of(walls); !why.empty())
-    missing.push_back({Layer::system_calls, why});
+    missing.push_back({Wall::system_calls, why});
   return missing;
 }
 

@@ -21,7 +21,7 @@ struct Limits {
 };
 
 /// A wall. A worker stands behind all of them, the compiler behind all but the system calls.
-enum class Layer {
+enum class Wall {
   limits,        ///< setrlimit: processor time, memory, file size
   other_user,    ///< neither the files nor the processes of the one who judges (needs root)
   files,         ///< Landlock: no file but those that are listed
@@ -31,7 +31,7 @@ enum class Layer {
 /// The user that confined programs run as when the judge is root: "nobody".
 inline constexpr unsigned unprivileged_id = 65534;
 
-/// Files and folders that may be opened; everything else is refused by Layer::files.
+/// Files and folders that may be opened; everything else is refused by Wall::files.
 struct OpenFiles {
   std::vector<fs::path> read;  ///< and execute
   std::vector<fs::path> write;
@@ -44,7 +44,7 @@ enum class CallRules {
   sanitizer,  ///< all but those that reach other processes, the network, or more rights
 };
 
-struct Confinement {
+struct Walls {
   Limits limits;
   OpenFiles files;
   fs::path folder;         ///< where it starts
@@ -52,18 +52,18 @@ struct Confinement {
   CallRules system_calls = CallRules::all;
 };
 
-/// A layer that cannot be built here, and why.
-struct MissingLayer {
-  Layer layer;
+/// A wall that cannot be built here, and why.
+struct MissingWall {
+  Wall wall;
   std::string why;
 };
 
-std::string name_of(Layer layer);
+std::string name_of(Wall wall);
 
 /// May every user pass through all folders of this path?
 bool others_may_enter(const fs::path& path);
 
-/// Tries every layer in a child of its own.
-std::vector<MissingLayer> missing_layers();
+/// Tries every wall in a child of its own.
+std::vector<MissingWall> missing_walls();
 
 }  // namespace tumble::judge

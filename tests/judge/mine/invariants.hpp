@@ -15,7 +15,7 @@ namespace tumble::judge::mine {
 struct ProblemResult;
 
 /// By how much at most the states of a run break what has to stay, as fractions.
-struct Laws {
+struct Invariants {
   double energy = 0, length = 0, momentum = 0;
 };
 
@@ -37,7 +37,7 @@ struct DriftResult {
 };
 
 /// Files laws and turning, by the best of the student's methods that run at all.
-void look_at_laws(const OwnEngine& engine, ProblemResult& result);
+void look_at_invariants(const OwnEngine& engine, ProblemResult& result);
 
 DriftResult drift_of(const OwnEngine& engine, const ProblemResult& result);
 

@@ -1,4 +1,4 @@
-#include "judge/mine/laws.hpp"
+#include "judge/mine/invariants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@ namespace tumble::judge::mine {
 
 namespace {
 
-Laws laws_of(const ProblemResult& result, const std::vector<Numbers>& states) {
+Invariants invariants_of(const ProblemResult& result, const std::vector<Numbers>& states) {
   const MassProperties body = result.body();
   const double E0 = result.problem.energy(states.front(), body);
   const RigidBodyState<> start = unpack<double>(states.front());
-  Laws laws;
+  Invariants laws;
   for (const Numbers& y : states) {
     const auto worse = [](double& largest, double x) {
       if (!(x <= largest)) largest = x;  // not a number counts too
@@ -58,11 +58,11 @@ only_what_a_scene_needs::EnergyDrift right_drift(const ProblemResult& result,
 
 }  // namespace
 
-void look_at_laws(const OwnEngine& engine, ProblemResult& result) {
+void look_at_invariants(const OwnEngine& engine, ProblemResult& result) {
   for (const Method method : {Method::rk4, Method::midpoint, Method::euler})
     for (const OwnCurve& own : result.own) {
       if (own.method != method || own.states.empty() || result.laws) continue;
-      result.laws = laws_of(result, own.states);
+      result.laws = invariants_of(result, own.states);
       try {
         result.turning = turning_of(engine, result, method);
       } catch (const NoAnswer&) {
