@@ -16,7 +16,7 @@ const Function<decltype(particles::euler_step)> euler_step{TUMBLE_UNIT};
 namespace {
 
 VectorXd reference(const Rhs& f, double t, const VectorXd& y, double h) {
-  return tumble::euler_step(f, t, y, h);
+  return tumble::runge_kutta::euler_step(f, t, y, h);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ const Function<decltype(particles::midpoint_step)> midpoint_step{TUMBLE_UNIT};
 namespace {
 
 VectorXd reference(const Rhs& f, double t, const VectorXd& y, double h) {
-  return tumble::midpoint_step(f, t, y, h);
+  return tumble::runge_kutta::midpoint_step(f, t, y, h);
 }
 
 VectorXd euler(const Rhs& f, double t, const VectorXd& y, double h) { return y + h * f(t, y); }

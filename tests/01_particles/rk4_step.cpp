@@ -18,7 +18,7 @@ const Function<decltype(particles::rk4_step)> rk4_step{TUMBLE_UNIT};
 namespace {
 
 VectorXd reference(const Rhs& f, double t, const VectorXd& y, double h) {
-  return tumble::rk4_step(f, t, y, h);
+  return tumble::runge_kutta::rk4_step(f, t, y, h);
 }
 
 // ── Wrong methods ──

@@ -113,7 +113,7 @@ VectorXd reference(const Problem& problem, double t, const VectorXd& y, double h
   if (y.size() == 0) return y;
   const auto rhs = tumble::with_jacobian(problem.f, problem.dfdy);
   // The library's rounds stop a little above rounding.
-  return improved(problem, t, y, h, tumble::backward_euler_step(rhs, t, y, h));
+  return improved(problem, t, y, h, tumble::runge_kutta::backward_euler_step(rhs, t, y, h));
 }
 
 /// What is left of y₁ by who stops at a correction of 1e-8 of y: its square, by and large.

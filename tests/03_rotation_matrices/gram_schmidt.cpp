@@ -20,7 +20,7 @@ const Function<decltype(rotation_matrices::gram_schmidt)> gram_schmidt{TUMBLE_UN
 
 namespace {
 
-Mat3 reference(const Mat3& M) { return tumble::gram_schmidt(M); }
+Mat3 reference(const Mat3& M) { return tumble::rotation::gram_schmidt(M); }
 
 /// What rounding may do to a number of the answer. Taking a column's part along another away leaves
 /// an error of some 10 eps of what it was; scaling what is left to length 1 enlarges that, at worst
@@ -93,7 +93,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       const auto R = student::gram_schmidt(M);
       REQUIRE(R == close_to(reference(M), rounding(M)));
       // An error of δ in each number is one of at most 6 δ in RᵀR.
-      REQUIRE(R == obeys("RᵀR = 1", tumble::orthonormality_error(R), 6 * rounding(M)));
+      REQUIRE(R == obeys("RᵀR = 1", tumble::rotation::orthonormality_error(R), 6 * rounding(M)));
     }
   }
 
@@ -116,7 +116,7 @@ TEST_SUITE(TUMBLE_UNIT) {
         const Mat3 M = almost_parallel(angle);
         const auto R = student::gram_schmidt(M);
         REQUIRE(R == close_to(reference(M), rounding(M)));
-        REQUIRE(R == obeys("RᵀR = 1", tumble::orthonormality_error(R), 6 * rounding(M)));
+        REQUIRE(R == obeys("RᵀR = 1", tumble::rotation::orthonormality_error(R), 6 * rounding(M)));
       }
     }
   }

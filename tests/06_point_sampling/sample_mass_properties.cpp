@@ -96,8 +96,8 @@ struct AskedBody {
 MassProperties reference(const Inside& inside, const Vec3& low, const Vec3& high, int n,
                          double density) {
   try {
-    const auto sampled = tumble::sample_mass_properties(AskedBody{inside, {low, high}}, density,
-                                                        tumble::GridPoints(n));
+    const auto sampled = tumble::sampling::sample_mass_properties(
+        AskedBody{inside, {low, high}}, density, tumble::sampling::GridPoints(n));
     return {sampled.mass, sampled.centre, sampled.inertia};
   } catch (const std::invalid_argument&) {
     return nothing;  // which the library refuses

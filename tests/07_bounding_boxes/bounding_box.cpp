@@ -19,7 +19,7 @@ const Function<decltype(bounding_boxes::bounding_box)> bounding_box{TUMBLE_UNIT}
 
 namespace {
 
-Box reference(const Points& points) { return to_box(tumble::aligned_box(points)); }
+Box reference(const Points& points) { return to_box(tumble::boxes::aligned_box(points)); }
 
 /// A sum or a difference, and a half that is exact: 2 eps of a place on either side.
 double rounding(const Points& points) { return 4 * eps * reach(points); }

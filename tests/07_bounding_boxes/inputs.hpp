@@ -16,7 +16,7 @@ namespace tumble::judge {
 using bounding_boxes::Box;
 using Points = std::vector<Vec3>;
 
-inline Box to_box(const OrientedBox& box) { return {box.centre, box.R, box.size}; }
+inline Box to_box(const boxes::OrientedBox& box) { return {box.centre, box.R, box.size}; }
 
 /// Points in a cube, about a place.
 inline Points any_points(int n, double size = 2, const Vec3& place = Vec3::Zero()) {

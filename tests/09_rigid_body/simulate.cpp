@@ -86,7 +86,7 @@ PackedState with_unit_q(PackedState y) {
 using Step = std::function<PackedState(const reference::Rhs&, double, const PackedState&, double)>;
 
 const Step rk4 = [](const reference::Rhs& f, double t, const PackedState& y, double h) {
-  return tumble::rk4_step(f, t, y, h);
+  return tumble::runge_kutta::rk4_step(f, t, y, h);
 };
 
 /// All states on the way, q repaired after each step.
@@ -127,7 +127,7 @@ auto repaired_by(Repair repair) {
     States states{start};
     for (int n = 0; n < steps; ++n)
       states.push_back(reference::unpack(
-          repair(tumble::rk4_step(f, t0 + n * h, reference::pack(states.back()), h))));
+          repair(tumble::runge_kutta::rk4_step(f, t0 + n * h, reference::pack(states.back()), h))));
     return states;
   };
 }
@@ -333,7 +333,7 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         const reference::Rhs repaired = [&f](double time, const PackedState& z) {
           return f(time, with_unit_q(z));
         };
-        return tumble::rk4_step(repaired, t, y, h);
+        return tumble::runge_kutta::rk4_step(repaired, t, y, h);
       })},
      {"whole state normalised",
       "All thirteen numbers were divided by the length of all of them together. Only the "
@@ -381,8 +381,8 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
           const reference::Rhs f = [&](double, const PackedState& y) {
             return reference::rate(body, reference::unpack(y), push);
           };
-          states.push_back(reference::unpack(
-              with_unit_q(tumble::rk4_step(f, 0., reference::pack(states.back()), h))));
+          states.push_back(reference::unpack(with_unit_q(
+              tumble::runge_kutta::rk4_step(f, 0., reference::pack(states.back()), h))));
         }
         return states;
       }},
@@ -396,8 +396,8 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         const double h = (t1 - t0) / steps;
         States states{start};
         for (int n = 0; n < steps; ++n)
-          states.push_back(reference::unpack(
-              with_unit_q(tumble::rk4_step(f, t0, reference::pack(states.back()), h))));
+          states.push_back(reference::unpack(with_unit_q(
+              tumble::runge_kutta::rk4_step(f, t0, reference::pack(states.back()), h))));
         return states;
       }},
      {"time counted from zero",
@@ -415,8 +415,8 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         const double h = (t1 - t0) / steps;
         States states{start};
         for (int n = 0; n < steps; ++n)
-          states.push_back(reference::unpack(
-              with_unit_q(tumble::rk4_step(f, t0 + n * h, reference::pack(start), h))));
+          states.push_back(reference::unpack(with_unit_q(
+              tumble::runge_kutta::rk4_step(f, t0 + n * h, reference::pack(start), h))));
         return states;
       }},
      {"t1 taken for the duration",

@@ -40,7 +40,7 @@ inline Quaternion slerp(const Quaternion& a, const Quaternion& b, double t) {
 }
 
 inline Quaternion quaternion_dot(const Quaternion& q, const Vec3& omega) {
-  return coefficients(tumble::quaternion_dot(from_coefficients(q), omega));
+  return coefficients(tumble::rotation::quaternion_dot(from_coefficients(q), omega));
 }
 
 /// How a quaternion is read, and stored, by someone who believes that the scalar comes last.

@@ -55,7 +55,8 @@ inline std::vector<State> simulate(const Body& body, const WrenchAt& wrench, con
   const double h = (t1 - t0) / steps;
   std::vector<State> states{start};
   for (int n = 0; n < steps; ++n) {
-    State next = unpack(tumble::rk4_step(f, t0 + n * h, reference::pack(states.back()), h));
+    State next =
+        unpack(tumble::runge_kutta::rk4_step(f, t0 + n * h, reference::pack(states.back()), h));
     next.q.normalize();
     states.push_back(next);
   }
