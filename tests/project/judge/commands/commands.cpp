@@ -237,19 +237,19 @@ TEST_CASE("completion knows every option of every command") {
 
 TEST_CASE("what a command line needs to be built, one target a line, and nothing else is done") {
   const FreshCourse fresh;
-  const std::string carry = "spec.01_crossing.carry\n", twice = "spec.01_crossing.twice\n";
-  CHECK(judge("--needs check").output == carry);
-  CHECK(judge("--needs check 1.2").output == twice);
-  CHECK(judge("--needs check 1.2.1 --from nowhere").output == twice);
-  CHECK(judge("--needs check 1 --solutions").output == carry + twice);
-  CHECK(judge("--needs matrix twice").output == twice);
+  const std::string needs_carry = "spec.01_crossing.carry\n", needs_twice = "spec.01_crossing.twice\n";
+  CHECK(judge("--needs check").output == needs_carry);
+  CHECK(judge("--needs check 1.2").output == needs_twice);
+  CHECK(judge("--needs check 1.2.1 --from nowhere").output == needs_twice);
+  CHECK(judge("--needs check 1 --solutions").output == needs_carry + needs_twice);
+  CHECK(judge("--needs matrix twice").output == needs_twice);
   for (const char* all : {"mine", "watch", "stubs", "grade .", "report"})
     CHECK(judge(std::string("--needs ") + all).output == "all_specs\n");
   const fs::path settings = fs::temp_directory_path() / "tumble-needs-test.json";
   write(settings, R"({"units": ["1.2"], "curve": false})");
   const std::string with_settings = " --course '" + settings.string() + "'";
-  CHECK(judge("--needs grade ." + with_settings).output == twice);
-  CHECK(judge("--needs platform gradescope ." + with_settings).output == twice);
+  CHECK(judge("--needs grade ." + with_settings).output == needs_twice);
+  CHECK(judge("--needs platform gradescope ." + with_settings).output == needs_twice);
   fs::remove(settings);
   for (const char* none :
        {"list", "hint 1.1", "reset 1.1", "solution 1.1", "sandbox", "handout --chapters 1 x",
