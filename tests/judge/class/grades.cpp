@@ -45,6 +45,27 @@ void write_case(std::ostream& out, const StudentRecord& student, const UnitRecor
         << markup(unit.explanation) << "</failure>\n    </testcase>\n";
 }
 
+/// The units that the deadline has come before.
+std::size_t count_unreached(const CourseSettings& settings, const StudentRecord& record) {
+  return record.out_of_time ? settings.units.size() - record.units.size() : 0;
+}
+
+/// Why there are no points, where that does not follow from a verdict.
+std::string note_about(const CourseSettings& settings, const StudentRecord& record) {
+  if (!record.out_of_time) return record.refused;
+  return std::to_string(count_unreached(settings, record)) + " " + no_time_left;
+}
+
+void write_unreached(std::ostream& out, const CourseSettings& settings,
+                     const StudentRecord& record) {
+  if (!record.out_of_time) return;
+  for (const Unit& unit : settings.units)
+    if (!record.find(unit))
+      out << "    <testcase classname=\"" << markup(record.student) << "\" name=\"" << unit.number
+          << " " << markup(unit.id()) << "\">\n      <skipped message=\"" << no_time_left
+          << "\"/>\n    </testcase>\n";
+}
+
 }  // namespace
 
 std::string grades_csv(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
@@ -57,7 +78,7 @@ std::string grades_csv(const CourseSettings& settings, const std::vector<Student
     const double points = earned(settings, record);
     out << foreign_field(record.student) << "," << points_text(points) << "," << points_text(most)
         << "," << points_text(100 * points / most) << "," << count_passed(record) << ","
-        << foreign_field(record.refused);
+        << foreign_field(note_about(settings, record));
     for (const Unit& unit : settings.units) {
       const UnitRecord* known = record.find(unit);
       out << "," << (known ? points_text(settings.earned(*known)) : "");
@@ -74,14 +95,17 @@ std::string grades_junit(const CourseSettings& settings,
       << "\">\n";
   for (const StudentRecord& record : records) {
     const std::size_t errors = record.refused.empty() ? 0 : 1;
+    const std::size_t skipped = count_unreached(settings, record);
     out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
-        << record.units.size() + errors << "\" failures=\""
-        << record.units.size() - count_passed(record) << "\" errors=\"" << errors << "\">\n";
+        << record.units.size() + errors + skipped << "\" failures=\""
+        << record.units.size() - count_passed(record) << "\" errors=\"" << errors << "\""
+        << (skipped > 0 ? " skipped=\"" + std::to_string(skipped) + "\"" : "") << ">\n";
     if (errors > 0)
       out << "    <testcase classname=\"" << markup(record.student)
           << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
           << "\"/>\n    </testcase>\n";
     for (const UnitRecord& unit : record.units) write_case(out, record, unit);
+    write_unreached(out, settings, record);
     out << "  </testsuite>\n";
   }
   out << "</testsuites>\n";

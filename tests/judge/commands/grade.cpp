@@ -28,6 +28,17 @@ void print_grades(const CourseSettings& settings, const std::vector<StudentRecor
   }
 }
 
+/// Says for whom no time was left.
+/// @return whether there is anybody
+bool said_who_is_left(const std::vector<StudentRecord>& records) {
+  const auto left = std::count_if(records.begin(), records.end(),
+                                  [](const StudentRecord& record) { return record.out_of_time; });
+  if (left > 0)
+    std::cerr << "tumble: no time was left for " << left << " of " << records.size()
+              << " submissions; the same command goes on there\n";
+  return left > 0;
+}
+
 }  // namespace
 
 int grade(const Course& course, const GradeOptions& options) {
@@ -43,8 +54,9 @@ int grade(const Course& course, const GradeOptions& options) {
   const std::size_t students_at_once = options.at_once.value_or(cores);
   // A compiler takes 150 MB: no more of them than cores.
   const std::size_t builds_at_once = std::max<std::size_t>(1, cores / students_at_once);
-  const Grading grading{course, settings,      class_seed(settings, folder), judge_fingerprint(),
-                        cache,  builds_at_once};
+  Grading grading{course, settings,      class_seed(settings, folder), judge_fingerprint(),
+                  cache,  builds_at_once};
+  if (options.seconds) grading.deadline = after(*options.seconds);
   std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
             << " exercises each\n";
   const auto start = std::chrono::steady_clock::now();
@@ -61,7 +73,8 @@ int grade(const Course& course, const GradeOptions& options) {
   for (const std::string& student : failed)
     std::cerr << "tumble: the judge has failed at " << student
               << ", see above; the same command again goes on there\n";
-  return failed.empty() ? 0 : 2;
+  const bool unfinished = said_who_is_left(records);
+  return !failed.empty() ? 2 : unfinished ? 1 : 0;
 }
 
 }  // namespace tumble::judge

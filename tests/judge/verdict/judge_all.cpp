@@ -57,6 +57,7 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
   };
   start_builds();
   for (const Unit& unit : units) {
+    if (Clock::now() >= judgement.deadline) return;
     const TimedBuild built = builds.front().get();
     builds.pop_front();
     start_builds();
