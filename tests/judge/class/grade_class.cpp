@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <random>
 
-#include "judge/class/process_pool.hpp"
 #include "judge/class/progress_line.hpp"
+#include "judge/sandbox/process_pool.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -21,21 +21,23 @@ std::uint64_t class_seed(const CourseSettings& settings, const GradesFolder& fol
   return std::stoull(text);
 }
 
-std::vector<std::string> grade_class(const Grading& grading,
-                                     const std::vector<Submission>& submissions,
-                                     const GradesFolder& folder, std::size_t at_once) {
-  std::vector<std::string> failed;
+std::vector<FailedStudent> grade_class(const Grading& grading,
+                                       const std::vector<Submission>& submissions,
+                                       const GradesFolder& folder, std::size_t at_once) {
+  std::vector<FailedStudent> failed;
   ProgressLine line(submissions.size() * grading.settings.units.size(), "exercises");
-  run_in_processes(
-      submissions.size(), at_once,
-      [&](std::size_t i, const std::function<void()>& tick) {
-        grade_student(grading, submissions[i], folder.record_of(submissions[i].student),
-                      [&tick](const StudentRecord&) { tick(); });
-      },
-      [&] { line.tick(); },
-      [&](FinishedJob job) {
-        if (!job.succeeded) failed.push_back(submissions[job.number].student);
-      });
+  ProcessPool pool;
+  pool.at_once = at_once;
+  pool.received = [&](std::size_t, const std::string& ticks) {
+    for (std::size_t i = 0; i < ticks.size(); ++i) line.tick();
+  };
+  pool.finished = [&](const FinishedJob& job) {
+    if (!job.failure.empty()) failed.push_back({submissions[job.number].student, job.failure});
+  };
+  run_in_processes(submissions.size(), pool, [&](std::size_t i, const SendBytes& send) {
+    grade_student(grading, submissions[i], folder.record_of(submissions[i].student),
+                  [&send](const StudentRecord&) { send("."); });
+  });
   return failed;
 }
 

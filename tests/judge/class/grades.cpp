@@ -33,16 +33,10 @@ std::size_t count_passed(const StudentRecord& record) {
                                                 [](const UnitRecord& u) { return u.passed; }));
 }
 
-void write_case(std::ostream& out, const StudentRecord& student, const UnitRecord& unit) {
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.3f", unit.seconds);
-  out << "    <testcase classname=\"" << markup(student.student) << "\" name=\"" << unit.number
-      << " " << markup(unit.unit) << "\" time=\"" << seconds << "\"";
-  if (unit.passed)
-    out << "/>\n";
-  else
-    out << ">\n      <failure message=\"" << markup(unit.summary) << "\">"
-        << markup(unit.explanation) << "</failure>\n    </testcase>\n";
+std::size_t count_judge_failures(const StudentRecord& record) {
+  return static_cast<std::size_t>(
+      std::count_if(record.units.begin(), record.units.end(),
+                    [](const UnitRecord& u) { return !u.judge_failure.empty(); }));
 }
 
 /// The units that the deadline has come before.
@@ -50,10 +44,31 @@ std::size_t count_unreached(const CourseSettings& settings, const StudentRecord&
   return record.out_of_time ? settings.units.size() - record.units.size() : 0;
 }
 
-/// Why there are no points, where that does not follow from a verdict.
-std::string note_about(const CourseSettings& settings, const StudentRecord& record) {
-  if (!record.out_of_time) return record.refused;
-  return std::to_string(count_unreached(settings, record)) + " " + no_time_left;
+/// Why the row is not what it should be.
+std::string note_on(const CourseSettings& settings, const StudentRecord& record) {
+  std::string note = record.refused, failed;
+  const auto add = [&](const std::string& more) { note += (note.empty() ? "" : "; ") + more; };
+  for (const UnitRecord& unit : record.units)
+    if (!unit.judge_failure.empty()) failed += (failed.empty() ? "" : ", ") + unit.number;
+  if (!failed.empty()) add("the judge failed at " + failed + ": no verdict");
+  if (const std::size_t left = count_unreached(settings, record); left > 0)
+    add(std::to_string(left) + " " + no_time_left);
+  return note;
+}
+
+void write_case(std::ostream& out, const StudentRecord& student, const UnitRecord& unit) {
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.3f", unit.seconds);
+  out << "    <testcase classname=\"" << markup(student.student) << "\" name=\"" << unit.number
+      << " " << markup(unit.unit) << "\" time=\"" << seconds << "\"";
+  if (unit.passed)
+    out << "/>\n";
+  else if (!unit.judge_failure.empty())
+    out << ">\n      <error message=\"" << markup("the judge failed: " + unit.judge_failure)
+        << "\"/>\n    </testcase>\n";
+  else
+    out << ">\n      <failure message=\"" << markup(unit.summary) << "\">"
+        << markup(unit.explanation) << "</failure>\n    </testcase>\n";
 }
 
 void write_unreached(std::ostream& out, const CourseSettings& settings,
@@ -78,10 +93,11 @@ std::string grades_csv(const CourseSettings& settings, const std::vector<Student
     const double points = earned(settings, record);
     out << foreign_field(record.student) << "," << points_text(points) << "," << points_text(most)
         << "," << points_text(100 * points / most) << "," << count_passed(record) << ","
-        << foreign_field(note_about(settings, record));
+        << foreign_field(note_on(settings, record));
     for (const Unit& unit : settings.units) {
       const UnitRecord* known = record.find(unit);
-      out << "," << (known ? points_text(settings.earned(*known)) : "");
+      const bool judged = known && known->judge_failure.empty();
+      out << "," << (judged ? points_text(settings.earned(*known)) : "");
     }
     out << "\n";
   }
@@ -94,13 +110,14 @@ std::string grades_junit(const CourseSettings& settings,
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" << markup(settings.title)
       << "\">\n";
   for (const StudentRecord& record : records) {
-    const std::size_t errors = record.refused.empty() ? 0 : 1;
+    const std::size_t refused = record.refused.empty() ? 0 : 1;
+    const std::size_t unjudged = count_judge_failures(record), errors = refused + unjudged;
     const std::size_t skipped = count_unreached(settings, record);
     out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
-        << record.units.size() + errors + skipped << "\" failures=\""
-        << record.units.size() - count_passed(record) << "\" errors=\"" << errors << "\""
+        << record.units.size() + refused + skipped << "\" failures=\""
+        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors << "\""
         << (skipped > 0 ? " skipped=\"" + std::to_string(skipped) + "\"" : "") << ">\n";
-    if (errors > 0)
+    if (refused > 0)
       out << "    <testcase classname=\"" << markup(record.student)
           << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
           << "\"/>\n    </testcase>\n";

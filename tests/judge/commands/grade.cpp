@@ -39,6 +39,26 @@ bool said_who_is_left(const std::vector<StudentRecord>& records) {
   return left > 0;
 }
 
+/// Says what the judge has failed at.
+/// @return whether there was anything
+bool report_failures(const std::vector<FailedStudent>& failed,
+                     const std::vector<StudentRecord>& records) {
+  for (const FailedStudent& each : failed)
+    std::cerr << "tumble: the judge failed at " << each.student << ": " << each.why << "\n";
+  bool any = !failed.empty();
+  for (const StudentRecord& record : records)
+    for (const UnitRecord& unit : record.units) {
+      if (unit.judge_failure.empty()) continue;
+      any = true;
+      std::cerr << "tumble: the judge failed at " << record.student << ", " << unit.number << " "
+                << unit.unit.substr(unit.unit.find('/') + 1) << ": " << unit.judge_failure << "\n";
+    }
+  if (any)
+    std::cerr << "tumble: these are failures of the judge or of this machine, and cost nobody a "
+                 "point for good: the same command again judges what is missing\n";
+  return any;
+}
+
 }  // namespace
 
 int grade(const Course& course, const GradeOptions& options) {
@@ -60,7 +80,7 @@ int grade(const Course& course, const GradeOptions& options) {
   std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
             << " exercises each\n";
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<std::string> failed =
+  const std::vector<FailedStudent> failed =
       grade_class(grading, submissions, folder, students_at_once);
   const std::vector<StudentRecord> records = records_of(folder, submissions);
   support::write_text(folder.csv(), grades_csv(settings, records));
@@ -70,11 +90,8 @@ int grade(const Course& course, const GradeOptions& options) {
   std::cerr << "tumble: " << duration_text(taken.count()) << "; grades: " << folder.csv().string()
             << ", " << folder.junit().string() << ", one file a student in "
             << (folder.path / "students").string() << "\n";
-  for (const std::string& student : failed)
-    std::cerr << "tumble: the judge has failed at " << student
-              << ", see above; the same command again goes on there\n";
-  const bool unfinished = said_who_is_left(records);
-  return !failed.empty() ? 2 : unfinished ? 1 : 0;
+  const bool has_failed = report_failures(failed, records), unfinished = said_who_is_left(records);
+  return has_failed ? 2 : unfinished ? 1 : 0;
 }
 
 }  // namespace tumble::judge

@@ -44,7 +44,7 @@ StudentRecord fitted(StudentRecord record) {
 
 StudentRecord without_hidden(const CourseSettings& settings, StudentRecord record) {
   for (UnitRecord& unit : record.units) {
-    if (!settings.is_hidden(unit)) continue;
+    if (!settings.is_hidden(unit) || !unit.judge_failure.empty()) continue;
     unit.explanation.clear();
     unit.summary = "hidden";
   }

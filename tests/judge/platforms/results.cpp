@@ -92,12 +92,12 @@ std::string indented(const std::string& text) {
 constexpr const char* about_the_figure =
     "An engine with your functions: its error against its time, beside the library's.";
 
-/// Files that were handed in and are no function yet: nothing that could be judged.
-std::vector<const UnitRecord*> not_compiled(const StudentRecord& record) {
+/// What is no answer: files that do not compile, and where the judge itself has failed.
+std::vector<const UnitRecord*> not_gradable(const StudentRecord& record) {
   std::vector<const UnitRecord*> units;
   for (const UnitRecord& unit : record.units)
     if (unit.summary == name_of(BuildOutcome::does_not_compile) ||
-        unit.summary == name_of(BuildOutcome::wrong_signature))
+        unit.summary == name_of(BuildOutcome::wrong_signature) || !unit.judge_failure.empty())
       units.push_back(&unit);
   return units;
 }
@@ -137,14 +137,14 @@ std::string gradescope_results(const CourseSettings& settings, const StudentReco
 std::string prairielearn_results(const CourseSettings& settings, const StudentRecord& all,
                                  const std::string& figure) {
   const StudentRecord whole = fitted(all), record = without_hidden(settings, whole);
-  const std::vector<const UnitRecord*> unreadable = not_compiled(whole);  // gives nothing away
+  const std::vector<const UnitRecord*> unreadable = not_gradable(whole);  // gives nothing away
   ordered_json j{{"gradable", record.refused.empty() && unreadable.empty()}};
   if (!record.refused.empty()) {
     j["format_errors"] = {"The submission " + record.refused + "."};
     return text_of(j);
   }
   if (!unreadable.empty()) {
-    j["message"] = "No attempt is used up: what does not compile is no answer yet.";
+    j["message"] = "This costs no attempt: there is nothing to grade yet.";
     std::string reasons;
     for (const UnitRecord* unit : unreadable) {
       j["format_errors"].push_back(unit->number + ": " + unit->summary);
