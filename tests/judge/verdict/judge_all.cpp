@@ -71,7 +71,8 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
   pool.received = [&](std::size_t i, const std::string& bytes) { messages[i] += bytes; };
   pool.finished = [&](const FinishedJob& ended) {
     const std::size_t i = ended.number;
-    if (messages[i].empty() && ended.failure.empty()) return;  // the deadline has come before
+    const bool not_begun = messages[i].empty() && ended.failure.empty();
+    if (not_begun && Clock::now() >= judgement.deadline) return;
     results[i] = result_of(jobs[i], judgement, messages[i], ended.failure);
     std::error_code ignored;
     fs::remove_all(jobs[i].folder, ignored);  // a class of students would fill the disk

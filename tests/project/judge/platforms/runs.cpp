@@ -150,6 +150,26 @@ void check_on_github_actions(const BuiltCourse& course) {
   CHECK(test::run_command(course.platform("github-actions", course.tree)).status == 1);
 }
 
+double points_in(const fs::path& autograder) {
+  const json j = test::json_in(autograder / "results" / "results.json");
+  test::check_gradescope(j);
+  double points = 0;
+  for (const json& each : j.at("tests")) points += each.at("score").get<double>();
+  return points;
+}
+
+/// What the package's README tells instructors to try: a zip of solutions/ has all points.
+void check_own_check_of_gradescope(const BuiltCourse& course, const fs::path& autograder) {
+  const fs::path submission = autograder / "submission";
+  fs::remove_all(submission);
+  fs::create_directories(submission / "solutions");
+  fs::copy(course.tree / "solutions" / "01_particles", submission / "solutions" / "01_particles");
+  const CommandResult graded =
+      test::run_command(without_network((autograder / "run_autograder").string()));
+  REQUIRE_MESSAGE(graded.status == 0, graded.output);
+  CHECK(points_in(autograder) == 6);
+}
+
 /// The tree has the chapter_solutions, too.
 void check_on_gradescope(const BuiltCourse& course) {
   const fs::path autograder = course.work.path() / "autograder";
@@ -172,14 +192,12 @@ void check_on_gradescope(const BuiltCourse& course) {
   const CommandResult graded =
       test::run_command(without_network((autograder / "run_autograder").string()));
   REQUIRE_MESSAGE(graded.status == 0, graded.output);
+  CHECK(points_in(autograder) == 1);
   const json j = test::json_in(autograder / "results" / "results.json");
-  test::check_gradescope(j);
-  double points = 0;
-  for (const json& each : j.at("tests")) points += each.at("score").get<double>();
-  CHECK(points == 1);
   CHECK(j.at("tests")[3].at("visibility") == "after_due_date");
   CHECK(test::contains(j.at("tests")[2].at("output"), "✗"));
   CHECK_FALSE(test::contains(j.dump(), "Ann"));
+  check_own_check_of_gradescope(course, autograder);
 }
 
 }  // namespace
