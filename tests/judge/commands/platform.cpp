@@ -18,8 +18,8 @@ namespace tumble::judge {
 
 namespace {
 
-/// A compiler takes 150 MB: two of them and the judge stay within the 768 MB that Gradescope gives,
-/// however many processors the container can see.
+/// Exercises that are judged at a time. A compiler takes 150 MB at most: two of them stay far below
+/// the 768 MB that Gradescope gives, however many processors the container can see.
 constexpr std::size_t compilers_at_once = 2;
 
 void write_files(const PlatformRun& run, const StudentRecord& record, const std::string& figure) {

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// [words](target), an image too; first the words, then the target.
-#define TUMBLE_LINK R"(!?\[([^\[\]]*)\]\(([^()\s]+)\))"
+constexpr const char* a_link = R"(!?\[([^\[\]]*)\]\(([^()\s]+)\))";
 
 /// A page, and where its links may lead.
 class Page {
@@ -38,7 +38,7 @@ class Page {
   /// Without rows of tables and items of lists that begin with a dead link, and the lines that such
   /// an item goes on in.
   std::string without_lines(const std::string& prose) const {
-    static const std::regex about("^(\\|| *[-*]) *" TUMBLE_LINK);
+    static const std::regex about(std::string("^(\\|| *[-*]) *") + a_link);
     std::istringstream in(prose);
     std::string result;
     bool left_out = false;
@@ -55,7 +55,7 @@ class Page {
 
   /// Without the dead ones of links between · and ·.
   std::string without_items(const std::string& prose) const {
-    static const std::regex item("(\\s*·\\s*)?" TUMBLE_LINK "(?=(\\s*·)?)");
+    static const std::regex item(std::string("(\\s*·\\s*)?") + a_link + "(?=(\\s*·)?)");
     bool first_is_gone = false;
     return replaced(prose, item, [&](const std::smatch& match) {
       const bool is_first = match[1].length() == 0 || first_is_gone;
@@ -67,7 +67,7 @@ class Page {
   }
 
   std::string without_links(const std::string& prose) const {
-    static const std::regex link(TUMBLE_LINK);
+    static const std::regex link(a_link);
     return replaced(prose, link, [&](const std::smatch& match) {
       return leads_somewhere(match[2]) ? match.str() : match[1].str();
     });
@@ -89,8 +89,6 @@ class Page {
   fs::path page_;
   const std::set<fs::path>& paths_;
 };
-
-#undef TUMBLE_LINK
 
 }  // namespace
 
