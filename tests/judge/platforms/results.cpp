@@ -188,12 +188,12 @@ std::string classroom50_result(const CourseSettings& settings, const StudentReco
   long score = 0, most = 0;
   for (const Unit& unit : settings.units) {
     const long points = hundredths(points_of(settings, record, unit)),
-               all = hundredths(settings.points(unit));
-    score += points, most += all;
+               out_of = hundredths(settings.points(unit));
+    score += points, most += out_of;
     j["tests"].push_back({{"test-name", title(unit)},
                           {"passed", passed(record, unit)},
                           {"score", points},
-                          {"max-score", all},
+                          {"max-score", out_of},
                           {"output", words_about(record, unit)}});
   }
   j["score"] = score;
