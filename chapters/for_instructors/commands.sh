@@ -40,7 +40,12 @@ JSON
 }
 
 case $2 in
-  handout) tumble handout --chapters 1-4 homework ;;
+  handout)
+    tumble handout --chapters 1-4 homework
+    if command -v git >/dev/null; then
+      cd homework && git init -q && git add -A
+      git -c user.name=Ann -c user.email=ann@example.org commit -q -m 'Homework 1'
+    fi ;;
   grade)
     class
     tumble grade submissions --course course.json ;;

@@ -27,7 +27,7 @@ class Sources {
 
   /// A text for the student, in which their files are called as in their submission.
   std::string as_handed_in(std::string text) const {
-    const std::string folder = folder_.string() + "/";
+    const std::string folder = (folder_ / "").string();  // "." made absolute ends with a slash
     for (std::size_t at; (at = text.find(folder)) != std::string::npos;)
       text.erase(at, folder.size());
     return text;
@@ -121,6 +121,8 @@ void grade_student(const Grading& grading, const Submission& submission,
   judgement.compiled = &grading.compiled;
   judgement.builds_at_once = grading.builds_at_once;
   judgement.locate_crashes = false;  // with sanitizers the walls are lower
+  judgement.deadline = grading.deadline;
+  std::size_t judged = 0;
   judge_all(
       course, open, [&](const Unit& unit) { return sources.of(unit); }, judgement,
       [&](const UnitResult& result) {
@@ -131,7 +133,11 @@ void grade_student(const Grading& grading, const Submission& submission,
         add_in_order(record, std::move(unit), grading.settings);
         write_record(file, record, grading.settings);
         done(record);
+        ++judged;
       });
+  record.out_of_time = judged < open.size();
+  if (record.out_of_time) write_record(file, record, grading.settings);
+  for (; judged < open.size(); ++judged) done(record);
 }
 
 std::uint64_t judge_fingerprint() {

@@ -8,6 +8,7 @@
 #include "judge/build/object_cache.hpp"
 #include "judge/class/student_record.hpp"
 #include "judge/class/submissions.hpp"
+#include "judge/sandbox/pipe.hpp"
 
 namespace tumble::judge {
 
@@ -22,10 +23,12 @@ struct Grading {
   /// Sources of the solutions, where the course was built without: functions that a student's file
   /// calls come from there. Empty: they are the student's own.
   std::filesystem::path solutions = {};
+  Clock::time_point deadline = Clock::time_point::max();  ///< no exercise is begun later
 };
 
 /// Grades a submission and keeps its record in `file`. What the file holds already, about the same
 /// sources, inputs and judge, is not judged again.
+/// What is not reached before the deadline is not in the record, which says so.
 /// @param done is called for each unit, with what is known then
 void grade_student(const Grading& grading, const Submission& submission,
                    const std::filesystem::path& file,

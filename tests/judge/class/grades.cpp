@@ -39,13 +39,20 @@ std::size_t count_judge_failures(const StudentRecord& record) {
                     [](const UnitRecord& u) { return !u.judge_failure.empty(); }));
 }
 
+/// The units that the deadline has come before.
+std::size_t count_unreached(const CourseSettings& settings, const StudentRecord& record) {
+  return record.out_of_time ? settings.units.size() - record.units.size() : 0;
+}
+
 /// Why the row is not what it should be.
-std::string note_on(const StudentRecord& record) {
+std::string note_on(const CourseSettings& settings, const StudentRecord& record) {
   std::string note = record.refused, failed;
+  const auto add = [&](const std::string& more) { note += (note.empty() ? "" : "; ") + more; };
   for (const UnitRecord& unit : record.units)
     if (!unit.judge_failure.empty()) failed += (failed.empty() ? "" : ", ") + unit.number;
-  if (!failed.empty())
-    note += (note.empty() ? "" : "; ") + ("the judge failed at " + failed + ": no verdict");
+  if (!failed.empty()) add("the judge failed at " + failed + ": no verdict");
+  if (const std::size_t left = count_unreached(settings, record); left > 0)
+    add(std::to_string(left) + " " + no_time_left);
   return note;
 }
 
@@ -64,6 +71,16 @@ void write_case(std::ostream& out, const StudentRecord& student, const UnitRecor
         << markup(unit.explanation) << "</failure>\n    </testcase>\n";
 }
 
+void write_unreached(std::ostream& out, const CourseSettings& settings,
+                     const StudentRecord& record) {
+  if (!record.out_of_time) return;
+  for (const Unit& unit : settings.units)
+    if (!record.find(unit))
+      out << "    <testcase classname=\"" << markup(record.student) << "\" name=\"" << unit.number
+          << " " << markup(unit.id()) << "\">\n      <skipped message=\"" << no_time_left
+          << "\"/>\n    </testcase>\n";
+}
+
 }  // namespace
 
 std::string grades_csv(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
@@ -76,7 +93,7 @@ std::string grades_csv(const CourseSettings& settings, const std::vector<Student
     const double points = earned(settings, record);
     out << foreign_field(record.student) << "," << points_text(points) << "," << points_text(most)
         << "," << points_text(100 * points / most) << "," << count_passed(record) << ","
-        << foreign_field(note_on(record));
+        << foreign_field(note_on(settings, record));
     for (const Unit& unit : settings.units) {
       const UnitRecord* known = record.find(unit);
       const bool judged = known && known->judge_failure.empty();
@@ -95,15 +112,17 @@ std::string grades_junit(const CourseSettings& settings,
   for (const StudentRecord& record : records) {
     const std::size_t refused = record.refused.empty() ? 0 : 1;
     const std::size_t unjudged = count_judge_failures(record), errors = refused + unjudged;
+    const std::size_t skipped = count_unreached(settings, record);
     out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
-        << record.units.size() + refused << "\" failures=\""
-        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors
-        << "\">\n";
+        << record.units.size() + refused + skipped << "\" failures=\""
+        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors << "\""
+        << (skipped > 0 ? " skipped=\"" + std::to_string(skipped) + "\"" : "") << ">\n";
     if (refused > 0)
       out << "    <testcase classname=\"" << markup(record.student)
           << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
           << "\"/>\n    </testcase>\n";
     for (const UnitRecord& unit : record.units) write_case(out, record, unit);
+    write_unreached(out, settings, record);
     out << "  </testsuite>\n";
   }
   out << "</testsuites>\n";

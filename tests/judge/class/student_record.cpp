@@ -33,6 +33,7 @@ void write_record(const std::filesystem::path& file, const StudentRecord& record
                  {"seed", record.seed},
                  {"judge", record.judge}};
   if (!record.refused.empty()) j["refused"] = record.refused;
+  if (record.out_of_time) j["out_of_time"] = true;
   j["units"] = ordered_json::array();
   for (const UnitRecord& unit : record.units) j["units"].push_back(json_of(unit));
   support::write_text(file, text_of(j));
@@ -42,7 +43,8 @@ std::optional<StudentRecord> read_record(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
     const ordered_json j = ordered_json::parse(support::read_text(file));
-    StudentRecord record{j.at("student"), j.at("seed"), j.at("judge"), j.value("refused", ""), {}};
+    StudentRecord record{j.at("student"),        j.at("seed"), j.at("judge"),
+                         j.value("refused", ""), {},           j.value("out_of_time", false)};
     for (const ordered_json& unit : j.at("units")) record.units.push_back(unit_record_of(unit));
     return record;
   } catch (const ordered_json::exception& error) {

@@ -20,9 +20,13 @@ struct StudentRecord {
   std::uint64_t judge = 0;        ///< fingerprint of the judge: another one may judge otherwise
   std::string refused;            ///< why the submission was not looked at; empty if it was
   std::vector<UnitRecord> units;  ///< those judged so far, in the course's order
+  bool out_of_time = false;       ///< the others were not judged: no time was left
 
   const UnitRecord* find(const Unit& unit) const;
 };
+
+/// What is said of a unit that the deadline has come before.
+inline constexpr const char* no_time_left = "not judged: no time left";
 
 /// Of all points.
 double earned(const CourseSettings& settings, const StudentRecord& record);

@@ -28,14 +28,27 @@ Submission submission_at(const fs::directory_entry& entry) {
 
 bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 
+bool has_part(const fs::path& path, const char* name) {
+  return std::find(path.begin(), path.end(), name) != path.end();
+}
+
+/// Which folders are the course's, not the student's. Where there is no exercises/, what lies in a
+/// folder solutions/ is what was handed in.
+std::vector<const char*> folders_of_the_course(const std::vector<fs::path>& paths) {
+  const bool whole = std::any_of(paths.begin(), paths.end(),
+                                 [](const fs::path& path) { return has_part(path, "exercises"); });
+  return whole ? std::vector{"solutions", "tests", "build"} : std::vector{"tests", "build"};
+}
+
 /// How well a path fits a unit: 3 in exercises/, 2 in a folder of the chapter, 1 by its name alone,
 /// 0 not at all.
-int fit(const fs::path& path, const Unit& unit, bool only_one_of_that_name) {
+int fit(const fs::path& path, const Unit& unit, bool only_one_of_that_name,
+        const std::vector<const char*>& not_theirs) {
   std::vector<std::string> parts;
   for (const fs::path& part : path) parts.push_back(part.string());
   if (parts.empty() || parts.back() != unit.name + ".cpp") return 0;
-  for (const char* other : {"solutions", "tests", "build"})
-    if (std::find(parts.begin(), parts.end(), other) != parts.end()) return 0;
+  for (const char* folder : not_theirs)
+    if (has_part(path, folder)) return 0;
   const std::size_t n = parts.size();
   if (n < 2 || parts[n - 2] != unit.chapter) return only_one_of_that_name ? 1 : 0;
   return n >= 3 && parts[n - 3] == "exercises" ? 3 : 2;
@@ -92,12 +105,13 @@ std::map<std::string, fs::path> files_of_units(const Course& course,
            std::any_of(counted.begin(), counted.end(),
                        [&](const Unit& each) { return each.id() == unit.id(); });
   };
+  const std::vector<const char*> not_theirs = folders_of_the_course(paths);
   std::map<std::string, fs::path> found;
   for (const Unit& unit : course.units) {
     int best = 0;
     std::ptrdiff_t depth = 0;
     for (const fs::path& path : paths) {
-      const int how = fit(path, unit, has_name_alone(unit));
+      const int how = fit(path, unit, has_name_alone(unit), not_theirs);
       const std::ptrdiff_t deep = std::distance(path.begin(), path.end());
       if (how == 0 || how < best || (how == best && deep >= depth)) continue;
       best = how, depth = deep;

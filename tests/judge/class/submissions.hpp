@@ -27,8 +27,8 @@ std::vector<fs::path> files_below(const fs::path& folder);
 
 /// Which of `paths` is the file of each unit: …/exercises/04_quaternions/product.cpp, else
 /// …/04_quaternions/product.cpp, else product.cpp where one unit only has that name; the one least
-/// deep. What lies under solutions/, tests/ or build/ is no student's. Units without a file are
-/// left out.
+/// deep. What lies under tests/ or build/ is no student's, and neither is solutions/ beside an
+/// exercises/. Units without a file are left out.
 /// @param counted the units that are graded: a name alone means one of them first
 std::map<std::string, fs::path> files_of_units(const Course& course,
                                                const std::vector<Unit>& counted,

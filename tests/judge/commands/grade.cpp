@@ -28,6 +28,17 @@ void print_grades(const CourseSettings& settings, const std::vector<StudentRecor
   }
 }
 
+/// Says for whom no time was left.
+/// @return whether there is anybody
+bool said_who_is_left(const std::vector<StudentRecord>& records) {
+  const auto left = std::count_if(records.begin(), records.end(),
+                                  [](const StudentRecord& record) { return record.out_of_time; });
+  if (left > 0)
+    std::cerr << "tumble: no time was left for " << left << " of " << records.size()
+              << " submissions; the same command goes on there\n";
+  return left > 0;
+}
+
 /// Says what the judge has failed at.
 /// @return whether there was anything
 bool report_failures(const std::vector<FailedStudent>& failed,
@@ -63,8 +74,9 @@ int grade(const Course& course, const GradeOptions& options) {
   const std::size_t students_at_once = options.at_once.value_or(cores);
   // A compiler takes 150 MB: no more of them than cores.
   const std::size_t builds_at_once = std::max<std::size_t>(1, cores / students_at_once);
-  const Grading grading{course, settings,      class_seed(settings, folder), judge_fingerprint(),
-                        cache,  builds_at_once};
+  Grading grading{course, settings,      class_seed(settings, folder), judge_fingerprint(),
+                  cache,  builds_at_once};
+  if (options.seconds) grading.deadline = after(*options.seconds);
   std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
             << " exercises each\n";
   const auto start = std::chrono::steady_clock::now();
@@ -78,7 +90,8 @@ int grade(const Course& course, const GradeOptions& options) {
   std::cerr << "tumble: " << duration_text(taken.count()) << "; grades: " << folder.csv().string()
             << ", " << folder.junit().string() << ", one file a student in "
             << (folder.path / "students").string() << "\n";
-  return report_failures(failed, records) ? 2 : 0;
+  const bool has_failed = report_failures(failed, records), unfinished = said_who_is_left(records);
+  return has_failed ? 2 : unfinished ? 1 : 0;
 }
 
 }  // namespace tumble::judge
