@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 
 #include "judge/build/object_cache.hpp"
 #include "judge/class/student_record.hpp"
@@ -22,6 +23,8 @@ struct Grading {
   /// Sources of the solutions, where the course was built without: functions that a student's file
   /// calls come from there. Empty: they are the student's own.
   std::filesystem::path solutions = {};
+  std::filesystem::path keep_sources = {};  ///< for a copy of what was judged; empty: nowhere
+  std::set<std::string> only = {};  ///< ids of units to judge again; empty: all that are due
 };
 
 /// Grades a submission and keeps its record in `file`. What the file holds already, about the same

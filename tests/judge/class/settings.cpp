@@ -71,8 +71,8 @@ std::uint64_t read_seed(const Place& place) {
 }
 
 CourseSettings settings_of(const Course& course, const Place& place) {
-  place.require_only(
-      {"$schema", "title", "units", "weights", "credit", "hidden", "due", "seed", "curve"});
+  place.require_only({"$schema", "title", "units", "weights", "credit", "hidden", "due", "seed",
+                      "curve", "late", "extensions", "overrides", "several", "extra"});
   CourseSettings settings = default_settings(course);
   if (place.has("title")) settings.title = place["title"].text();
   if (place.has("units")) {
@@ -87,6 +87,7 @@ CourseSettings settings_of(const Course& course, const Place& place) {
   if (place.has("due")) settings.due = read_time(place["due"]);
   if (place.has("seed")) settings.seed = read_seed(place["seed"]);
   if (place.has("curve")) settings.curve = place["curve"].yes();
+  settings.rules = read_rules(course, place);
   require(settings.most() > 0, place.name(), ": no exercise is worth any points");
   return settings;
 }
@@ -95,7 +96,8 @@ CourseSettings settings_of(const Course& course, const Place& place) {
 
 double CourseSettings::most() const {
   double sum = 0;
-  for (const Unit& unit : units) sum += points(unit);
+  for (const Unit& unit : units)
+    if (!rules.extra.contains(unit.id())) sum += points(unit);
   return sum;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "judge/class/settings.hpp"
+#include "judge/class/submissions.hpp"
 #include "judge/verdict/unit_record.hpp"
 
 namespace tumble::judge {
@@ -20,6 +21,14 @@ struct StudentRecord {
   std::uint64_t judge = 0;        ///< fingerprint of the judge: another one may judge otherwise
   std::string refused;            ///< why the submission was not looked at; empty if it was
   std::vector<UnitRecord> units;  ///< those judged so far, in the course's order
+
+  Identity who = {};                    ///< as a platform or a roster says
+  std::vector<std::string> notes = {};  ///< which of two files counted, what else was found, …
+  std::map<std::string, std::string> files = {};  ///< by unit: the path that was handed in
+  std::string handed_in = {};                     ///< when, if somebody says so
+  bool marked_late = false;                       ///< by the platform, which says no time
+  std::string together = {};                      ///< of a group: the same for all in it
+  bool absent = false;                            ///< on the roster, and nothing was handed in
 
   const UnitRecord* find(const Unit& unit) const;
 };

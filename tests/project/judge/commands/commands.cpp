@@ -248,8 +248,9 @@ TEST_CASE("what a command line needs to be built, one target a line, and nothing
   const fs::path settings = fs::temp_directory_path() / "tumble-needs-test.json";
   write(settings, R"({"units": ["1.2"], "curve": false})");
   const std::string with_settings = " --course '" + settings.string() + "'";
-  CHECK(judge("--needs grade ." + with_settings).output == twice);
-  CHECK(judge("--needs platform gradescope ." + with_settings).output == twice);
+  const std::string tools = "grading_tools\n";
+  CHECK(judge("--needs grade ." + with_settings).output == twice + tools);
+  CHECK(judge("--needs platform gradescope ." + with_settings).output == twice + tools);
   fs::remove(settings);
   for (const char* none :
        {"list", "hint 1.1", "reset 1.1", "solution 1.1", "sandbox", "handout --chapters 1 x",
