@@ -3,6 +3,7 @@
 /// Submissions that come packed. An archive is a stranger's file like any other: it is read by a
 /// process behind walls that can write nothing, and what leaves that process is text.
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -25,7 +26,7 @@ struct Unpacked {
 inline constexpr std::size_t largest_archive = 32u << 20, largest_content = 256u << 20,
                              most_entries = 20'000;
 /// The same of a download of a whole class, and how much of it is kept.
-inline constexpr std::size_t largest_class = 8u << 20 << 10, largest_class_kept = 512u << 20,
+inline constexpr std::size_t largest_class = std::size_t{8} << 30, largest_class_kept = 512u << 20,
                              most_class_entries = 500'000;
 /// File systems take 255 bytes for a name; beside a file its next version is written.
 inline constexpr std::size_t longest_name = 250, longest_path = 2000;

@@ -31,7 +31,7 @@ bool is_hidden_now(const CourseSettings& settings, const Unit& unit) {
 std::string verdict_on(const StudentRecord& record, const Unit& unit) {
   const UnitRecord* verdict = record.find(unit);
   if (verdict) return verdict->summary;
-  return record.absent ? "not handed in" : record.refused.empty() ? "not judged" : "not read";
+  return record.absent ? not_handed_in : record.refused.empty() ? "not judged" : "not read";
 }
 
 std::string unit_line(const CourseSettings& settings, const StudentRecord& record,
@@ -52,6 +52,7 @@ std::string explanation_of(const CourseSettings& settings, const StudentRecord& 
                            const Unit& unit) {
   const UnitRecord* verdict = record.find(unit);
   if (!verdict || verdict->passed || is_hidden_now(settings, unit)) return "";
+  if (verdict->summary == not_handed_in) return "";
   return verdict->explanation;
 }
 

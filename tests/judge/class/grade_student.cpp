@@ -52,7 +52,7 @@ StudentRecord new_record(const Grading& grading, const Submission& submission,
 /// A verdict as it is kept.
 UnitRecord unit_record(const Grading& grading, const Sources& sources, const UnitResult& result) {
   UnitRecord unit = record_of(grading.course, result);
-  if (!sources.handed_in(result.unit)) unit.summary = "not handed in";
+  if (!sources.handed_in(result.unit)) unit.summary = not_handed_in;
   for (std::string* text : {&unit.detail, &unit.explanation}) *text = sources.as_handed_in(*text);
   return unit;
 }

@@ -33,6 +33,9 @@ struct StudentRecord {
   const UnitRecord* find(const Unit& unit) const;
 };
 
+/// The verdict on a unit of which there is no file.
+inline constexpr const char* not_handed_in = "not handed in";
+
 /// Of all points.
 double earned(const CourseSettings& settings, const StudentRecord& record);
 

@@ -83,3 +83,25 @@ TEST_CASE("seeds: another one for each student, and the same each time") {
   CHECK(seed_of(7, "ann") != seed_of(7, "bob"));
   CHECK(seed_of(7, "ann") != seed_of(8, "ann"));
 }
+
+TEST_CASE("settings: late work, extensions, overrides, several, extra") {
+  const CourseSettings some = settings(R"({"due": "2026-12-01T12:00Z",
+    "late": {"grace": 15, "per_day": 10, "days": 3}, "extensions": {"ben": "2026-12-08T12:00Z"},
+    "overrides": {"cleo": {"4.1": 2, "reason": "r"}, "dan": {"points": 0, "reason": "s"}},
+    "several": "best", "extra": ["4.2"]})");
+  CHECK(some.rules.late->days == 3);
+  CHECK(some.rules.extensions.at("ben") == "2026-12-08T12:00Z");
+  CHECK(some.rules.overrides.at("cleo").units.at("04_quaternions/product") == 2);
+  CHECK(some.rules.overrides.at("dan").points == 0);
+  CHECK(some.rules.several == Several::best);
+  CHECK(some.most() == 2);  // what is extra is not asked for
+  CHECK_REFUSED(settings(R"({"late": {"per_day": 10}})"), ".late means nothing without \"due\"");
+  CHECK_REFUSED(settings(R"({"due": "2026-12-01T12:00Z", "late": {"per_day": 101}})"),
+                "late.per_day is 101, not in 0 … 100");
+  CHECK_REFUSED(settings(R"({"extensions": {"ben": "tomorrow"}})"),
+                "extensions.ben is \"tomorrow\", not a time");
+  CHECK_REFUSED(settings(R"({"overrides": {"ben": {"points": 3}}})"), "ben has no \"reason\"");
+  CHECK_REFUSED(settings(R"({"overrides": {"ben": {"4": 3, "reason": "r"}}})"),
+                "overrides.ben.4 is more than one exercise");
+  CHECK_REFUSED(settings(R"({"several": "first"})"), "not \"last\" or \"best\"");
+}
