@@ -52,9 +52,10 @@ class MetadataReader {
  public:
   std::map<std::string, GradescopeSubmission> read(const std::string& text) {
     std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-      if (line.find_first_not_of(" \r") != std::string::npos && line != "---")
-        take(yaml_line(line));
+    for (std::string line; std::getline(in, line);) {
+      line.erase(line.find_last_not_of(" \r") + 1);
+      if (!line.empty() && line != "---") take(yaml_line(line));
+    }
     require(!all_.empty(), "it names no submission");
     return std::move(all_);
   }

@@ -6,6 +6,7 @@
 #include <archive_entry.h>
 
 #include <cctype>
+#include <clocale>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -45,6 +46,7 @@ inline void set_format(archive* out, std::string name) {
 
 /// Writes an archive of the kind that its name says.
 inline void write_archive(const std::filesystem::path& file, const std::vector<Entry>& entries) {
+  std::setlocale(LC_CTYPE, "C.UTF-8");  // 7z keeps characters, not bytes
   archive* out = archive_write_new();
   set_format(out, file.filename().string());
   require(archive_write_open_filename(out, file.c_str()) == ARCHIVE_OK, "cannot write ",

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "judge/build/work_folder.hpp"
 #include "judge/class/csv_table.hpp"
 #include "project/harness/command.hpp"
 #include "project/judge/class/handed_in_class.hpp"
@@ -17,7 +16,7 @@ namespace {
 
 /// A place for one class, and the judge of the fixture's course.
 struct Place {
-  judge::WorkFolder work;
+  test::TemporaryFolder work;
   fs::path handed_in = work.path() / "handed in", out = work.path() / "grades";
 
   CommandResult grade(const fs::path& what, const std::string& options = "") const {
