@@ -122,7 +122,7 @@ function(tumble_add_spec target judge unit spec)
   target_compile_definitions(${target} PRIVATE TUMBLE_UNIT="${unit}")
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${ARGN})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  target_link_libraries(${target} PRIVATE ${judge} tumble_support doctest::doctest nlohmann_json::nlohmann_json)
+  target_link_libraries(${target} PRIVATE ${judge} tumble_eigen_throws tumble_support doctest::doctest nlohmann_json::nlohmann_json)
 endfunction()
 
 # Writes ${target}.json, which tells the judge what there is.

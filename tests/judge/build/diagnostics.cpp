@@ -53,6 +53,22 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
   return kept;
 }
 
+bool has_error_in(const std::filesystem::path& source, const std::string& compiler_output) {
+  constexpr std::array of_the_machine = {
+      "No space left",   "error writing",      "Cannot allocate", "out of memory",
+      "exhausted",       "Input/output",       "cannot execute",  "internal compiler error",
+      "File size limit", "Too many open files"};
+  std::istringstream in(compiler_output);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with(source.string() + ":") || !starts_message(line) || !is_error(line))
+      continue;
+    if (std::none_of(of_the_machine.begin(), of_the_machine.end(),
+                     [&](const char* words) { return line.find(words) != std::string::npos; }))
+      return true;
+  }
+  return false;
+}
+
 namespace {
 
 /// The names that follow one of these texts, each once.

@@ -13,6 +13,9 @@ namespace tumble::judge {
 std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
                            bool others);
 
+/// Whether the compiler complains about a place in `source`, and not that it cannot work here.
+bool has_error_in(const std::filesystem::path& source, const std::string& compiler_output);
+
 /// The functions that a linker misses, by name: "quaternions::inverse".
 std::vector<std::string> undefined_functions(const std::string& linker_output);
 

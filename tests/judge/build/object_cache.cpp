@@ -45,7 +45,7 @@ std::optional<WorkerBuild> ObjectCache::find(const Unit& unit, const std::string
 
 void ObjectCache::keep(const Unit& unit, const std::string& text, const WorkerBuild& build) const {
   const fs::path place = place_of(unit, text);
-  if (build.outcome == BuildOutcome::too_expensive || fs::exists(place)) return;
+  if (!build.explained || fs::exists(place)) return;  // it may be this machine's doing
   const fs::path beside = place.string() + "." + std::to_string(::getpid());
   fs::create_directory(beside);
   const std::vector<std::uint8_t> message =

@@ -4,9 +4,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <stdexcept>
 
 #include "judge/sandbox/pipe.hpp"
 
@@ -43,6 +45,13 @@ std::size_t line_that_is_no_text(const std::string& text) {
   return 0;
 }
 
+/// A file that this machine cannot open is not one that the student has not handed in.
+void require_working_machine(const std::filesystem::path& path, int error) {
+  constexpr std::array of_the_machine = {EMFILE, ENFILE, ENOMEM, EIO, ESTALE};
+  if (std::find(of_the_machine.begin(), of_the_machine.end(), error) != of_the_machine.end())
+    throw std::runtime_error("cannot read " + path.string() + ": " + std::strerror(error));
+}
+
 }  // namespace
 
 std::string read_submission(const std::filesystem::path& path) {
@@ -51,14 +60,17 @@ std::string read_submission(const std::filesystem::path& path) {
   // O_NONBLOCK: a pipe would wait for its writer.
   const Descriptor folder(
       ::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (folder.number() < 0) require_working_machine(path, errno);
   if (folder.number() < 0 && std::filesystem::is_symlink(path.parent_path()))
     refuse("is in a folder that is a symbolic link");
   const Descriptor file(::openat(folder.number(), path.filename().c_str(),
                                  O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  const int error = errno;
+  if (file.number() < 0) require_working_machine(path, error);
   if (file.number() < 0 && !std::filesystem::exists(std::filesystem::symlink_status(path)))
     refuse("does not exist");
-  if (file.number() < 0 && errno == ELOOP) refuse("is a symbolic link, not a file");
-  if (file.number() < 0) refuse(std::string("cannot be read: ") + std::strerror(errno));
+  if (file.number() < 0 && error == ELOOP) refuse("is a symbolic link, not a file");
+  if (file.number() < 0) refuse(std::string("cannot be read: ") + std::strerror(error));
   struct stat status = {};
   if (::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
     refuse("is not a regular file");
@@ -69,6 +81,8 @@ std::string read_submission(const std::filesystem::path& path) {
   std::string text;
   while (text.size() <= largest_submission && read_some(file.number(), text)) {
   }
+  if (text.size() < size)
+    throw std::runtime_error("cannot read all of " + path.string() + ": a disk that fails?");
   if (std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }))
     refuse("is empty");
   if (const std::size_t line = line_that_is_no_text(text); line > 0)

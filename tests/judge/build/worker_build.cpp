@@ -1,7 +1,6 @@
 #include "judge/build/worker_build.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <vector>
 
@@ -47,7 +46,7 @@ class Builder {
 
   /// As far as the object; the first step that fails says what the outcome is.
   WorkerBuild compiled(const std::string& text) {
-    std::ofstream(source()) << text;
+    support::write_text(source(), text);
     compiler_.hand_over({source()});
     WorkerBuild result;
     if (compile(result) && assemble(result)) result.object = object();
@@ -69,11 +68,22 @@ class Builder {
     return files;
   }
 
-  Finished run(const Arguments& arguments) const { return compiler_.run(arguments); }
+  /// @throws std::runtime_error if the step was ended by what is not the student's doing
+  Finished run(const Arguments& arguments) const {
+    Finished step = compiler_.run(arguments);
+    const bool part_was_killed = step.output.find("Killed signal") != std::string::npos ||
+                                 step.output.find("signal 9 [Killed]") != std::string::npos;
+    if (step.killed_from_outside || part_was_killed)
+      throw std::runtime_error("the compiler was killed: the memory of this machine is used up?");
+    if (step.timed_out)
+      throw std::runtime_error("the compiler did not get the processor: too much runs here");
+    return step;
+  }
 
   /// Files the outcome of a step of the compiler that did not succeed.
   bool succeeded(const Finished& step, WorkerBuild& result, bool others) const {
     if (step.ending == Ending{false, 0}) return true;
+    result.explained = has_error_in(source(), step.output);
     result.detail = messages_about(source(), step.output, others);
     result.outcome =
         ran_into_limits(step) ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
@@ -134,6 +144,7 @@ class Builder {
     const bool failed = step.ending != Ending{false, 0};
     if (failed && ran_into_limits(step)) {  // and so would the look at what it includes
       result.outcome = BuildOutcome::too_expensive;
+      result.explained = false;
       return false;
     }
     if (failed && !preprocess(result)) return false;
@@ -189,6 +200,7 @@ class Builder {
       const WorkerBuild build = compile_unit({course_, earlier, source, folder() / earlier.name});
       if (build.outcome != BuildOutcome::built) {
         result.outcome = BuildOutcome::does_not_compile;
+        result.explained = build.explained;
         result.detail =
             called + name_of(build.outcome) + ":  ./tumble check " + earlier.number + "\n";
         return false;
@@ -211,6 +223,7 @@ class Builder {
     const bool absent = std::any_of(undefined.begin(), undefined.end(), [&](const auto& name) {
       return name.ends_with("::" + unit_.name);
     });
+    result.explained = !undefined.empty();
     if (absent) {
       result.outcome = BuildOutcome::wrong_signature;
       result.detail = read_declaration(course_, unit_).signature;
@@ -291,10 +304,35 @@ std::string name_of(BuildOutcome outcome) {
   return "unknown";
 }
 
+namespace {
+
+/// A text for this unit that compiles wherever the machine can compile at all.
+std::string known_to_compile(const Course& course, const Unit& unit) {
+  const fs::path solution = course.solution(unit);
+  return fs::exists(solution) ? support::read_text(solution) : stub_of(course, unit);
+}
+
+/// A build that failed without an error in the student's file: would one of ours succeed?
+/// @throws std::runtime_error if not: it is this machine that cannot build
+void require_machine_builds(const Job& job, Instrumentation instrumentation) {
+  const Job again{job.course, job.unit, job.source, job.folder / "known"};
+  const WorkerBuild known =
+      Builder(again, instrumentation).build(known_to_compile(job.course, job.unit), nullptr);
+  if (known.outcome == BuildOutcome::built) return;
+  throw std::runtime_error("this machine cannot build now: the course's own file for " +
+                           job.unit.number + " is “" + name_of(known.outcome) + "” too" +
+                           (known.detail.empty() ? "" : ", " + known.detail) +
+                           " (is the disk full, the memory used up, the compiler gone?)");
+}
+
+}  // namespace
+
 WorkerBuild build_worker(const Job& job, Instrumentation instrumentation,
                          const ObjectCache* compiled) {
   return with_text_of(job.source, [&](const std::string& text) {
-    return Builder(job, instrumentation).build(text, compiled);
+    WorkerBuild result = Builder(job, instrumentation).build(text, compiled);
+    if (!result.explained) require_machine_builds(job, instrumentation);
+    return result;
   });
 }
 

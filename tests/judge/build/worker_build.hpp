@@ -27,6 +27,8 @@ struct WorkerBuild {
   BuildOutcome outcome = BuildOutcome::built;
   std::string detail;    ///< what the compiler said, about this file only
   std::string warnings;  ///< of a file that compiles
+  /// Whether a failure has its reason in the student's file, as far as the compiler's words tell.
+  bool explained = true;
   fs::path object;       ///< if compiled
   WorkerProgram worker;  ///< if built
 };
@@ -41,7 +43,8 @@ class ObjectCache;
 
 /// Builds the worker of a job.
 /// @param compiled what was compiled before, if anything
-/// @throws std::runtime_error if the judge itself is broken: no compiler, no walls
+/// @throws std::runtime_error if it is not the student's file that fails, but the judge or this
+/// machine: no compiler, no walls, a full disk, no memory
 WorkerBuild build_worker(const Job& job, Instrumentation instrumentation = Instrumentation::none,
                          const ObjectCache* compiled = nullptr);
 

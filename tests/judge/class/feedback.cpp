@@ -56,6 +56,14 @@ std::string explanation_of(const CourseSettings& settings, const StudentRecord& 
   return verdict->explanation;
 }
 
+/// "the judge failed at 1.3, 1.5: no verdict", or nothing.
+std::string judge_failures(const StudentRecord& record) {
+  std::string units;
+  for (const UnitRecord& unit : record.units)
+    if (!unit.judge_failure.empty()) units += (units.empty() ? "" : ", ") + unit.number;
+  return units.empty() ? "" : "the judge failed at " + units + ": no verdict";
+}
+
 std::string called(const StudentRecord& record) {
   return record.who.name.empty() ? record.student : record.who.name;
 }
@@ -76,6 +84,8 @@ std::string note_on(const CourseSettings& settings, const StudentRecord& record)
   if (record.absent) notes.emplace_back("not handed in");
   if (!record.refused.empty()) notes.push_back(record.refused);
   notes.insert(notes.end(), record.notes.begin(), record.notes.end());
+  if (const std::string failures = judge_failures(record); !failures.empty())
+    notes.push_back(failures);
   const FinalGrade grade = final_grade(settings, record);
   notes.insert(notes.end(), grade.because.begin(), grade.because.end());
   std::string text;

@@ -64,6 +64,16 @@ bool is_called(const StudentRecord& record, const std::string& what) {
   return false;
 }
 
+bool is_complete(const CourseSettings& settings, const StudentRecord& record) {
+  const Override* by_hand = said_about(settings.rules.overrides, record);
+  if (record.absent || !record.refused.empty() || (by_hand && by_hand->points)) return true;
+  return std::all_of(settings.units.begin(), settings.units.end(), [&](const Unit& unit) {
+    const UnitRecord* verdict = record.find(unit);
+    return (verdict && verdict->judge_failure.empty()) ||
+           (by_hand && by_hand->units.contains(unit.id()));
+  });
+}
+
 double unit_points(const CourseSettings& settings, const StudentRecord& record, const Unit& unit) {
   if (const Override* by_hand = said_about(settings.rules.overrides, record))
     if (const auto given = by_hand->units.find(unit.id()); given != by_hand->units.end())

@@ -18,6 +18,9 @@ struct FinalGrade {
 
 FinalGrade final_grade(const CourseSettings& settings, const StudentRecord& record);
 
+/// Can the points be given away? Not while something is not judged, or the judge has failed there.
+bool is_complete(const CourseSettings& settings, const StudentRecord& record);
+
 /// What a unit's verdict is worth, or what the instructor has given for it.
 double unit_points(const CourseSettings& settings, const StudentRecord& record, const Unit& unit);
 

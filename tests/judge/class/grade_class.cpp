@@ -5,8 +5,8 @@
 
 #include "judge/class/class_list.hpp"
 #include "judge/class/final_grade.hpp"
-#include "judge/class/process_pool.hpp"
 #include "judge/class/progress_line.hpp"
+#include "judge/sandbox/process_pool.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -62,30 +62,42 @@ std::uint64_t class_seed(const CourseSettings& settings, const GradesFolder& fol
   return std::stoull(text);
 }
 
-std::vector<std::string> grade_class(const Grading& grading,
-                                     const std::vector<Submission>& submissions,
-                                     const GradesFolder& folder, std::size_t at_once,
-                                     const Interruption& interruption) {
-  std::vector<std::string> failed;
+namespace {
+
+/// Grades a submission in a process of its own.
+void grade_one(const Grading& grading, const Submission& submission, const GradesFolder& folder,
+               const Interruption& interruption, const SendBytes& send) {
+  interruption.leave_to_system();
+  if (interruption.asked()) return;
+  const fs::path file = folder.record_of(submission);
+  fs::create_directories(file.parent_path());
+  Grading mine = grading;
+  mine.keep_sources = folder.sources(submission.attempt);
+  grade_student(mine, submission, file, [&](const StudentRecord&) {
+    send(".");
+    if (interruption.asked()) throw std::runtime_error("interrupted");
+  });
+}
+
+}  // namespace
+
+std::vector<FailedStudent> grade_class(const Grading& grading,
+                                       const std::vector<Submission>& submissions,
+                                       const GradesFolder& folder, std::size_t at_once,
+                                       const Interruption& interruption) {
+  std::vector<FailedStudent> failed;
   ProgressLine line(submissions.size() * grading.settings.units.size(), "exercises");
-  run_in_processes(
-      submissions.size(), at_once,
-      [&](std::size_t i, const std::function<void()>& tick) {
-        interruption.leave_to_system();
-        if (interruption.asked()) return;
-        const fs::path file = folder.record_of(submissions[i]);
-        fs::create_directories(file.parent_path());
-        Grading mine = grading;
-        mine.keep_sources = folder.sources(submissions[i].attempt);
-        grade_student(mine, submissions[i], file, [&](const StudentRecord&) {
-          tick();
-          if (interruption.asked()) throw std::runtime_error("interrupted");
-        });
-      },
-      [&] { line.tick(); },
-      [&](FinishedJob job) {
-        if (!job.succeeded) failed.push_back(submissions[job.number].student);
-      });
+  ProcessPool pool;
+  pool.at_once = at_once;
+  pool.received = [&](std::size_t, const std::string& ticks) {
+    for (std::size_t i = 0; i < ticks.size(); ++i) line.tick();
+  };
+  pool.finished = [&](const FinishedJob& job) {
+    if (!job.failure.empty()) failed.push_back({submissions[job.number].student, job.failure});
+  };
+  run_in_processes(submissions.size(), pool, [&](std::size_t i, const SendBytes& send) {
+    grade_one(grading, submissions[i], folder, interruption, send);
+  });
   return failed;
 }
 

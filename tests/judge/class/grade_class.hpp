@@ -45,12 +45,17 @@ struct GradesFolder {
 /// began.
 std::uint64_t class_seed(const CourseSettings& settings, const GradesFolder& folder);
 
+/// A student whose submission the judge could not grade, and why.
+struct FailedStudent {
+  std::string student, why;
+};
+
 /// Grades all submissions; progress goes to stderr.
-/// @return the names of the students whose grading the judge itself has failed at
-std::vector<std::string> grade_class(const Grading& grading,
-                                     const std::vector<Submission>& submissions,
-                                     const GradesFolder& folder, std::size_t at_once,
-                                     const Interruption& interruption);
+/// @return those that the judge itself has failed at
+std::vector<FailedStudent> grade_class(const Grading& grading,
+                                       const std::vector<Submission>& submissions,
+                                       const GradesFolder& folder, std::size_t at_once,
+                                       const Interruption& interruption);
 
 /// Puts aside records that cannot be understood, so that they are made anew.
 /// @return what to say of them

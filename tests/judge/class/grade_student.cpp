@@ -10,10 +10,11 @@ namespace tumble::judge {
 
 namespace {
 
-/// Is a record of before about this file, these inputs and this judge?
+/// Is a record of before a verdict on this file, with these inputs, by this judge?
 bool still_holds(const UnitRecord& unit, const StudentRecord& before, const StudentRecord& now,
                  const fs::path& source) {
-  return before.judge == now.judge && unit.seed == now.seed && unit.source == fingerprint(source);
+  return unit.judge_failure.empty() && before.judge == now.judge && unit.seed == now.seed &&
+         unit.source == fingerprint(source);
 }
 
 /// Those units whose verdict is known already. If only some are to be judged, then those again, and
@@ -62,6 +63,7 @@ UnitRecord unit_record(const Grading& grading, const Sources& sources, const Uni
 int tries_with(const UnitResult& now, const std::optional<StudentRecord>& before) {
   const UnitRecord* last = before ? before->find(now.unit) : nullptr;
   const int past = last ? last->tries : 0;
+  if (!now.judge_failure.empty()) return past;
   const bool is_new = !last || last->source != fingerprint(now.source);
   return past + (is_new && !now.untouched() && fs::exists(now.source) ? 1 : 0);
 }

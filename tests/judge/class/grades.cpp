@@ -18,6 +18,12 @@ std::size_t count_passed(const StudentRecord& record) {
                                                 [](const UnitRecord& u) { return u.passed; }));
 }
 
+std::size_t count_judge_failures(const StudentRecord& record) {
+  return static_cast<std::size_t>(
+      std::count_if(record.units.begin(), record.units.end(),
+                    [](const UnitRecord& u) { return !u.judge_failure.empty(); }));
+}
+
 void write_case(std::ostream& out, const StudentRecord& student, const UnitRecord& unit) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f", unit.seconds);
@@ -25,6 +31,9 @@ void write_case(std::ostream& out, const StudentRecord& student, const UnitRecor
       << " " << markup(unit.unit) << "\" time=\"" << seconds << "\"";
   if (unit.passed)
     out << "/>\n";
+  else if (!unit.judge_failure.empty())
+    out << ">\n      <error message=\"" << markup("the judge failed: " + unit.judge_failure)
+        << "\"/>\n    </testcase>\n";
   else
     out << ">\n      <failure message=\"" << markup(unit.summary) << "\">"
         << markup(unit.explanation) << "</failure>\n    </testcase>\n";
@@ -48,7 +57,8 @@ std::string grades_csv(const CourseSettings& settings, const std::vector<Student
         << foreign_field(note_on(settings, record));
     for (const Unit& unit : settings.units) {
       const UnitRecord* known = record.find(unit);
-      out << "," << (known ? points_text(unit_points(settings, record, unit)) : "");
+      const bool judged = known && known->judge_failure.empty();
+      out << "," << (judged ? points_text(unit_points(settings, record, unit)) : "");
     }
     if (known_elsewhere)
       for (const std::string* text : {&record.who.name, &record.who.id, &record.who.email})
@@ -64,11 +74,13 @@ std::string grades_junit(const CourseSettings& settings,
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" << markup(settings.title)
       << "\">\n";
   for (const StudentRecord& record : records) {
-    const std::size_t errors = record.refused.empty() ? 0 : 1;
+    const std::size_t refused = record.refused.empty() ? 0 : 1;
+    const std::size_t unjudged = count_judge_failures(record), errors = refused + unjudged;
     out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
-        << record.units.size() + errors << "\" failures=\""
-        << record.units.size() - count_passed(record) << "\" errors=\"" << errors << "\">\n";
-    if (errors > 0)
+        << record.units.size() + refused << "\" failures=\""
+        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors
+        << "\">\n";
+    if (refused > 0)
       out << "    <testcase classname=\"" << markup(record.student)
           << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
           << "\"/>\n    </testcase>\n";

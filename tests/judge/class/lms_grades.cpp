@@ -14,7 +14,9 @@ namespace {
 /// A column's values for a student.
 using Cells = std::map<std::string, std::string>;
 
+/// Empty where there are none to be given away yet: no points are not zero points.
 std::string final_points(const CourseSettings& settings, const StudentRecord& record) {
+  if (record.absent || !is_complete(settings, record)) return "";
   return points_text(final_grade(settings, record).points);
 }
 
@@ -25,7 +27,7 @@ Cells moodle_cells(const CourseSettings& settings, const StudentRecord& record) 
               {"Email address", record.who.email},
               {"Maximum Grade", points_text(settings.most())},
               {"Last modified (grade)", "-"}};
-  if (record.absent) return cells;  // no points are not zero points
+  if (record.absent) return cells;
   cells["Grade"] = final_points(settings, record);
   cells["Feedback comments"] = feedback_comment(settings, record);
   return cells;
@@ -35,7 +37,7 @@ Cells gradescope_cells(const CourseSettings& settings, const StudentRecord& reco
   return {{"Name", record.who.name.empty() ? record.student : record.who.name},
           {"SID", record.who.id},
           {"Email", record.who.email},
-          {"Total Score", record.absent ? "" : final_points(settings, record)},
+          {"Total Score", final_points(settings, record)},
           {"Max Points", points_text(settings.most())},
           {"Status", record.absent ? "Missing" : "Graded"},
           {"Submission Time", record.handed_in}};
@@ -146,7 +148,7 @@ std::vector<std::string> canvas_row(const CourseSettings& settings, const Studen
     for (const Member& member : roster->members)
       if (member.who.id == record.who.id) row = roster->table.rows[member.row];
   row.resize(columns);
-  row.push_back(record.absent ? "" : final_points(settings, record));
+  row.push_back(final_points(settings, record));
   return row;
 }
 

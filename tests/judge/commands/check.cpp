@@ -50,6 +50,7 @@ fs::path source_of(const Course& course, const CheckOptions& options, const Unit
 std::uint64_t fresh_seed() { return std::random_device{}() % 1000000 + 1; }
 
 void remember(Progress& progress, const Course& course, const UnitResult& result) {
+  if (!result.judge_failure.empty()) return;
   UnitProgress& unit = progress.of(result.unit);
   unit.last = result.untouched() ? "" : result.summary();
   unit.source = fingerprint(course.exercise(result.unit));
@@ -122,9 +123,12 @@ int check(const Course& course, const CheckOptions& options) {
       });
   const bool all_passed = std::all_of(results.begin(), results.end(),
                                       [](const UnitResult& result) { return result.passed(); });
+  const bool judge_failed =
+      std::any_of(results.begin(), results.end(),
+                  [](const UnitResult& result) { return !result.judge_failure.empty(); });
   if (results.size() > 1) print_totals(results);
   if (own_work && all_passed) print_next(course, progress);
-  return all_passed ? 0 : 1;
+  return judge_failed ? 2 : all_passed ? 0 : 1;
 }
 
 }  // namespace tumble::judge

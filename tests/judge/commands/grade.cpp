@@ -5,16 +5,14 @@
 #include "judge/build/work_folder.hpp"
 #include "judge/class/class_outputs.hpp"
 #include "judge/class/collect.hpp"
-#include "judge/class/feedback.hpp"
 #include "judge/class/final_grade.hpp"
 #include "judge/class/grading_lock.hpp"
-#include "judge/class/identical_files.hpp"
 #include "judge/class/progress_line.hpp"
 #include "judge/commands/commands.hpp"
+#include "judge/commands/grade_messages.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "support/nearest.hpp"
 #include "support/text_file.hpp"
-#include "support/wrapped.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -103,81 +101,6 @@ std::set<std::string> units_named(const Course& course, const CourseSettings& se
   return ids;
 }
 
-/// One line a student, and what there is to know besides the points.
-void print_grades(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
-  std::size_t width = 7;
-  for (const StudentRecord& record : records)
-    width = std::max(width, support::characters(escaped(record.student)));
-  for (const StudentRecord& record : records) {
-    char points[64];
-    std::snprintf(points, sizeof points, "%8.2f of %.2f", final_grade(settings, record).points,
-                  settings.most());
-    const std::string note = escaped(note_on(settings, record));
-    std::cout << support::padded(escaped(record.student), width) << points;
-    if (!note.empty()) std::cout << (record.refused.empty() ? "  " : "  the submission ") << note;
-    std::cout << "\n";
-  }
-}
-
-/// A list on stderr, cut where nobody reads on.
-void say_list(const std::string& head, const std::vector<std::string>& lines) {
-  constexpr std::size_t most = 20;
-  if (lines.empty()) return;
-  std::cerr << "tumble: " << head << "\n";
-  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
-    std::cerr << "  " << escaped(lines[i]) << "\n";
-  if (lines.size() > most) std::cerr << "  and " << lines.size() - most << " more\n";
-}
-
-/// Every entry that has no row, and why.
-void say_left_out(const std::vector<LeftOut>& left_out) {
-  constexpr const char* head = "left out, as no submission:";
-  if (!left_out.empty()) std::cerr << "tumble: " << head << "\n";
-  for (const LeftOut& each : left_out)  // none is hidden: it could be somebody's work
-    std::cerr << "  " << escaped(each.what) << ": " << escaped(each.why) << "\n";
-}
-
-/// Names in course.json that nobody in the class has.
-void say_unknown(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
-  std::vector<std::string> names, unknown;
-  for (const StudentRecord& record : records) names.push_back(record.student);
-  const auto look_for = [&](const std::string& key, const std::string& student) {
-    const bool known = std::any_of(records.begin(), records.end(),
-                                   [&](const StudentRecord& r) { return is_called(r, student); });
-    if (!known)
-      unknown.push_back(key + ": there is no " + student + support::did_you_mean(student, names));
-  };
-  for (const auto& [student, date] : settings.rules.extensions) look_for("extensions", student);
-  for (const auto& [student, points] : settings.rules.overrides) look_for("overrides", student);
-  say_list("course.json names students who are not here:", unknown);
-}
-
-void say_identical(const std::vector<IdenticalFiles>& groups) {
-  std::vector<std::string> lines;
-  for (const IdenticalFiles& group : groups) {
-    std::string line = group.unit.number + " " + group.unit.name + ": ";
-    for (std::size_t i = 0; i < group.students.size(); ++i)
-      line += (i == 0 ? "" : ", ") + group.students[i];
-    lines.push_back(std::move(line));
-  }
-  say_list("identical files, which identical.csv lists too:", lines);
-}
-
-/// What to know of the class before the grades are given away.
-void say_about(const Work& work, const CourseSettings& settings,
-               const std::vector<StudentRecord>& records) {
-  say_left_out(work.all.left_out);
-  say_list("not on the roster:", work.match.strangers);
-  say_unknown(settings, records);
-  say_identical(identical_files(settings, records));
-  const auto timeless = std::count_if(records.begin(), records.end(), [](const StudentRecord& r) {
-    return !r.absent && r.handed_in.empty() && !r.marked_late;
-  });
-  if (settings.rules.late && timeless > 0)
-    std::cerr << "tumble: of " << timeless
-              << " submissions nobody says when they came: they count as in time\n";
-}
-
 /// Keeps the settings for the report.
 void keep_settings(const GradesFolder& folder, const std::optional<fs::path>& settings) {
   std::error_code was_not_there;
@@ -187,15 +110,15 @@ void keep_settings(const GradesFolder& folder, const std::optional<fs::path>& se
     fs::remove(folder.settings(), was_not_there);
 }
 
-/// What was written, and how it ended.
+/// Writes what there is, says what was written, and how it ended.
 int finish(const Work& work, const GradesFolder& folder, const CourseSettings& settings,
-           const std::vector<std::string>& failed, const Interruption& interruption,
+           const std::vector<FailedStudent>& failed, const Interruption& interruption,
            std::chrono::steady_clock::time_point start) {
   const std::vector<StudentRecord> records = rows_of(work, folder, settings);
   const auto written = write_outputs(folder, {settings, records, work.all.submissions, work.all.lms,
                                               work.roster ? &*work.roster : nullptr});
   print_grades(settings, records);
-  say_about(work, settings, records);
+  say_about(work.all.left_out, work.match.strangers, settings, records);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   std::cerr << "tumble: " << duration_text(taken.count()) << "; grades: ";
   for (const fs::path& file : written) std::cerr << file.string() << ", ";
@@ -206,10 +129,7 @@ int finish(const Work& work, const GradesFolder& folder, const CourseSettings& s
                  "goes on there\n";
     return 130;
   }
-  for (const std::string& student : failed)
-    std::cerr << "tumble: the judge has failed at " << escaped(student)
-              << ", see above; the same command again goes on there\n";
-  return failed.empty() ? 0 : 2;
+  return say_failures(failed, records) ? 2 : 0;
 }
 
 }  // namespace
@@ -238,7 +158,7 @@ int grade(const Course& course, const GradeOptions& options) {
   say_list("records:", set_damaged_aside(folder, work.all.submissions));
   const auto start = std::chrono::steady_clock::now();
   const Interruption interruption;
-  const std::vector<std::string> failed =
+  const std::vector<FailedStudent> failed =
       grade_class(grading, submissions, folder, students_at_once, interruption);
   return finish(work, folder, settings, failed, interruption, start);
 }

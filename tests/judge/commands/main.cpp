@@ -201,6 +201,12 @@ class CommandLine {
         [this](const Course& course) { return specs_of(course.select(what_)); });
     kills.add_option("what", what_, "exercise, chapter, all")->capture_default_str();
     kills.add_option("--seed", seed_, "of the random inputs")->capture_default_str();
+    CLI::App& odd = command(
+        "odd-answers", "every answer and evaluation put out of shape: the judge survives",
+        [this](const Course& course) { return odd_answers(course, what_, seed_); },
+        [this](const Course& course) { return specs_of(course.select(what_)); });
+    odd.add_option("what", what_, "exercise, chapter, all")->capture_default_str();
+    odd.add_option("--seed", seed_, "of the random inputs")->capture_default_str();
     command("stubs", "every stub is untouched and fails every case", stubs, everything);
     command("sandbox", "which walls stand here", sandbox, nothing);
   }

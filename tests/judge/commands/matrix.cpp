@@ -23,6 +23,7 @@ struct Kill {
   std::string verdict(const std::string& name) const {
     if (failed == 0) return "**survives**";
     if (named.empty()) return "**not named**";
+    if (named == "not a number" || named == "infinite") return "yes, as “" + named + "”";
     if (named != name) return "**as " + named + "**";
     return explained ? "yes" : "**no such section in the page**";
   }
@@ -68,7 +69,7 @@ bool print_kill_matrix(std::ostream& out, const Course& course, const std::vecto
       out << "| " << unit.number << " " << unit.name << " | " << misconceptions[k].name << " | "
           << kill.failed << " of " << kill.cases << " | " << verdict << " |\n";
       ++total;
-      right += verdict == "yes" ? 1u : 0u;
+      right += verdict.starts_with("yes") ? 1u : 0u;
     }
     if (misconceptions.size() < at_least) {
       out << "| " << unit.number << " " << unit.name << " | **only " << misconceptions.size()

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <stdexcept>
 #include <utility>
 
 #include "judge/protocol/convert.hpp"
@@ -19,6 +20,7 @@ constexpr std::size_t most_detail = 500;          // of an exception's text
 constexpr std::size_t flood = 1 << 20;            // printed in one case: enough
 constexpr std::size_t most_evaluations = 100000;  // of functions, for one answer
 constexpr int most_hung_cases = 2;                // each costs seconds
+constexpr int most_delays = 5;  // of a machine that does not let it compute, a deadline each
 
 std::string signal_text(int number) {
   switch (number) {
@@ -93,10 +95,10 @@ void StudentWorker::stop(Outcome outcome, const std::string& detail) {
   throw NoAnswer(outcome, detail);
 }
 
-void StudentWorker::send(Kind kind, const List& content, Clock::time_point deadline) {
+void StudentWorker::send(Kind kind, const List& content) {
   const std::string body = encode({kind, token_, content});
   // If the worker does not read, or is gone, receive() will say why.
-  write_all(running_->questions.write.number(), frame_head(body.size()) + body, deadline);
+  write_all(running_->questions.write.number(), frame_head(body.size()) + body, deadline_);
 }
 
 std::optional<Message> StudentWorker::take_message() {
@@ -109,11 +111,11 @@ std::optional<Message> StudentWorker::take_message() {
   return message;
 }
 
-Message StudentWorker::receive(Clock::time_point deadline) {
+Message StudentWorker::receive() {
   Running& run = *running_;
   while (true) {
     if (std::optional<Message> message = take_message()) return *std::move(message);
-    const Ready ready = wait_readable(run.answers.read.number(), run.text.read.number(), deadline);
+    const Ready ready = wait_readable(run.answers.read.number(), run.text.read.number(), deadline_);
     if (ready.second) {
       std::string text;
       if (!read_some(run.text.read.number(), text)) run.text.read.reset();
@@ -122,11 +124,17 @@ Message StudentWorker::receive(Clock::time_point deadline) {
       if (run.printed > flood) stop(Outcome::flooded, "more than a megabyte of text");
     }
     if (ready.first && !read_some(run.answers.read.number(), run.received)) no_answer_came();
-    if (Clock::now() >= deadline)
-      stop(Outcome::hung, "no answer after " +
-                              std::to_string(static_cast<int>(program_.walls.limits.wall_seconds)) +
-                              " s");
+    if (Clock::now() >= deadline_) wait_longer_or_stop();
   }
+}
+
+void StudentWorker::wait_longer_or_stop() {
+  const double seconds = program_.walls.limits.wall_seconds;
+  if (!running_->process.waits_for_processor())
+    stop(Outcome::hung, "no answer after " + std::to_string(static_cast<int>(seconds)) + " s");
+  if (++delays_ > most_delays)
+    throw std::runtime_error("the student's program did not get the processor: too much runs here");
+  deadline_ = after(seconds);
 }
 
 void StudentWorker::read_last_words() {
@@ -140,6 +148,10 @@ void StudentWorker::no_answer_came() {
   read_last_words();
   const std::optional<Ending> ending = running_->process.wait(2);
   if (!ending) stop(Outcome::malformed, "it closed the pipe for answers");
+  if (running_->process.killed_from_outside())
+    throw std::runtime_error(
+        "the student's program was killed from outside: the memory of this "
+        "machine is used up?");
   if (!ending->by_signal) stop(Outcome::exited, "with status " + std::to_string(ending->number));
   if (ending->number == SIGXCPU || ending->number == SIGKILL)
     stop(Outcome::hung, "no answer after " + std::to_string(program_.walls.limits.cpu_seconds) +
@@ -185,11 +197,12 @@ Value StudentWorker::ask(const Call& question, const CallBack& call_back) {
     throw NoAnswer(Outcome::not_run, "two cases before this one had no answer in time");
   if (!running_) running_ = std::make_unique<Running>(program_);
   token_ = static_cast<std::int64_t>(tokens_() >> 1);
-  const Clock::time_point deadline = after(program_.walls.limits.wall_seconds);
+  deadline_ = after(program_.walls.limits.wall_seconds);
+  delays_ = 0;
   try {
-    send(Kind::question, question.arguments, deadline);
+    send(Kind::question, question.arguments);
     for (std::size_t evaluations = 0;; ++evaluations) {
-      const Message message = receive(deadline);
+      const Message message = receive();
       if (message.kind != Kind::forbidden && message.token != token_)
         stop(Outcome::malformed, "a message that belongs to no question");
       if (message.kind != Kind::call_back) return answer_of(message);
@@ -198,7 +211,7 @@ Value StudentWorker::ask(const Call& question, const CallBack& call_back) {
       const FunctionId* function =
           message.content.size() == 2 ? message.content[0].as<FunctionId>() : nullptr;
       if (!function) stop(Outcome::malformed, "a call of no function");
-      send(Kind::result, {call_back(*function, list_of(message.content[1]))}, deadline);
+      send(Kind::result, {call_back(*function, list_of(message.content[1]))});
     }
   } catch (const BadMessage& why) {
     stop(Outcome::malformed, why.what());

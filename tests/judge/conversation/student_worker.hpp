@@ -31,8 +31,8 @@ class StudentWorker : public Answerer {
  private:
   struct Running;
 
-  void send(Kind kind, const List& content, Clock::time_point deadline);
-  Message receive(Clock::time_point deadline);
+  void send(Kind kind, const List& content);
+  Message receive();
   /// The message for which the judge has the bytes already, if it has all of them.
   std::optional<Message> take_message();
   Value answer_of(const Message& message);
@@ -40,6 +40,8 @@ class StudentWorker : public Answerer {
   void read_last_words();
   /// The pipe for answers is at its end: says how the worker has ended.
   [[noreturn]] void no_answer_came();
+  /// The deadline has passed: gives another one to a program that this machine keeps from computing.
+  void wait_longer_or_stop();
   [[noreturn]] void stop(Outcome outcome, const std::string& detail);
 
   WorkerProgram program_;
@@ -47,7 +49,8 @@ class StudentWorker : public Answerer {
   std::string printed_;
   std::mt19937_64 tokens_{std::random_device{}()};
   std::int64_t token_ = 0;
-  int hung_cases_ = 0;
+  Clock::time_point deadline_;
+  int delays_ = 0, hung_cases_ = 0;
 };
 
 }  // namespace tumble::judge

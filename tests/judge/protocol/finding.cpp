@@ -24,6 +24,8 @@ std::string name_of(Outcome outcome) {
       return "exited";
     case Outcome::forbidden:
       return "forbidden";
+    case Outcome::wrong_call:
+      return "wrong call";
     case Outcome::malformed:
       return "malformed";
     case Outcome::not_run:

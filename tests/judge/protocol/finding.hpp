@@ -20,11 +20,12 @@ enum class Outcome {
   crashed,          ///< ended by a signal
   hung,             ///< no answer within the limits of time
   out_of_memory,
-  flooded,    ///< printed without end
-  exited,     ///< ended the program instead of returning
-  forbidden,  ///< asked the system for what an exercise may not do
-  malformed,  ///< wrote something else than an answer into the answers' pipe
-  not_run,    ///< skipped: too many cases before it had no answer
+  flooded,     ///< printed without end
+  exited,      ///< ended the program instead of returning
+  forbidden,   ///< asked the system for what an exercise may not do
+  wrong_call,  ///< called a function that it was given with what that is not defined for
+  malformed,   ///< wrote something else than an answer into the answers' pipe
+  not_run,     ///< skipped: too many cases before it had no answer
 };
 
 /// The word for an outcome in tables, JSON and tests: "not implemented", "out of memory", …

@@ -114,6 +114,10 @@ bool change_user(const Walls& walls) {
   _exit(127);  // not reached: the compiler does not know that stop() never returns
 }
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 void throw_on_failure(int report, const std::string& program) {
   Failure failure = {};
   ssize_t got;
@@ -129,7 +133,8 @@ void throw_on_failure(int report, const std::string& program) {
 
 ConfinedProcess::ConfinedProcess(const std::vector<std::string>& command,
                                  const std::vector<std::string>& environment, const Walls& walls,
-                                 const std::vector<int>& descriptors) {
+                                 const std::vector<int>& descriptors)
+    : cpu_seconds_allowed_(walls.limits.cpu_seconds) {
   const FileRules rules(walls.files);
   const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
   Pipe report = make_pipe();
@@ -159,9 +164,18 @@ ConfinedProcess::~ConfinedProcess() { kill(); }
 
 void ConfinedProcess::kill() {
   if (ending_ || pid_ < 0) return;
+  killed_here_ = true;
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);
   wait(60);
+}
+
+bool ConfinedProcess::waits_for_processor() const {
+  return !ending_ && platform::is_runnable(pid_);
+}
+
+bool ConfinedProcess::killed_from_outside() const {
+  return ending_ == Ending{true, SIGKILL} && !killed_here_ && cpu_seconds_ < cpu_seconds_allowed_;
 }
 
 std::optional<Ending> ConfinedProcess::wait(double seconds) {
@@ -171,7 +185,10 @@ std::optional<Ending> ConfinedProcess::wait(double seconds) {
     const auto id = static_cast<id_t>(pid_);
     if (waitid(P_PID, id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_) {
       ::kill(-pid_, SIGKILL);  // what it has started, while its number cannot be anybody else's
-      waitid(P_PID, id, &info, WEXITED);
+      rusage used = {};
+      int status = 0;
+      wait4(pid_, &status, 0, &used);
+      cpu_seconds_ = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
       ending_ = Ending{info.si_code != CLD_EXITED, info.si_status};
     } else if (Clock::now() >= deadline) {
       break;
@@ -202,6 +219,7 @@ Finished run_confined(const std::vector<std::string>& command,
   const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
   const std::optional<Ending> ending = process.wait(open ? 0 : left);
   finished.timed_out = !ending;
+  finished.killed_from_outside = process.killed_from_outside();
   finished.ending = ending.value_or(Ending{true, SIGKILL});
   return finished;
 }

@@ -35,10 +35,17 @@ class ConfinedProcess {
   /// How it has ended, or nothing if it still runs after `seconds`.
   std::optional<Ending> wait(double seconds);
   void kill();
+  /// Whether it wants to compute and does not get to it: a machine with too much to do.
+  bool waits_for_processor() const;
+  /// Whether somebody else has killed it: the kernel, when the machine's memory is used up.
+  bool killed_from_outside() const;
 
  private:
   pid_t pid_ = -1;
   std::optional<Ending> ending_;
+  int cpu_seconds_allowed_;
+  double cpu_seconds_ = 0;  ///< used, once it has ended
+  bool killed_here_ = false;
 };
 
 /// What a program that ran to its end has printed.
@@ -46,6 +53,7 @@ struct Finished {
   Ending ending;
   std::string output;  ///< standard output and error, the first `most_output` bytes
   bool timed_out = false;
+  bool killed_from_outside = false;
 };
 
 /// Runs a program to its end, or to the limit of time.

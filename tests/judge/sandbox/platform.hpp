@@ -7,7 +7,19 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define TUMBLE_HAS_ASAN 1
+#elif defined(__has_feature)
+#define TUMBLE_HAS_ASAN __has_feature(address_sanitizer)
+#else
+#define TUMBLE_HAS_ASAN 0
+#endif
 
 #if defined(__linux__) && !defined(TUMBLE_PORTABLE_WORKER)
 #define TUMBLE_LINUX_WALLS 1
@@ -40,13 +52,20 @@ inline void close_from(int first) {
   for (int i = first; i < static_cast<int>(limit.rlim_cur); ++i) close(i);
 }
 
-inline bool limit_resource(int resource, std::uint64_t soft, std::uint64_t hard) {
-  const rlimit limit = {static_cast<rlim_t>(soft), static_cast<rlim_t>(hard)};
 #ifdef __linux__
-  return setrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0;
+using Resource = __rlimit_resource;
 #else
-  return setrlimit(resource, &limit) == 0;
+using Resource = int;
 #endif
+
+/// Sets a limit, or the one that stands already where that is lower: a shell's own (ulimit -v, -t)
+/// may be lowered, not raised.
+inline bool limit_resource(Resource resource, std::uint64_t soft, std::uint64_t hard) {
+  rlimit limit = {};
+  if (getrlimit(resource, &limit) != 0) return false;
+  limit.rlim_max = std::min(static_cast<rlim_t>(hard), limit.rlim_max);
+  limit.rlim_cur = std::min(static_cast<rlim_t>(soft), limit.rlim_max);
+  return setrlimit(resource, &limit) == 0;
 }
 
 /// The size of a process's memory. macOS refuses a limit below what every process maps from the
@@ -56,6 +75,17 @@ inline bool limit_memory([[maybe_unused]] std::uint64_t bytes) {
   return true;
 #else
   return limit_resource(RLIMIT_AS, bytes, bytes);
+#endif
+}
+
+/// The same for this process alone: what it starts may have more. AddressSanitizer reserves
+/// terabytes, so there it has no effect.
+inline void limit_own_memory([[maybe_unused]] std::uint64_t bytes) {
+#if !defined(__APPLE__) && !TUMBLE_HAS_ASAN
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_AS, &limit) != 0) return;
+  limit.rlim_cur = std::min(static_cast<rlim_t>(bytes), limit.rlim_max);
+  setrlimit(RLIMIT_AS, &limit);
 #endif
 }
 
@@ -74,6 +104,19 @@ inline bool die_with_parent() {
   return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 #else
   return true;
+#endif
+}
+
+/// Whether a process wants to compute, rather than wait for something. (proc(5): the state is the
+/// first letter after the name, which is in brackets.) Not known elsewhere.
+inline bool is_runnable([[maybe_unused]] pid_t pid) {
+#ifdef __linux__
+  std::ifstream in("/proc/" + std::to_string(pid) + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto name_ends = text.rfind(") ");
+  return name_ends != std::string::npos && text.compare(name_ends + 2, 1, "R") == 0;
+#else
+  return false;
 #endif
 }
 

@@ -3,6 +3,10 @@
 /// instead of being printed by doctest.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
+#include "judge/spec/general_misconceptions.hpp"
+#include "judge/spec/impostor.hpp"
 #include "judge/spec/run.hpp"
 #include "judge/spec/session.hpp"
 #include "tumble/core/require.hpp"
@@ -32,10 +36,13 @@ struct Collector : doctest::IReporter {
     results->push_back(std::move(result));
   }
   void log_assert(const doctest::AssertData& data) override {
-    if (data.m_failed) file_if_nothing_else(std::string("this does not hold: ") + data.m_expr);
+    if (data.m_threw)
+      Session::current().unusable(data.m_exception.c_str());
+    else if (data.m_failed)
+      file_if_nothing_else(std::string("this does not hold: ") + data.m_expr);
   }
   void test_case_exception(const doctest::TestCaseException& exception) override {
-    file_if_nothing_else(exception.error_string.c_str());
+    Session::current().unusable(exception.error_string.c_str());
   }
   void test_case_end(const doctest::CurrentTestCaseStats& stats) override {
     // A case that asserts nothing proves nothing.
@@ -58,7 +65,9 @@ struct Collector : doctest::IReporter {
 
 DOCTEST_REGISTER_REPORTER("collector", 0, Collector);
 
-std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
+namespace {
+
+std::vector<CaseResult> run_cases(const SpecRun& run, Answerer& answerer) {
   std::vector<CaseResult> collected;
   results = &collected;
   first_number = run.only_case > 0 ? run.only_case : 1;
@@ -77,6 +86,31 @@ std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
   require(!collected.empty(), "the spec of ", run.unit, " has no test case",
           run.only_case > 0 ? " number " + std::to_string(run.only_case) : std::string());
   return collected;
+}
+
+/// Whether misconception `name` fails this case too: only then does it explain why an answer does.
+bool fails_too(const SpecRun& run, std::size_t case_number, const std::string& name) {
+  const std::vector<Misconception>& all = misconceptions_of(run.unit);
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Misconception& each) { return each.name == name; });
+  Impostor impostor(static_cast<std::size_t>(found - all.begin()));
+  const std::vector<CaseResult> again = run_cases({run.unit, run.seed, case_number}, impostor);
+  return !again.front().passed();
+}
+
+}  // namespace
+
+std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
+  std::vector<CaseResult> cases = run_cases(run, answerer);
+  for (CaseResult& each : cases) {
+    if (!each.finding) continue;
+    std::vector<Misconception>& names = each.finding->misconceptions;
+    std::erase_if(names, [&](const Misconception& misconception) {
+      return !fails_too(run, each.number, misconception.name);
+    });
+    if (names.empty()) names = general_misconceptions(*each.finding);
+  }
+  return cases;
 }
 
 }  // namespace tumble::judge

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +24,12 @@ double largest_magnitude(const Value& value) {
   if (const List* list = value.as<List>())
     for (const Value& element : *list) largest = std::fmax(largest, largest_magnitude(element));
   return largest;
+}
+
+bool is_finite(const Value& value) {
+  if (const double* x = value.as<double>()) return std::isfinite(*x);
+  const List* list = value.as<List>();
+  return !list || std::all_of(list->begin(), list->end(), is_finite);
 }
 
 }  // namespace
@@ -47,6 +54,7 @@ Session& Session::current() {
 
 void Session::start_case(std::size_t number) {
   finding_.reset();
+  first_call_of_case_ = calls_.size();
   random_.emplace(stable_hash(unit_, seed_ * 0x9e3779b97f4a7c15 + number));
   answerer_.start_case();
 }
@@ -63,9 +71,52 @@ void Session::rethrow_judge_failure() const {
   if (judge_failure_) std::rethrow_exception(judge_failure_);
 }
 
+namespace {
+
+constexpr std::size_t max_recorded = 3'000'000;  // numbers, in one run of a spec: some 200 MB
+
+/// The longest list of numbers in a value.
+std::size_t longest_list(const List& list) {
+  std::size_t longest = list.size();
+  for (const Value& value : list)
+    if (const List* inner = value.as<List>()) longest = std::max(longest, longest_list(*inner));
+  return longest;
+}
+
+std::size_t count_numbers(const Value& value) {
+  const List* list = value.as<List>();
+  if (!list) return 1;
+  std::size_t count = 1;  // the list itself takes room too
+  for (const Value& each : *list) count += count_numbers(each);
+  return count;
+}
+
+/// What a function gives that is called with these arguments.
+/// @throws NoAnswer if it is not defined for them
+Value evaluated(const Call& call, FunctionId id, const List& arguments) {
+  constexpr std::size_t always_allowed = 16;
+  const std::size_t longest = longest_list(arguments);
+  if (longest > std::max(always_allowed, longest_list(call.arguments)))
+    throw NoAnswer(Outcome::wrong_call, "with a list of " + std::to_string(longest) +
+                                            " numbers, longer than any in "
+                                            "the question");
+  try {
+    return call.functions(id, arguments);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& why) {
+    throw NoAnswer(Outcome::wrong_call, why.what());
+  }
+}
+
+}  // namespace
+
 std::size_t Session::ask(Call call) {
-  const auto record = [&call](FunctionId id, const List& arguments) {
-    Value result = call.functions(id, arguments);
+  const auto record = [this, &call](FunctionId id, const List& arguments) {
+    Value result = evaluated(call, id, arguments);
+    recorded_ += count_numbers(arguments) + count_numbers(result);
+    if (recorded_ > max_recorded)
+      throw NoAnswer(Outcome::wrong_call, "so often that the judge cannot keep what it was told");
     call.evaluations.push_back({id, arguments, result});
     return result;
   };
@@ -82,8 +133,21 @@ std::size_t Session::ask(Call call) {
     judge_failure_ = std::current_exception();
     throw;
   }
+  recorded_ += count_numbers(call.answer);
   calls_.push_back(std::move(call));
   return calls_.size() - 1;
+}
+
+void Session::unusable(const std::string& why) {
+  if (finding_ || judge_failure_) return;  // which is why the case threw
+  if (calls_.size() == first_call_of_case_) {
+    judge_failure_ = std::make_exception_ptr(std::runtime_error("its spec threw: " + why));
+    return;
+  }
+  Finding finding = wrong_answer(calls_.size() - 1);
+  finding.misconceptions.clear();
+  finding.detail = "an answer that can be computed with, but " + why;
+  found(std::move(finding));
 }
 
 Finding Session::wrong_answer(std::size_t number, const CloseTo* unmet) const {
@@ -127,6 +191,7 @@ void Session::malformed(std::size_t number, const std::string& why) {
 std::vector<Misconception> Session::matching_misconceptions(std::size_t number,
                                                             const CloseTo* unmet) const {
   const Call& call = calls_[number];
+  if (!is_finite(call.answer)) return {};  // NaN equals NaN, whatever has led there
   const auto meets = [&](std::size_t k) {
     const Value other = call.misconception(k, call.functions);
     return unmet->metric(other, unmet->expected) <= unmet->tolerance;

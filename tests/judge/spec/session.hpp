@@ -73,6 +73,8 @@ class Session {
   bool demand(std::size_t number, const Obeys& demand);
   /// Files that the answer of call `number` has the wrong shape.
   void malformed(std::size_t number, const std::string& why);
+  /// Files that a case of the spec threw, which the answers before it made it do.
+  void unusable(const std::string& why);
 
  private:
   Finding wrong_answer(std::size_t number, const CloseTo* unmet = nullptr) const;
@@ -86,6 +88,8 @@ class Session {
   std::uint64_t seed_;
   std::optional<support::Random> random_;
   std::vector<Call> calls_;
+  std::size_t first_call_of_case_ = 0;
+  std::size_t recorded_ = 0;  ///< numbers that are kept of answers and evaluations
   std::optional<Finding> finding_;
   std::exception_ptr judge_failure_;
   Session* previous_;

@@ -70,7 +70,9 @@ class Printer {
 
   void print() {
     print_line(out_, result_, style_);
-    if (result_.build != BuildOutcome::built)
+    if (!result_.judge_failure.empty())
+      explain_judge_failure();
+    else if (result_.build != BuildOutcome::built)
       explain_build();
     else if (result_.untouched())
       explain_untouched();
@@ -88,6 +90,12 @@ class Printer {
   std::string paint(const std::string& text, Colour colour) const {
     if (!style_.colour) return text;
     return "\033[" + std::to_string(static_cast<int>(colour)) + "m" + text + "\033[0m";
+  }
+
+  void explain_judge_failure() {
+    out_ << "\n  The judge failed here: " << one_line(result_.judge_failure)
+         << ".\n  This is no verdict on your code. Try again; if it stays, tell your "
+            "instructor.\n\n";
   }
 
   // ── Not built ──
@@ -205,6 +213,14 @@ class Printer {
       out_ << "      Calls of the functions that it was given: " << question.evaluations << "\n";
   }
 
+  /// "Your answer has 0 numbers; 3 are demanded", if it is so.
+  static std::string difference_in_size(const Value& answer, const Value& demanded) {
+    const List *a = answer.as<List>(), *d = demanded.as<List>();
+    if (!a || !d || a->size() == d->size()) return {};
+    return "It has " + std::to_string(a->size()) + " entries where " + std::to_string(d->size()) +
+           " are demanded.";
+  }
+
   void explain_wrong_answer(const Finding& finding) {
     if (!finding.answer) {
       out_ << "      " << one_line(finding.detail) << "\n";
@@ -216,6 +232,9 @@ class Printer {
     out_ << label("Your answer") << text_of(*finding.answer, digits, label_width) << "\n";
     if (finding.demanded) {
       out_ << label("Demanded") << text_of(*finding.demanded, digits, label_width) << "\n";
+      if (const std::string sizes = difference_in_size(*finding.answer, *finding.demanded);
+          !sizes.empty())
+        out_ << std::string(label_width, ' ') << sizes << "\n";
       const double apart = largest_difference(*finding.answer, *finding.demanded);
       if (apart >= 0)
         out_ << label("Furthest apart by") << short_number(apart) << ", where "
@@ -246,6 +265,11 @@ class Printer {
       case Outcome::forbidden:
         return "      Your code " + detail +
                ".\n      An exercise computes: it has no files, no network, no other processes.";
+      case Outcome::wrong_call:
+        return "      Your code called a function that it was given in a way it is not defined "
+               "for:\n"
+               "      " +
+               detail + ".";
       case Outcome::malformed:
         return "      What came back is no answer: " + detail +
                ".\n      Only the value that your function returns counts.";

@@ -45,6 +45,7 @@ ordered_json json_of(const UnitRecord& record) {
                  {"source", record.source},
                  {"cases", ordered_json::array()}};
   if (!record.detail.empty()) j["detail"] = record.detail;
+  if (!record.judge_failure.empty()) j["judge_failure"] = record.judge_failure;
   j["explanation"] = record.explanation;
   for (const CaseRecord& each : record.cases) j["cases"].push_back(json_of(each));
   return j;
@@ -63,6 +64,7 @@ UnitRecord unit_record_of(const ordered_json& j) {
   record.seconds = j.at("seconds");
   record.source = j.at("source");
   record.detail = j.value("detail", "");
+  record.judge_failure = j.value("judge_failure", "");
   record.explanation = j.at("explanation");
   for (const ordered_json& each : j.at("cases")) record.cases.push_back(case_record_of(each));
   return record;

@@ -2,25 +2,51 @@
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
-#include <future>
+#include <optional>
 #include <thread>
 
 #include "judge/build/work_folder.hpp"
 #include "judge/sandbox/pipe.hpp"
+#include "judge/sandbox/process_pool.hpp"
 #include "judge/spec/load_spec.hpp"
+#include "judge/verdict/result_message.hpp"
 
 namespace tumble::judge {
 
 namespace {
 
-struct TimedBuild {
-  WorkerBuild build;
-  double seconds = 0;
-};
+/// What a judging process may use; the largest honest one needs a tenth of it.
+constexpr std::size_t memory_of_judging = 3ull << 30;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+UnitResult build_and_judge(const Job& job, const Judgement& judgement) {
+  const auto start = Clock::now();
+  const auto instrumentation =
+      judgement.only_sanitized ? Instrumentation::sanitizers : Instrumentation::none;
+  const WorkerBuild build = build_worker(job, instrumentation, judgement.compiled);
+  UnitResult result = judge_build(job, judgement, build);
+  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+/// What is said of a unit that the judge has failed at.
+UnitResult failed_result(const Job& job, const Judgement& judgement, const std::string& why) {
+  UnitResult result;
+  result.unit = job.unit;
+  result.source = job.source;
+  result.seed = judgement.seed;
+  result.judge_failure = why;
+  return result;
+}
+
+/// The result of a process that has sent `message` and ended with `failure`.
+UnitResult result_of(const Job& job, const Judgement& judgement, const std::string& message,
+                     const std::string& failure) {
+  if (!failure.empty()) return failed_result(job, judgement, failure);
+  try {
+    return decode_result(message, job);
+  } catch (const std::exception& broken) {
+    return failed_result(job, judgement, broken.what());
+  }
 }
 
 }  // namespace
@@ -31,43 +57,28 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
   for (const Unit& unit : units)
     load_spec(unit);  // before anything can be called a student's fault
   const WorkFolder work;
-  const auto job_of = [&](const Unit& unit) -> Job {
-    return {course, unit, source(unit), work.path() / (unit.chapter + "-" + unit.name)};
-  };
-  const auto instrumentation =
-      judgement.only_sanitized ? Instrumentation::sanitizers : Instrumentation::none;
-  const auto start_build = [&](const Unit& unit) {
-    return std::async(std::launch::async, [&, job = job_of(unit)] {
-      const auto start = Clock::now();
-      TimedBuild timed;
-      timed.build = build_worker(job, instrumentation, judgement.compiled);
-      timed.seconds = seconds_since(start);
-      return timed;
-    });
-  };
+  std::vector<Job> jobs;
+  for (const Unit& unit : units)
+    jobs.push_back({course, unit, source(unit), work.path() / (unit.chapter + "-" + unit.name)});
 
-  const std::size_t at_once = judgement.builds_at_once > 0
-                                  ? judgement.builds_at_once
-                                  : std::max(1u, std::thread::hardware_concurrency());
-  std::deque<std::future<TimedBuild>> builds;
-  std::size_t next = 0;
-  const auto start_builds = [&] {
-    while (next < units.size() && builds.size() < at_once)
-      builds.push_back(start_build(units[next++]));
-  };
-  start_builds();
-  for (const Unit& unit : units) {
-    const TimedBuild built = builds.front().get();
-    builds.pop_front();
-    start_builds();
-    const auto start = Clock::now();
-    const Job job = job_of(unit);
-    UnitResult result = judge_build(job, judgement, built.build);
-    result.seconds = built.seconds + seconds_since(start);
-    done(result);
+  std::vector<std::string> messages(jobs.size());
+  std::vector<std::optional<UnitResult>> results(jobs.size());
+  std::size_t told = 0;
+  ProcessPool pool;
+  pool.at_once = judgement.builds_at_once > 0 ? judgement.builds_at_once
+                                              : std::max(1u, std::thread::hardware_concurrency());
+  pool.memory_bytes = memory_of_judging;
+  pool.received = [&](std::size_t i, const std::string& bytes) { messages[i] += bytes; };
+  pool.finished = [&](const FinishedJob& ended) {
+    const std::size_t i = ended.number;
+    results[i] = result_of(jobs[i], judgement, messages[i], ended.failure);
     std::error_code ignored;
-    fs::remove_all(job.folder, ignored);  // a class of students would fill the disk
-  }
+    fs::remove_all(jobs[i].folder, ignored);  // a class of students would fill the disk
+    for (; told < results.size() && results[told]; ++told) done(*results[told]);
+  };
+  run_in_processes(jobs.size(), pool, [&](std::size_t i, const SendBytes& send) {
+    send(encode_result(build_and_judge(jobs[i], judgement)));
+  });
 }
 
 }  // namespace tumble::judge

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Judges many units: while the spec of one runs, the next files are compiled.
+/// Judges many units, each in a process of its own: where the judge itself fails at one, by whatever
+/// its answers make of it, the others are judged all the same, and the verdict says so.
 
 #include <filesystem>
 #include <functional>
@@ -11,6 +12,7 @@
 
 namespace tumble::judge {
 
+/// The verdicts; UnitResult::judge_failure says of which of them the judge has failed.
 /// @param source gives the file of a unit
 /// @param done   is called with each result, in the order of the units
 void judge_all(const Course& course, const std::vector<Unit>& units,

@@ -34,6 +34,7 @@ UnitRecord record_of(const Course& course, const UnitResult& result) {
   record.seconds = result.seconds;
   record.source = fingerprint(result.source);
   record.detail = result.build_detail;
+  record.judge_failure = result.judge_failure;
   std::ostringstream text;
   print_result(text, course, result, {});
   record.explanation = text.str();

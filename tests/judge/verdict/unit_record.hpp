@@ -32,6 +32,7 @@ struct UnitRecord {
   double seconds = 0;        ///< from the file to the verdict
   std::uint64_t source = 0;  ///< fingerprint of the file that was judged, 0 if there was none
   std::string detail;        ///< of a build that failed
+  std::string judge_failure;  ///< why there is no verdict, which is nobody's fault; empty if there is
   std::string explanation;   ///< what a student reads
   std::vector<CaseRecord> cases;
 };

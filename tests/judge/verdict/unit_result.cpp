@@ -18,6 +18,7 @@ bool UnitResult::untouched() const {
 }
 
 std::string UnitResult::summary() const {
+  if (!judge_failure.empty()) return "judge failed";
   if (build != BuildOutcome::built) return name_of(build);
   if (passed()) return "passed";
   const auto failed =

@@ -20,6 +20,8 @@ struct UnitResult {
   BuildOutcome build = BuildOutcome::built;
   std::string build_detail, warnings;
   std::vector<CaseResult> cases;  ///< empty if it was not built
+  /// Why there is no verdict: the judge itself failed, or this machine. Empty if it did not.
+  std::string judge_failure;
   double seconds = 0;             ///< from the file to the verdict
 
   std::size_t passed_cases() const;
@@ -27,7 +29,7 @@ struct UnitResult {
   bool passed() const;
   /// The stub as it was handed out: nobody has started.
   bool untouched() const;
-  /// In one or two words: "passed", "wrong", "does not compile", "crashed", …
+  /// In one or two words: "passed", "wrong", "does not compile", "crashed", "judge failed", …
   std::string summary() const;
 };
 

@@ -7,7 +7,6 @@
 /// However stiff the problem, the step need not be short for the method to be stable.
 /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.3.
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 #include <sstream>
@@ -15,6 +14,7 @@
 
 #include "tumble/core/require.hpp"
 #include "tumble/ode/jacobian.hpp"
+#include "tumble/ode/linear_solver.hpp"
 
 namespace tumble {
 
@@ -40,7 +40,9 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
     const Matrix J = detail::jacobian(f, t + h, y1, dydt, h);
     const Matrix A = Matrix::Identity(y.size(), y.size()) - h * J;
     const State residual = y + h * dydt - y1;
-    const State correction = A.partialPivLu().solve(residual);
+    detail::LinearSolver<Matrix> factors;
+    factors.compute(A);
+    const State correction = factors.solve(residual);
     y1 += correction;
     if (!y1.allFinite()) break;  // the matrix is singular, or f has no value there
     if (correction.norm() <= tolerance * max(y.norm(), y1.norm())) return y1;

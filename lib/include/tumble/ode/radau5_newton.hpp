@@ -7,13 +7,13 @@
 /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.8,
 /// eqs. 8.4 to 8.11.
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 
 #include "tumble/ode/jacobian.hpp"
+#include "tumble/ode/linear_solver.hpp"
 #include "tumble/ode/radau5_coefficients.hpp"
 
 namespace tumble::detail {
@@ -60,8 +60,8 @@ class Radau5Matrices {
   using ComplexMatrix = Eigen::Matrix<Complex, n, n>;
   using ComplexVector = Eigen::Matrix<Complex, n, 1>;
 
-  Eigen::PartialPivLU<JacobianOf<State>> real_;
-  Eigen::PartialPivLU<ComplexMatrix> complex_;
+  LinearSolver<JacobianOf<State>> real_;
+  LinearSolver<ComplexMatrix> complex_;
 };
 
 /// When to stop the iteration.

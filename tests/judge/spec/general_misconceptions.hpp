@@ -1,0 +1,15 @@
+#pragma once
+/// @file
+/// Names for wrong answers that no exercise has for itself: they can be seen in any answer.
+
+#include <vector>
+
+#include "judge/protocol/finding.hpp"
+
+namespace tumble::judge {
+
+/// What the numbers of a wrong answer show: "not a number", "infinite", "the opposite sign", "rows for columns", "the
+/// argument as it came". Empty if they show nothing. They have no section of a page.
+std::vector<Misconception> general_misconceptions(const Finding& finding);
+
+}  // namespace tumble::judge

@@ -1,0 +1,114 @@
+#include "judge/verdict/result_message.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "judge/protocol/message.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+using nlohmann::json;
+
+/// Any bytes: what a student's code prints need not be UTF-8.
+json bytes_of(const std::string& text) { return json::binary({text.begin(), text.end()}); }
+
+std::string text_in(const json& bytes) {
+  const auto& binary = bytes.get_binary();
+  return {binary.begin(), binary.end()};
+}
+
+/// Values travel as in the messages between judge and worker.
+json bytes_of(const List& values) { return bytes_of(encode({Kind::answer, 0, values})); }
+
+List values_in(const json& bytes) { return decode(text_in(bytes)).content; }
+
+json bytes_of(const std::optional<Value>& value) {
+  return value ? bytes_of(List{*value}) : json(nullptr);
+}
+
+std::optional<Value> value_in(const json& j) {
+  if (j.is_null()) return std::nullopt;
+  return values_in(j).at(0);
+}
+
+json json_of(const Misconception& each) {
+  return {bytes_of(each.name), bytes_of(each.sentence), bytes_of(each.section)};
+}
+
+json json_of(const Finding& finding) {
+  json misconceptions = json::array();
+  for (const Misconception& each : finding.misconceptions) misconceptions.push_back(json_of(each));
+  json question = nullptr;
+  if (finding.question)
+    question = {bytes_of(finding.question->arguments), finding.question->evaluations};
+  return {{"outcome", static_cast<int>(finding.outcome)},
+          {"detail", bytes_of(finding.detail)},
+          {"question", question},
+          {"answer", bytes_of(finding.answer)},
+          {"demanded", bytes_of(finding.demanded)},
+          {"tolerance", finding.tolerance},
+          {"misconceptions", misconceptions},
+          {"printed", bytes_of(finding.printed)},
+          {"place", bytes_of(finding.place)}};
+}
+
+Finding finding_of(const json& j) {
+  Finding finding;
+  finding.outcome = static_cast<Outcome>(j.at("outcome").get<int>());
+  finding.detail = text_in(j.at("detail"));
+  if (const json& question = j.at("question"); !question.is_null())
+    finding.question = Question{values_in(question.at(0)), question.at(1)};
+  finding.answer = value_in(j.at("answer"));
+  finding.demanded = value_in(j.at("demanded"));
+  finding.tolerance = j.at("tolerance");
+  for (const json& each : j.at("misconceptions"))
+    finding.misconceptions.push_back(
+        {text_in(each.at(0)), text_in(each.at(1)), text_in(each.at(2))});
+  finding.printed = text_in(j.at("printed"));
+  finding.place = text_in(j.at("place"));
+  return finding;
+}
+
+json json_of(const CaseResult& result) {
+  return {result.number, bytes_of(result.law),
+          result.finding ? json_of(*result.finding) : json(nullptr)};
+}
+
+CaseResult case_of(const json& j) {
+  CaseResult result{j.at(0), text_in(j.at(1)), std::nullopt};
+  if (!j.at(2).is_null()) result.finding = finding_of(j.at(2));
+  return result;
+}
+
+}  // namespace
+
+std::string encode_result(const UnitResult& result) {
+  json cases = json::array();
+  for (const CaseResult& each : result.cases) cases.push_back(json_of(each));
+  const json j{{"seed", result.seed},
+               {"build", static_cast<int>(result.build)},
+               {"build_detail", bytes_of(result.build_detail)},
+               {"warnings", bytes_of(result.warnings)},
+               {"cases", cases},
+               {"seconds", result.seconds}};
+  std::string message;
+  json::to_msgpack(j, message);
+  return message;
+}
+
+UnitResult decode_result(const std::string& message, const Job& job) {
+  UnitResult result;
+  result.unit = job.unit;
+  result.source = job.source;
+  const json j = json::from_msgpack(message);
+  result.seed = j.at("seed");
+  result.build = static_cast<BuildOutcome>(j.at("build").get<int>());
+  result.build_detail = text_in(j.at("build_detail"));
+  result.warnings = text_in(j.at("warnings"));
+  for (const json& each : j.at("cases")) result.cases.push_back(case_of(each));
+  result.seconds = j.at("seconds");
+  return result;
+}
+
+}  // namespace tumble::judge
