@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "judge/class/file_kinds.hpp"
+#include "judge/class/file_names.hpp"
 #include "judge/class/utf16.hpp"
 #include "support/csv.hpp"
 #include "tumble/core/require.hpp"
@@ -104,7 +105,7 @@ CsvTable read_csv(const std::string& bytes, const std::string& name) {
   table.header = std::move(rows.front());
   rows.erase(rows.begin());
   for (auto& row : rows) {
-    require(row.size() <= table.header.size(), name, ": the row of ", row.front(), " has ",
+    require(row.size() <= table.header.size(), name, ": the row of ", escaped(row.front()), " has ",
             row.size(), " fields, the header has ", table.header.size());
     row.resize(table.header.size());
   }

@@ -6,6 +6,7 @@
 #include "judge/class/final_grade.hpp"
 #include "judge/class/moment.hpp"
 #include "judge/verdict/markup.hpp"
+#include "judge/verdict/number_text.hpp"
 
 namespace tumble::judge {
 
@@ -102,7 +103,7 @@ std::string feedback_text(const CourseSettings& settings, const StudentRecord& r
   for (const Unit& unit : settings.units)
     if (const std::string why = explanation_of(settings, record, unit); !why.empty())
       text += "\n" + why;
-  return text;
+  return printable(text);
 }
 
 std::string feedback_html(const CourseSettings& settings, const StudentRecord& record) {

@@ -6,6 +6,7 @@
 #include "judge/class/class_list.hpp"
 #include "judge/class/final_grade.hpp"
 #include "judge/class/progress_line.hpp"
+#include "judge/class/sources.hpp"
 #include "judge/sandbox/process_pool.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
@@ -31,10 +32,15 @@ StudentRecord record_or_reason(const GradesFolder& folder, const Submission& sub
 void take_attempt(const GradesFolder& folder, const CourseSettings& settings,
                   const StudentRecord& record, std::size_t attempt) {
   const std::string name = file_name_for(record.student);
-  const fs::path sources = folder.sources(attempt) / name;
   write_record(folder.record_of(record.student), record, settings);
-  fs::remove_all(folder.sources() / name);
-  if (fs::exists(sources)) fs::copy(sources, folder.sources() / name, fs::copy_options::recursive);
+  for (const Unit& unit : settings.units) {
+    const fs::path from = kept_source(folder.sources(attempt) / name, unit),
+                   to = kept_source(folder.sources() / name, unit);
+    if (fs::exists(from))
+      support::write_text_and_folders(to, support::read_text(from));
+    else
+      fs::remove(to);
+  }
 }
 
 /// All students with a record, where no list of the class says more.

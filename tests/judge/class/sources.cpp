@@ -83,7 +83,7 @@ std::optional<std::string> Sources::handed_in(const Unit& unit) const {
 std::string Sources::as_handed_in(std::string text) const {
   for (const auto& [unit, name] : handed_in_)
     for (const std::string& file : spellings(of_unit_.at(unit)))
-      text = replaced(std::move(text), file, name.string());
+      text = replaced(std::move(text), file, escaped(name.string()));
   for (const fs::path& folder : {own_.path(), folder_})
     for (const std::string& start : spellings(folder / ""))
       text = replaced(std::move(text), start, "");
@@ -98,11 +98,14 @@ std::vector<std::string> Sources::spellings(const fs::path& path) const {
 }
 
 void Sources::keep(const fs::path& folder, const std::vector<Unit>& units) const {
-  fs::remove_all(folder);
-  for (const Unit& unit : units)
-    if (of_unit_.contains(unit.id()))
-      if (const auto text = small_text(of(unit)))
-        support::write_text_and_folders(folder / unit.chapter / (unit.name + ".cpp"), *text);
+  for (const Unit& unit : units) {
+    const fs::path kept = kept_source(folder, unit);
+    const auto text = handed_in(unit) ? small_text(of(unit)) : std::nullopt;
+    if (text)
+      support::write_text_and_folders(kept, *text);
+    else
+      fs::remove(kept);
+  }
 }
 
 void Sources::add(const Part& part) {

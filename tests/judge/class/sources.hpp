@@ -13,6 +13,11 @@
 
 namespace tumble::judge {
 
+/// Where a copy of a unit's file is kept.
+inline fs::path kept_source(const fs::path& folder, const Unit& unit) {
+  return folder / unit.chapter / (unit.name + ".cpp");
+}
+
 class Sources {
  public:
   /// Looks through a submission for the units that count.
@@ -30,7 +35,7 @@ class Sources {
   /// A text for the student, in which their files are called as in their submission.
   std::string as_handed_in(std::string text) const;
 
-  /// Keeps a copy of each unit's file in a folder, as <chapter>/<unit>.cpp, and nothing else there.
+  /// Keeps a copy of each unit's file in a folder; of a unit without one, none is there then.
   void keep(const fs::path& folder, const std::vector<Unit>& units) const;
 
  private:

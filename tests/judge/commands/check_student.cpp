@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "judge/class/file_names.hpp"
-#include "judge/class/grade_class.hpp"
+#include "judge/class/sources.hpp"
 #include "judge/class/student_record.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/sandbox.hpp"
@@ -27,13 +27,11 @@ struct Seen {
         fs::absolute(file).lexically_normal().parent_path().parent_path() / "sources" / file.stem();
   }
 
-  fs::path source_of(const Unit& unit) const {
-    return sources / unit.chapter / (unit.name + ".cpp");
-  }
+  fs::path source_of(const Unit& unit) const { return kept_source(sources, unit); }
   /// How the student calls the file.
   std::string name_of_file(const Unit& unit) const {
     const auto found = record.files.find(unit.id());
-    return found == record.files.end() ? unit.id() + ".cpp" : found->second;
+    return found == record.files.end() ? unit.id() + ".cpp" : escaped(found->second);
   }
 };
 

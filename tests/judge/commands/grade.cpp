@@ -138,6 +138,7 @@ int grade(const Course& course, const GradeOptions& options) {
   const CourseSettings settings = settings_or_default(course, options.settings);
   const Work work(course, settings, options);
   const std::vector<Submission> submissions = wanted(work.all.submissions, options.students);
+  const std::set<std::string> only = units_named(course, settings, options.only);
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::yes)) return 2;
   const GradesFolder folder{options.out};
   fs::create_directories(folder.path / "students");
@@ -152,7 +153,7 @@ int grade(const Course& course, const GradeOptions& options) {
   const std::size_t builds_at_once = std::max<std::size_t>(1, cores / students_at_once);
   Grading grading{course, settings,      class_seed(settings, folder), judge_fingerprint(),
                   cache,  builds_at_once};
-  grading.only = units_named(course, settings, options.only);
+  grading.only = only;
   std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
             << " exercises each\n";
   say_list("records:", set_damaged_aside(folder, work.all.submissions));

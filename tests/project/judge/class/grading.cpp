@@ -192,6 +192,8 @@ TEST_CASE("report: the settings that were graded with, and nobody who is gone") 
   REQUIRE(two.grade("--course course.json").status == 0);
   CHECK(page().find("1 submissions") != std::string::npos);
   CHECK(page().find("ben") == std::string::npos);
+  CHECK_FALSE(fs::exists(two.out / "feedback/ben.html"));
+  CHECK(fs::exists(two.out / "feedback/ann.html"));
 }
 
 TEST_CASE("roster: names, numbers, and who has not handed in") {

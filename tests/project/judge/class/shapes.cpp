@@ -110,6 +110,10 @@ TEST_CASE("shapes: Canvas's flat files are one submission a student") {
   CHECK(canvas.header == std::vector<std::string>{"Student", "ID", "Section", "tumble"});
   CHECK(canvas.rows.front() == std::vector<std::string>{"    Points Possible", "", "", "2"});
   CHECK(canvas.rows[1] == std::vector<std::string>{"doejane", "12345", "", "2"});
+  // Canvas gives a file back by the numbers of the student and of a file that it knows.
+  const std::string zip = test::text_of(place.out / "feedback.zip");
+  CHECK(says(zip, "doejane_12345_67890_feedback.html"));
+  CHECK(says(zip, "roebob_LATE_12346_67892_feedback.txt"));
 
   // In doubt nothing is guessed, and nothing vanishes.
   test::write_file(place.handed_in / "somebody.cpp", "x");
