@@ -156,7 +156,7 @@ class Collector {
     return submission;
   }
 
-  void add_part(Submission& submission, const std::string& file, const fs::path& path) {
+  static void add_part(Submission& submission, const std::string& file, const fs::path& path) {
     if (!foreign_archive_stem(file).empty())
       submission.notes.push_back(file + " in it is an archive that cannot be read here");
     std::string name = file;  // Canvas may have two of one name

@@ -57,11 +57,12 @@ void subtract_late(const CourseSettings& settings, const StudentRecord& record, 
 }  // namespace
 
 bool is_called(const StudentRecord& record, const std::string& what) {
-  for (const std::string* name : {&record.student, &record.who.id})
-    if (!name->empty() && *name == what) return true;
-  for (const std::string* name : {&record.who.name, &record.who.email})
-    if (!name->empty() && lower_case(*name) == lower_case(what)) return true;
-  return false;
+  const auto same = [](const std::string& a, const std::string& b) {
+    return !a.empty() && lower_case(a) == lower_case(b);
+  };
+  // Two rows may differ by the case of a letter: their names are meant exactly.
+  return record.student == what || same(record.who.id, what) || same(record.who.name, what) ||
+         same(record.who.email, what);
 }
 
 bool is_complete(const CourseSettings& settings, const StudentRecord& record) {

@@ -73,7 +73,7 @@ namespace {
 /// Grades a submission in a process of its own.
 void grade_one(const Grading& grading, const Submission& submission, const GradesFolder& folder,
                const Interruption& interruption, const SendBytes& send) {
-  interruption.leave_to_system();
+  Interruption::leave_to_system();
   if (interruption.asked()) return;
   const fs::path file = folder.record_of(submission);
   fs::create_directories(file.parent_path());

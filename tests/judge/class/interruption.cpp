@@ -32,13 +32,14 @@ Interruption::Interruption() {
     stop_asked = static_cast<volatile sig_atomic_t*>(shared);
   }
   *stop_asked = 0;
+  asked_ = stop_asked;
   on_interruption(ask_to_stop);
 }
 
 Interruption::~Interruption() { on_interruption(SIG_DFL); }
 
-bool Interruption::asked() const { return *stop_asked != 0; }
+bool Interruption::asked() const { return *asked_ != 0; }
 
-void Interruption::leave_to_system() const { on_interruption(SIG_DFL); }
+void Interruption::leave_to_system() { on_interruption(SIG_DFL); }
 
 }  // namespace tumble::judge

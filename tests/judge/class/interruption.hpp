@@ -2,6 +2,8 @@
 /// @file
 /// Ctrl-C in the middle of a long command: what was begun stops, and what is there is written.
 
+#include <csignal>
+
 namespace tumble::judge {
 
 /// While it lives, SIGINT and SIGTERM do not end this process, but are known to it and to all that
@@ -16,7 +18,10 @@ class Interruption {
   /// Has anybody asked to stop?
   bool asked() const;
   /// In a child: it ends with the signal, as it would have.
-  void leave_to_system() const;
+  static void leave_to_system();
+
+ private:
+  const volatile std::sig_atomic_t* asked_;
 };
 
 }  // namespace tumble::judge

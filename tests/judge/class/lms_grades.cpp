@@ -46,7 +46,7 @@ Cells gradescope_cells(const CourseSettings& settings, const StudentRecord& reco
 /// A table with these columns: the roster's rows first, then whoever is not in it.
 class GradeTable {
  public:
-  GradeTable(std::vector<std::string> columns, const Roster* own) {
+  GradeTable(const std::vector<std::string>& columns, const Roster* own) {
     if (own) {
       table_ = own->table;
       for (const Member& member : own->members) row_of_[member.who.id] = member.row;

@@ -12,17 +12,17 @@ namespace tumble::judge {
 
 namespace {
 
-using Names = std::vector<std::string>;
+using ColumnNames = std::vector<std::string>;
 
-const Names id_columns = {"identifier", "sid", "student id", "user id", "participant", "id"};
-const Names name_columns = {"full name", "student", "student name", "name"};
-const Names first_name_columns = {"first name", "firstname", "given name"};
-const Names last_name_columns = {"last name", "lastname", "surname", "family name"};
-const Names email_columns = {"email address", "email", "e-mail", "e-mail address"};
-const Names login_columns = {"sis login id", "login",           "username", "user",
-                             "github",       "github username", "folder"};
-const Names time_columns = {"last modified (submission)", "submission time", "submitted at",
-                            "handed in"};
+const ColumnNames id_columns = {"identifier", "sid", "student id", "user id", "participant", "id"};
+const ColumnNames name_columns = {"full name", "student", "student name", "name"};
+const ColumnNames first_name_columns = {"first name", "firstname", "given name"};
+const ColumnNames last_name_columns = {"last name", "lastname", "surname", "family name"};
+const ColumnNames email_columns = {"email address", "email", "e-mail", "e-mail address"};
+const ColumnNames login_columns = {"sis login id", "login",           "username", "user",
+                                   "github",       "github username", "folder"};
+const ColumnNames time_columns = {"last modified (submission)", "submission time", "submitted at",
+                                  "handed in"};
 
 std::string digits_at_the_end(const std::string& text) {
   const std::size_t last = text.find_last_not_of("0123456789");
@@ -60,7 +60,7 @@ class RosterReader {
   }
 
  private:
-  std::string cell(std::size_t row, const Names& columns) const {
+  std::string cell(std::size_t row, const ColumnNames& columns) const {
     const auto column = roster_.table.column(columns);
     return column ? roster_.table.rows[row][*column] : "";
   }

@@ -158,8 +158,8 @@ void Sources::add_archive(const std::string& within, const fs::path& archive) {
   for (const std::string& path : unpacked.others)
     if (!is_nobodys(path) && !path.ends_with("/"))
       others_.push_back((fs::path(within) / path).lexically_normal().string());
-  for (const std::string& note : unpacked.notes)
-    notes_.push_back((within.empty() ? "" : within + "/") + note);
+  const std::string before = within.empty() ? "" : within + "/";
+  for (const std::string& note : unpacked.notes) notes_.push_back(before + note);
 }
 
 void Sources::add_file(const fs::path& name, const fs::path& file) {

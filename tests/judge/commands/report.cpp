@@ -1,5 +1,6 @@
 #include "judge/class/report.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include "judge/class/grade_class.hpp"
@@ -30,7 +31,9 @@ int report(const Course& course, const ReportOptions& options) {
       options.out,
       report_html(settings, kept.records, options.names ? Names::shown : Names::hidden, notes));
   for (const std::string& each : kept.unreadable) std::cerr << "tumble: left out: " << each << "\n";
-  std::cerr << "tumble: " << kept.records.size() << " submissions, on one page: ";
+  const auto handed_in = std::count_if(kept.records.begin(), kept.records.end(),
+                                       [](const StudentRecord& r) { return !r.absent; });
+  std::cerr << "tumble: " << handed_in << " submissions, on one page: ";
   std::cout << options.out.string() << "\n";
   return 0;
 }
