@@ -83,8 +83,10 @@ fs::path innermost(const Course& course, const fs::path& folder, bool was_zip) {
   if (entries.size() != 1 || !is_plain_folder(entries.front())) return folder;
   const bool certain = recognised(entries.front()) != Lms::none;
   const std::vector<fs::path> within = entries_of(entries.front());
-  const bool students = was_zip && !is_one_students(course, within) &&
-                        std::any_of(within.begin(), within.end(), is_plain_folder);
+  const auto work = std::count_if(within.begin(), within.end(), [](const fs::path& entry) {
+    return is_plain_folder(entry) || !archive_stem(file_of(entry)).empty();
+  });
+  const bool students = was_zip && !is_one_students(course, within) && work > 1;
   return certain || students ? entries.front() : folder;
 }
 

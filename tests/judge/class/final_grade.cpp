@@ -93,6 +93,7 @@ FinalGrade final_grade(const CourseSettings& settings, const StudentRecord& reco
   } else {
     subtract_late(settings, record, grade);
   }
+  grade.by_hand = by_hand != nullptr;
   if (by_hand) grade.because.push_back("given by hand: " + by_hand->reason);
   return grade;
 }

@@ -14,6 +14,7 @@ struct FinalGrade {
   double points = 0;                 ///< in the end
   double earned = 0;                 ///< by the verdicts alone
   std::vector<std::string> because;  ///< why these two differ: "2 days late: −20 %"
+  bool by_hand = false;              ///< the instructor has said something about it
 };
 
 FinalGrade final_grade(const CourseSettings& settings, const StudentRecord& record);

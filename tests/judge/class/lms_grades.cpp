@@ -16,8 +16,9 @@ using Cells = std::map<std::string, std::string>;
 
 /// Empty where there are none to be given away yet: no points are not zero points.
 std::string final_points(const CourseSettings& settings, const StudentRecord& record) {
-  if (record.absent || !is_complete(settings, record)) return "";
-  return points_text(final_grade(settings, record).points);
+  const FinalGrade grade = final_grade(settings, record);
+  if ((record.absent && !grade.by_hand) || !is_complete(settings, record)) return "";
+  return points_text(grade.points);
 }
 
 /// What Moodle does not know, it does not take: "Identifier", "Grade" and "Last modified (grade)".
@@ -27,8 +28,8 @@ Cells moodle_cells(const CourseSettings& settings, const StudentRecord& record) 
               {"Email address", record.who.email},
               {"Maximum Grade", points_text(settings.most())},
               {"Last modified (grade)", "-"}};
-  if (record.absent) return cells;
   cells["Grade"] = final_points(settings, record);
+  if (cells["Grade"].empty()) return cells;
   cells["Feedback comments"] = feedback_comment(settings, record);
   return cells;
 }

@@ -96,7 +96,7 @@ bool is_named(const Member& member, const Submission& submission) {
   for (const std::string* name : {&submission.student, &submission.who.name, &submission.who.email})
     for (const std::string& own : {member.who.name, member.who.id, member.who.email, member.login,
                                    member.who.email.substr(0, member.who.email.find('@'))})
-      if (!name->empty() && !own.empty() && squeezed(*name) == squeezed(own)) return true;
+      if (!squeezed(own).empty() && squeezed(*name) == squeezed(own)) return true;
   return false;
 }
 

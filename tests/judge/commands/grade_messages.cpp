@@ -6,6 +6,7 @@
 #include "judge/class/feedback.hpp"
 #include "judge/class/final_grade.hpp"
 #include "judge/class/identical_files.hpp"
+#include "judge/class/moment.hpp"
 #include "support/nearest.hpp"
 #include "support/wrapped.hpp"
 
@@ -45,6 +46,20 @@ void say_identical(const std::vector<IdenticalFiles>& groups) {
     lines.push_back(std::move(line));
   }
   say_list("identical files, which identical.csv lists too:", lines);
+}
+
+/// Where lateness costs something, work of which nobody knows when it came.
+void say_timeless(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
+  if (!settings.rules.late) return;
+  std::vector<std::string> lines;
+  for (const StudentRecord& record : records) {
+    const bool known = moment_of(record.handed_in).has_value() || record.marked_late;
+    if (record.absent || known) continue;
+    lines.push_back(record.student + (record.handed_in.empty()
+                                          ? ""
+                                          : ": \"" + record.handed_in + "\" cannot be read"));
+  }
+  say_list("nobody says when these came, so they count as in time:", lines);
 }
 
 /// What the judge has failed at.
@@ -92,12 +107,7 @@ void say_about(const std::vector<LeftOut>& left_out, const std::vector<std::stri
   say_list("not on the roster:", strangers);
   say_unknown(settings, records);
   say_identical(identical_files(settings, records));
-  const auto timeless = std::count_if(records.begin(), records.end(), [](const StudentRecord& r) {
-    return !r.absent && r.handed_in.empty() && !r.marked_late;
-  });
-  if (settings.rules.late && timeless > 0)
-    std::cerr << "tumble: of " << timeless
-              << " submissions nobody says when they came: they count as in time\n";
+  say_timeless(settings, records);
 }
 
 bool say_failures(const std::vector<FailedStudent>& failed,

@@ -241,6 +241,12 @@ TEST_CASE("late work, extensions, overrides, extra credit") {
   CHECK(two.record("ben").at("units")[1].at("passed") == false);  // the verdict stays
   CHECK(tells(grade(R"(, "overrides": {"bne": {"points": 2, "reason": "x"}})"),
               "overrides: there is no bne; did you mean ben?"));
+  const CommandResult spoken = two.grade_with("{" + due + "}");  // nobody knows when
+  CHECK(tells(spoken, "nobody says when these came, so they count as in time:\n  ann\n  ben\n"));
+  test::write_file(two.work.path() / "class.csv", "name,handed in\nann,Dienstag\nzoe,\n");
+  CHECK(tells(grade(""), "ann: \"Dienstag\" cannot be read"));
+  REQUIRE(grade(R"(, "overrides": {"zoe": {"points": 1, "reason": "oral"}})").status == 0);
+  CHECK(two.cell("zoe", "points") == "1");  // although nothing was handed in
   REQUIRE(grade(R"(, "extra": ["1.2"])").status == 0);
   CHECK(two.cell("ann", "of") == "1");
   CHECK(two.cell("ben", "percent") == "100");
