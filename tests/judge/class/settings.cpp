@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "judge/class/iso_time.hpp"
 #include "judge/class/units_meant.hpp"
 #include "judge/course/stable_hash.hpp"
 #include "support/parsed_json.hpp"
@@ -97,12 +96,6 @@ Credit read_credit(const Place& place) {
   return credit == "unit" ? Credit::unit : Credit::laws;
 }
 
-std::string read_time(const Place& place) {
-  require(moment_of(place.text()).has_value(), place.name(), " is \"", place.text(),
-          R"(", not a time such as "2026-12-01T23:59:00Z" or "2026-12-01T23:59:00+01:00")");
-  return place.text();
-}
-
 std::uint64_t read_seed(const Place& place) {
   const double seed = place.number();
   require(seed >= 0 && seed <= 9e15 && seed == std::floor(seed), place.name(), " is ", seed,
@@ -111,8 +104,8 @@ std::uint64_t read_seed(const Place& place) {
 }
 
 CourseSettings settings_of(const Course& course, const Place& place) {
-  place.require_only(
-      {"$schema", "title", "units", "weights", "credit", "hidden", "due", "seed", "curve"});
+  place.require_only({"$schema", "title", "units", "weights", "credit", "hidden", "due", "seed",
+                      "curve", "late", "extensions", "overrides", "several", "extra"});
   CourseSettings settings = default_settings(course);
   if (place.has("title")) settings.title = place["title"].text();
   if (place.has("units")) {
@@ -123,9 +116,10 @@ CourseSettings settings_of(const Course& course, const Place& place) {
   if (place.has("weights")) read_weights(course, place["weights"], settings);
   if (place.has("credit")) settings.credit = read_credit(place["credit"]);
   if (place.has("hidden")) read_hidden(course, place["hidden"], settings);
-  if (place.has("due")) settings.due = read_time(place["due"]);
+  if (place.has("due")) settings.due = read_moment(place["due"]);
   if (place.has("seed")) settings.seed = read_seed(place["seed"]);
   if (place.has("curve")) settings.curve = place["curve"].yes();
+  settings.rules = read_rules(course, place);
   require(settings.most() > 0, place.name(), ": no exercise is worth any points");
   return settings;
 }
@@ -134,7 +128,8 @@ CourseSettings settings_of(const Course& course, const Place& place) {
 
 double CourseSettings::most() const {
   double sum = 0;
-  for (const Unit& unit : units) sum += points(unit);
+  for (const Unit& unit : units)
+    if (!rules.extra.contains(unit.id())) sum += points(unit);
   return sum;
 }
 

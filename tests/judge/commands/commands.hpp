@@ -23,6 +23,7 @@ struct CheckOptions {
   bool every_case = false;            ///< explain every case that fails
   bool strict = false;                ///< refuse to judge if a wall of the sandbox is missing
   bool sanitized = false;             ///< run everything with sanitizers
+  std::optional<fs::path> student;    ///< a record of `grade`: what that student saw
 };
 
 struct MineOptions {
@@ -38,6 +39,10 @@ struct GradeOptions {
   fs::path out = "grades";        ///< folder for the results; what is there already is gone on with
   std::optional<fs::path> settings;    ///< course.json
   std::optional<std::size_t> at_once;  ///< submissions; as many as there are cores if not given
+  std::optional<std::string> from;     ///< the platform of the download
+  std::optional<fs::path> roster;      ///< table of the class
+  std::vector<std::string> only;       ///< units and chapters to judge again
+  std::vector<std::string> students;   ///< to judge; all if none is named
   bool strict = false;                 ///< refuse to judge if a wall of the sandbox is missing
   std::optional<double> seconds;       ///< after these no exercise is begun
 };
@@ -70,6 +75,10 @@ std::vector<Unit> units_to_check(const Course& course, const std::string& what);
 int check(const Course& course, const CheckOptions& options);
 /// Builds an engine of the student's own functions, and shows its errors beside the library's.
 int mine_command(const Course& course, const MineOptions& options);
+/// What `check --student` judges: the units of a record, or those of them that were asked for.
+std::vector<Unit> units_of_student(const Course& course, const CheckOptions& options);
+/// Judges a student's files again as `grade` did, and says the same.
+int check_student(const Course& course, const CheckOptions& options);
 /// Judges each file when it is saved, until interrupted.
 int watch(const Course& course);
 /// All units with what is known about them.

@@ -3,6 +3,7 @@
 #include <functional>
 #include <iostream>
 
+#include "judge/class/lms.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/needs.hpp"
 #include "judge/platforms/platform.hpp"
@@ -72,8 +73,13 @@ class CommandLine {
   void add_check() {
     CLI::App& app = command(
         "check", "judge what you have written",
-        [this](const Course& course) { return check(course, check_); },
-        [this](const Course& course) { return specs_of(units_to_check(course, check_.what)); });
+        [this](const Course& course) {
+          return check_.student ? check_student(course, check_) : check(course, check_);
+        },
+        [this](const Course& course) {
+          return specs_of(check_.student ? units_of_student(course, check_)
+                                         : units_to_check(course, check_.what));
+        });
     app.add_option("what", check_.what,
                    "exercise (4.1 or product), chapter (4), all; 4.1.3 is one case");
     app.add_option("--seed", check_.seed,
@@ -81,7 +87,11 @@ class CommandLine {
     app.add_option("--seeds", check_.seeds, "try this many, one after the other")
         ->check(CLI::Range(1, 100000));
     app.add_option("--from", check_.from, "folder with the files to judge, instead of exercises/");
-    app.add_option("--json", check_.json, "write the results here, again after each exercise");
+    CLI::Option* json =
+        app.add_option("--json", check_.json, "write the results here, again after each exercise");
+    app.add_option("--student", check_.student,
+                   "say again what a student saw: a record of `grade`, grades/students/NAME.json")
+        ->excludes(json);
     app.add_flag("--every-case", check_.every_case, "explain every case that fails");
     app.add_flag("--strict", check_.strict, strict_help);
     app.add_flag("--solutions", check_.solutions, "judge the solutions");
@@ -126,12 +136,19 @@ class CommandLine {
     CLI::App& app = command(
         "grade", "grade a class", [this](const Course& course) { return grade(course, grade_); },
         [this](const Course& course) { return specs_that_count(course, grade_.settings); });
-    app.add_option("DIR", grade_.folders, "folders of submissions: a folder or archive a student")
+    app.add_option("DIR", grade_.folders,
+                   "folders with a folder or an archive per student, or a platform's download")
         ->required();
     app.add_option("--out", grade_.out, "folder for the results; grading goes on where it was")
         ->capture_default_str();
     app.add_option("--course", grade_.settings,
                    "course.json: exercises, weights, credit, due date, seed");
+    app.add_option("--from", grade_.from,
+                   std::string("whose download it is, if its names leave a doubt: ") + lms_names);
+    app.add_option("--roster", grade_.roster,
+                   "table of the class (CSV): names, numbers, who has not handed in");
+    app.add_option("--only", grade_.only, "judge only these exercises or chapters, and again");
+    app.add_option("--student", grade_.students, "judge only these students");
     app.add_option("--jobs", grade_.at_once, "submissions at a time; as many as cores if not given")
         ->check(CLI::Range(1, 1000));
     app.add_option("--deadline", grade_.seconds, seconds_help)->check(CLI::PositiveNumber);
@@ -144,7 +161,8 @@ class CommandLine {
         [this](const Course& course) { return report(course, report_); }, everything);
     app.add_option("GRADES", report_.grades, "folder that `grade` has made")->capture_default_str();
     app.add_option("--out", report_.out, "the page")->capture_default_str();
-    app.add_option("--course", report_.settings, "course.json: exercises, weights, credit");
+    app.add_option("--course", report_.settings,
+                   "course.json, if not the one that was graded with");
     app.add_flag("--names", report_.names, "the students' names, too");
   }
 

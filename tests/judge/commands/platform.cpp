@@ -62,8 +62,8 @@ int platform_command(const Course& course, const PlatformOptions& options) {
   const WorkFolder work, compiled;
   fs::permissions(compiled.path(), fs::perms::owner_all);
   const ObjectCache cache(compiled.path());
-  Grading grading{course, settings, settings.seed.value_or(std::random_device{}()),
-                  judge_fingerprint(), cache};
+  const JudgeFingerprint judge(course);
+  Grading grading{course, settings, settings.seed.value_or(std::random_device{}()), judge, cache};
   grading.builds_at_once = compilers_at_once;
   grading.solutions = run.solutions;
   grading.deadline = deadline;

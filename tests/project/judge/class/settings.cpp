@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "judge/build/work_folder.hpp"
-#include "judge/class/iso_time.hpp"
+#include "judge/class/moment.hpp"
 #include "project/harness/refusal.hpp"
 
 using namespace tumble::judge;
@@ -114,16 +114,16 @@ TEST_CASE("settings: the key that was probably meant is named") {
 }
 
 TEST_CASE("moments: only those that there are") {
-  CHECK(moment_of("1970-01-01T00:00:00Z") == 0);
-  CHECK(moment_of("2026-12-01T23:59:00+01:00") == 1'796'165'940);
-  CHECK(moment_of("2026-12-01T22:59Z") == 1'796'165'940);
-  CHECK(moment_of("2024-02-29T12:00:00.5-11:30") == 1'709'249'400);
+  CHECK(exact_moment_of("1970-01-01T00:00:00Z") == 0);
+  CHECK(exact_moment_of("2026-12-01T23:59:00+01:00") == 1'796'165'940);
+  CHECK(exact_moment_of("2026-12-01T22:59Z") == 1'796'165'940);
+  CHECK(exact_moment_of("2024-02-29T12:00:00.5-11:30") == 1'709'249'400);
   for (const char* none :
        {"2026-13-45T99:99:00Z", "2026-02-29T00:00:00Z", "2026-00-10T00:00:00Z",
         "2026-04-31T00:00:00Z", "2026-12-01T24:00:00Z", "2026-12-01T23:60:00Z",
         "2026-12-01T23:59:60Z", "2026-12-01T23:59:00+25:00", "2026-12-01T23:59:00+01:70",
         "2026-12-01T23:59:00", "2026-12-01", "", "tomorrow"})
-    CHECK_MESSAGE(!moment_of(none).has_value(), none);
+    CHECK_MESSAGE(!exact_moment_of(none).has_value(), none);
   CHECK_REFUSED(settings(R"({"due": "2026-13-45T99:99:00Z"})"), "due is \"2026-13-45T99:99:00Z\"");
 }
 
@@ -131,4 +131,26 @@ TEST_CASE("seeds: another one for each student, and the same each time") {
   CHECK(seed_of(7, "ann") == seed_of(7, "ann"));
   CHECK(seed_of(7, "ann") != seed_of(7, "bob"));
   CHECK(seed_of(7, "ann") != seed_of(8, "ann"));
+}
+
+TEST_CASE("settings: late work, extensions, overrides, several, extra") {
+  const CourseSettings some = settings(R"({"due": "2026-12-01T12:00Z",
+    "late": {"grace": 15, "per_day": 10, "days": 3}, "extensions": {"ben": "2026-12-08T12:00Z"},
+    "overrides": {"cleo": {"4.1": 2, "reason": "r"}, "dan": {"points": 0, "reason": "s"}},
+    "several": "best", "extra": ["4.2"]})");
+  CHECK(some.rules.late->days == 3);
+  CHECK(some.rules.extensions.at("ben") == "2026-12-08T12:00Z");
+  CHECK(some.rules.overrides.at("cleo").units.at("04_quaternions/product") == 2);
+  CHECK(some.rules.overrides.at("dan").points == 0);
+  CHECK(some.rules.several == Several::best);
+  CHECK(some.most() == 2);  // what is extra is not asked for
+  CHECK_REFUSED(settings(R"({"late": {"per_day": 10}})"), ".late means nothing without \"due\"");
+  CHECK_REFUSED(settings(R"({"due": "2026-12-01T12:00Z", "late": {"per_day": 101}})"),
+                "late.per_day is 101, not in 0 … 100");
+  CHECK_REFUSED(settings(R"({"extensions": {"ben": "tomorrow"}})"),
+                "extensions.ben is \"tomorrow\", not a time");
+  CHECK_REFUSED(settings(R"({"overrides": {"ben": {"points": 3}}})"), "ben has no \"reason\"");
+  CHECK_REFUSED(settings(R"({"overrides": {"ben": {"4": 3, "reason": "r"}}})"),
+                "overrides.ben.4 is more than one exercise");
+  CHECK_REFUSED(settings(R"({"several": "first"})"), "not \"last\" or \"best\"");
 }
