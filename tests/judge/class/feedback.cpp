@@ -87,9 +87,8 @@ std::string note_on(const CourseSettings& settings, const StudentRecord& record)
   notes.insert(notes.end(), record.notes.begin(), record.notes.end());
   if (const std::string failures = judge_failures(record); !failures.empty())
     notes.push_back(failures);
-  if (record.out_of_time)
-    notes.push_back(std::to_string(settings.units.size() - record.units.size()) + " " +
-                    no_time_left);
+  if (const std::size_t left = count_unreached(settings, record); left > 0)
+    notes.push_back(std::to_string(left) + " " + no_time_left);
   const FinalGrade grade = final_grade(settings, record);
   notes.insert(notes.end(), grade.because.begin(), grade.because.end());
   std::string text;

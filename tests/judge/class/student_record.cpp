@@ -50,6 +50,10 @@ void read_circumstances(const ordered_json& j, StudentRecord& record) {
 
 }  // namespace
 
+std::size_t count_unreached(const CourseSettings& settings, const StudentRecord& record) {
+  return record.out_of_time ? settings.units.size() - record.units.size() : 0;
+}
+
 double earned(const CourseSettings& settings, const StudentRecord& record) {
   double sum = 0;
   for (const UnitRecord& unit : record.units) sum += settings.earned(unit);

@@ -39,6 +39,9 @@ inline constexpr const char* no_time_left = "not judged: no time left";
 /// The verdict on a unit of which there is no file.
 inline constexpr const char* not_handed_in = "not handed in";
 
+/// How many units the deadline has come before.
+std::size_t count_unreached(const CourseSettings& settings, const StudentRecord& record);
+
 /// Of all points.
 double earned(const CourseSettings& settings, const StudentRecord& record);
 
