@@ -21,8 +21,10 @@ constexpr double flight_step = 1.0 / 64;  // [s]
 /// The states from the throw to the ground. The last step is shortened until it ends there.
 std::vector<Flight> flown(const ThrownBall& ball, double speed) {
   const auto system = flight(ball, speed);
-  std::vector<Flight> states{flatten(thrown(ball.mass, speed))};
-  const auto next = [&](double step) { return rk4_step(system, 0., states.back(), step); };
+  std::vector<Flight> states{particles::flatten(thrown(ball.mass, speed))};
+  const auto next = [&](double step) {
+    return runge_kutta::rk4_step(system, 0., states.back(), step);
+  };
   while (next(flight_step).z() > 0) states.push_back(next(flight_step));
   double above = 0, below = flight_step;
   for (int i = 0; i < 60; ++i) {

@@ -22,16 +22,16 @@ struct Net {
 };
 
 /// Level, at rest; rows run away from the nails at the ends of row 0.
-inline std::vector<Particle<double>> level(const Net& net) {
-  std::vector<Particle<double>> particles;
+inline std::vector<particles::Particle<double>> level(const Net& net) {
+  std::vector<particles::Particle<double>> particles;
   for (int row = 0; row < net.rows; ++row)
     for (int column = 0; column < net.columns; ++column)
       particles.push_back({net.mass, Vec3(column, row, 0) * net.mesh, Vec3::Zero()});
   return particles;
 }
 
-inline std::vector<Spring> threads(const Net& net) {
-  std::vector<Spring> springs;
+inline std::vector<particles::Spring> threads(const Net& net) {
+  std::vector<particles::Spring> springs;
   const auto tie = [&](int i, int j) {
     springs.push_back({i, j, net.stiffness, net.damping, net.mesh});
   };
@@ -45,11 +45,11 @@ inline std::vector<Spring> threads(const Net& net) {
 
 /// All springs as one force.
 struct Springs {
-  std::vector<Spring> list;
+  std::vector<particles::Spring> list;
 
-  void operator()(double t, const ParticlesView<double>& particles,
-                  const Push<double>& push) const {
-    for (const Spring& spring : list) spring(t, particles, push);
+  void operator()(double t, const particles::ParticlesView<double>& particles,
+                  const particles::Push<double>& push) const {
+    for (const particles::Spring& spring : list) spring(t, particles, push);
   }
 };
 
@@ -59,7 +59,8 @@ using Knots = Eigen::VectorXd;
 inline Eigen::Index place(int knot) { return 6 * static_cast<Eigen::Index>(knot); }
 
 inline auto forces_on(const Net& net) {
-  return ParticleSystem(level(net), UniformGravity{{0, 0, -g}}, Springs{threads(net)});
+  return particles::ParticleSystem(level(net), particles::UniformGravity{{0, 0, -g}},
+                                   Springs{threads(net)});
 }
 
 /// The net's right-hand side. A knot that is nailed down does not change: its rates are 0.

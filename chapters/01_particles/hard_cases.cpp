@@ -84,13 +84,13 @@ std::string growth_figure() {
 Table smash_table() {
   Table table({"step", "h k |v|/m", "v after 1 step", "2 steps", "3 steps", "4 steps"});
   const ThrownBall& ball = balls.back();
-  const ParticleSystem system(thrown(ball.mass, 30), QuadraticDrag{ball.k()});
+  const particles::ParticleSystem system(thrown(ball.mass, 30), particles::QuadraticDrag{ball.k()});
   for (const double h : {0.05, 0.2, 0.3, 0.5, 0.6}) {
     Flight y = Flight::Zero();
     y[3] = 30;
     std::vector<std::string> row{number(h) + " s", number(h * ball.k() * 30 / ball.mass)};
     for (int i = 0; i < 4; ++i) {
-      y = euler_step(system, 0., y, h);
+      y = runge_kutta::euler_step(system, 0., y, h);
       row.push_back(number(y[3]) + " m/s");
     }
     table.add(row);
@@ -103,12 +103,12 @@ Table smash_table() {
 Table same_place_table() {
   Table table({"from end j to i", "force by the law", "by the library"});
   for (const double x : {2., 1e-3, 1e-100, 0., -1e-100}) {
-    const std::array<Particle<double>, 2> ends{
+    const std::array<particles::Particle<double>, 2> ends{
         {{1, Vec3(x, 0, 0), Vec3::Zero()}, {1, Vec3::Zero(), Vec3::Zero()}}};
-    const ParticleSystem system(ends, Spring{0, 1, 10, 0, 1});
+    const particles::ParticleSystem system(ends, particles::Spring{0, 1, 10, 0, 1});
     const double length = std::abs(x), naive = -10 * (length - 1) * (x / length);
     table.add({number(x) + " m", std::isnan(naive) ? "0/0" : number(naive) + " N",
-               number(system.dydt(0, flatten(ends))[3]) + " N"});
+               number(system.dydt(0, particles::flatten(ends))[3]) + " N"});
   }
   return table;
 }
@@ -145,7 +145,7 @@ std::vector<std::string> order_row(const std::string& name, double (*error)(int)
     errors.push_back(error(steps));
     row.push_back(error_number(errors.back()) + " m");
   }
-  row.push_back(number(observed_order(h, errors), 2));
+  row.push_back(number(runge_kutta::observed_order(h, errors), 2));
   return row;
 }
 
@@ -153,8 +153,8 @@ std::vector<std::string> order_row(const std::string& name, double (*error)(int)
 
 Table time_table() {
   Table table({"f is told", "64 steps", "128 steps", "256 steps", "order"});
-  table.add(order_row("midpoint: t, t + h/2", pushed_error<Midpoint>));
-  table.add(order_row("midpoint: always t", pushed_error<Frozen<Midpoint>>));
+  table.add(order_row("midpoint: t, t + h/2", pushed_error<runge_kutta::Midpoint>));
+  table.add(order_row("midpoint: always t", pushed_error<Frozen<runge_kutta::Midpoint>>));
   table.add(order_row("RK4: t, t + h/2, t + h/2, t + h", pushed_error<Rk4>));
   table.add(order_row("RK4: always t", pushed_error<Frozen<Rk4>>));
   return table;
@@ -198,8 +198,8 @@ double stopping_at_the_jump(int steps) {
 
 Table jump_table() {
   Table table({"method", "64 steps", "128 steps", "256 steps", "order"});
-  table.add(order_row("midpoint, across the jump", through_the_jump<Midpoint>));
-  table.add(order_row("midpoint, a step ends there", stopping_at_the_jump<Midpoint>));
+  table.add(order_row("midpoint, across the jump", through_the_jump<runge_kutta::Midpoint>));
+  table.add(order_row("midpoint, a step ends there", stopping_at_the_jump<runge_kutta::Midpoint>));
   table.add(order_row("RK4, across the jump", through_the_jump<Rk4>));
   table.add(order_row("RK4, a step ends there", stopping_at_the_jump<Rk4>));
   return table;

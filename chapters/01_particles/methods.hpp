@@ -13,8 +13,8 @@ using namespace tumble;
 /// Calls visit(name, method, evaluations of the right-hand side in a step).
 template <class Visit>
 void for_each_method(Visit&& visit) {
-  visit("Euler", Euler{}, 1);
-  visit("midpoint", Midpoint{}, 2);
+  visit("Euler", runge_kutta::Euler{}, 1);
+  visit("midpoint", runge_kutta::Midpoint{}, 2);
   visit("RK4", Rk4{}, 4);
 }
 

@@ -25,7 +25,7 @@ double energy(const Net& net, const Knots& y) {
   double sum = 0;
   for (int i = 0; i < net.knots(); ++i)
     sum += net.mass * (y.segment<3>(place(i) + 3).squaredNorm() / 2 + g * y[place(i) + 2]);
-  for (const Spring& thread : threads(net)) {
+  for (const particles::Spring& thread : threads(net)) {
     const double length = (y.segment<3>(place(thread.i)) - y.segment<3>(place(thread.j))).norm();
     sum += net.stiffness * (length - net.mesh) * (length - net.mesh) / 2;
   }
@@ -59,7 +59,7 @@ std::string net_figure() {
   const Net net{23, 16, 0.02};
   support::Sketch sketch(690, 420, "a net of springs falls and swings");
   const auto f = hanging(net);
-  Knots y = flatten(level(net));
+  Knots y = particles::flatten(level(net));
   double then = 0;
   int panel = 0;
   for (const double now : {0., 0.35, 0.55, 0.75, 0.95, 1.2}) {
@@ -94,7 +94,7 @@ Table net_table() {
   Table table({"steps a second", "Euler", "midpoint", "RK4"});
   const Net net{9, 7, 0};
   const auto f = hanging(net);
-  const Knots start = flatten(level(net));
+  const Knots start = particles::flatten(level(net));
   for (const int steps : {250, 500, 1000, 2000, 4000, 8000, 16000}) {
     std::vector<std::string> row{number(steps, 5)};
     for_each_method([&](const std::string&, auto method, int) {

@@ -24,38 +24,40 @@ namespace {
 struct EulerTableau {
   static constexpr std::size_t stages = 1;
   static constexpr int order = 1;
-  static constexpr Weights<1> c{0}, b{1};
-  static constexpr std::array<Weights<1>, 1> a{};
+  static constexpr runge_kutta::Weights<1> c{0}, b{1};
+  static constexpr std::array<runge_kutta::Weights<1>, 1> a{};
 };
 
 /// Two slopes; the second, halfway, is the one that counts.
 struct MidpointTableau {
   static constexpr std::size_t stages = 2;
   static constexpr int order = 2;
-  static constexpr Weights<2> c{0, 1 / 2.L}, b{0, 1};
-  static constexpr std::array<Weights<2>, 2> a{{{0}, {1 / 2.L}}};
+  static constexpr runge_kutta::Weights<2> c{0, 1 / 2.L}, b{0, 1};
+  static constexpr std::array<runge_kutta::Weights<2>, 2> a{{{0}, {1 / 2.L}}};
 };
 
 /// The classical method of order four.
 struct Rk4Tableau {
   static constexpr std::size_t stages = 4;
   static constexpr int order = 4;
-  static constexpr Weights<4> c{0, 1 / 2.L, 1 / 2.L, 1};
-  static constexpr Weights<4> b{1 / 6.L, 1 / 3.L, 1 / 3.L, 1 / 6.L};
-  static constexpr std::array<Weights<4>, 4> a{{{0}, {1 / 2.L}, {0, 1 / 2.L}, {0, 0, 1}}};
+  static constexpr runge_kutta::Weights<4> c{0, 1 / 2.L, 1 / 2.L, 1};
+  static constexpr runge_kutta::Weights<4> b{1 / 6.L, 1 / 3.L, 1 / 3.L, 1 / 6.L};
+  static constexpr std::array<runge_kutta::Weights<4>, 4> a{
+      {{0}, {1 / 2.L}, {0, 1 / 2.L}, {0, 0, 1}}};
 };
 
 /// Kutta's other method of order four, with slopes at thirds of the step.
 struct ThreeEighthsTableau {
   static constexpr std::size_t stages = 4;
   static constexpr int order = 4;
-  static constexpr Weights<4> c{0, 1 / 3.L, 2 / 3.L, 1};
-  static constexpr Weights<4> b{1 / 8.L, 3 / 8.L, 3 / 8.L, 1 / 8.L};
-  static constexpr std::array<Weights<4>, 4> a{{{0}, {1 / 3.L}, {-1 / 3.L, 1}, {1, -1, 1}}};
+  static constexpr runge_kutta::Weights<4> c{0, 1 / 3.L, 2 / 3.L, 1};
+  static constexpr runge_kutta::Weights<4> b{1 / 8.L, 3 / 8.L, 3 / 8.L, 1 / 8.L};
+  static constexpr std::array<runge_kutta::Weights<4>, 4> a{
+      {{0}, {1 / 3.L}, {-1 / 3.L, 1}, {1, -1, 1}}};
 };
 
 /// The sums of the eight conditions up to order four, in the order of the page.
-template <ButcherTableau T>
+template <runge_kutta::ButcherTableau T>
 std::array<double, 8> condition_sums() {
   constexpr int s = T::stages;
   Eigen::Matrix<double, s, s> A;

@@ -68,7 +68,7 @@ std::string orbit_figure() {
   sketch.look({450, 242, 1.25e-5});
   sketch.disc({0, 0}, earth_radius, "solid");
   sketch.words({0, 0}, {0, 6}, "Earth", "ink", "middle");
-  const std::vector<Vec2> spiral = path<Euler>(turns, euler_steps, 6);
+  const std::vector<Vec2> spiral = path<runge_kutta::Euler>(turns, euler_steps, 6);
   sketch.curve(spiral, {"c1", 1.5});
   sketch.curve(path<Rk4>(turns, rk4_steps, 2), {"c0", 2.6});
   sketch.dot({perigee, 0}, "ink");
@@ -147,10 +147,10 @@ std::vector<std::string> local_and_global(const std::string& name) {
   return {name,
           error_number(local[0]) + " m",
           error_number(local[1]) + " m",
-          number(observed_order(steps, local), 3),
+          number(runge_kutta::observed_order(steps, local), 3),
           error_number(global[0]) + " m",
           error_number(global[1]) + " m",
-          number(observed_order(steps, global), 3)};
+          number(runge_kutta::observed_order(steps, global), 3)};
 }
 
 support::Series error_curve(const std::string& name, auto method, double (*abscissa)(int, int),

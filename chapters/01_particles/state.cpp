@@ -14,9 +14,9 @@ using namespace tumble;
 using support::number;
 
 Table state_table() {
-  const std::vector<Particle<double>> particles{{0.5, Vec3(1, 2, 3), Vec3(-4, 0, 9)},
-                                                {2.0, Vec3(0, 7, 1), Vec3(5, -6, 0)}};
-  const Eigen::VectorXd y = flatten(particles);
+  const std::vector<particles::Particle<double>> particles{{0.5, Vec3(1, 2, 3), Vec3(-4, 0, 9)},
+                                                           {2.0, Vec3(0, 7, 1), Vec3(5, -6, 0)}};
+  const Eigen::VectorXd y = particles::flatten(particles);
   Table table({"places in y", "hold", "here"});
   const auto add = [&](int place, const std::string& what) {
     table.add({number(place) + ", " + number(place + 1) + ", " + number(place + 2), what,

@@ -39,13 +39,13 @@ inline const std::vector<ThrownBall> balls{{"shot", 7.26, 0.12, 0.47},
                                            {"table-tennis ball", 0.0027, 0.040, 0.47}};
 
 /// From the origin, upwards at 45°.
-inline std::array<Particle<double>, 1> thrown(double mass, double speed) {
+inline std::array<particles::Particle<double>, 1> thrown(double mass, double speed) {
   return {{{mass, Vec3::Zero(), Vec3(1, 0, 1).normalized() * speed}}};
 }
 
 inline auto flight(const ThrownBall& ball, double speed) {
-  return ParticleSystem(thrown(ball.mass, speed), UniformGravity{{0, 0, -g}},
-                        QuadraticDrag{ball.k()});
+  return particles::ParticleSystem(thrown(ball.mass, speed), particles::UniformGravity{{0, 0, -g}},
+                                   particles::QuadraticDrag{ball.k()});
 }
 
 using Flight = Eigen::Matrix<double, 6, 1>;

@@ -45,8 +45,8 @@ Table times_table() {
   const Net net{23, 16, 0.02};
   add_times(table, "satellite, 4 numbers", rhs_from_c(satellite), at_perigee(), 20000);
   add_times(table, "ball in air, 6 numbers", flight(balls[1], 30),
-            Flight(flatten(thrown(balls[1].mass, 30))), 20000);
-  add_times(table, "net, 2208 numbers", hanging(net), Knots(flatten(level(net))), 200);
+            Flight(particles::flatten(thrown(balls[1].mass, 30))), 20000);
+  add_times(table, "net, 2208 numbers", hanging(net), Knots(particles::flatten(level(net))), 200);
   return table;
 }
 

@@ -98,7 +98,7 @@ Table norm_table() {
     table.add({names[n], number(y[i]) + units[n], number(error[i]) + units[n],
                number(allowed) + units[n], number(error[i] / allowed)});
   }
-  table.add({"norm", "", "", "", number(error_norm(error, y, y, tolerances))});
+  table.add({"norm", "", "", "", number(runge_kutta::error_norm(error, y, y, tolerances))});
   return table;
 }
 
@@ -109,9 +109,11 @@ Table estimate_table() {
       {"step", "estimate: midpoint − Euler", "Euler", "midpoint", "DP 5(4)'s estimate", "DP 5(4)"});
   for (const double h : {4.0, 2.0, 1.0, 0.5}) {
     const Vec4 exact = comet.at(t + h);
-    const auto size = [&](const Vec4& e) { return error_norm(e, y, exact, comet_tolerances); };
-    const Vec4 euler = euler_step(SunsPull{}, t, y, h),
-               midpoint = midpoint_step(SunsPull{}, t, y, h);
+    const auto size = [&](const Vec4& e) {
+      return runge_kutta::error_norm(e, y, exact, comet_tolerances);
+    };
+    const Vec4 euler = runge_kutta::euler_step(SunsPull{}, t, y, h),
+               midpoint = runge_kutta::midpoint_step(SunsPull{}, t, y, h);
     const auto attempt =
         DormandPrince54::Stepper<Vec4>(comet_tolerances, dydt).attempt(SunsPull{}, t, y, h);
     table.add({number(h) + " a", error_number(size(midpoint - euler)),

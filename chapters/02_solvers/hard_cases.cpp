@@ -24,7 +24,7 @@ double order_from(const std::array<int, 3>& steps, Error&& error) {
     h[i] = 1.0 / steps[i];
     errors[i] = error(steps[i]);
   }
-  return observed_order(h, errors);
+  return runge_kutta::observed_order(h, errors);
 }
 
 /// The error of Radau5 on y' = −stiffness (y − cos t) − sin t, which cos t solves.
@@ -122,7 +122,8 @@ Table no_solution_table() {
     const auto dfdy = [](double, const Vec1& y) { return Vec1(2 * y[0]); };
     std::string found = "refused";
     try {
-      found = number(backward_euler_step(with_jacobian(square, dfdy), 0.0, Vec1(1.0), h)[0], 6);
+      found = number(
+          runge_kutta::backward_euler_step(with_jacobian(square, dfdy), 0.0, Vec1(1.0), h)[0], 6);
     } catch (const std::runtime_error&) {
     }
     table.add({number(h, 4), std::to_string(rounds), found,
@@ -159,8 +160,8 @@ Table unseen_table() {
   const auto orbit_error = []<class Method>(Method) {
     return [](int n) { return mild_error(mild_end<Method>(n)); };
   };
-  add("Euler", 1, "mild orbit", {2048, 4096, 8192}, orbit_error(Euler{}));
-  add("Euler", 1, "mild orbit, long steps", {8, 16, 32}, orbit_error(Euler{}));
+  add("Euler", 1, "mild orbit", {2048, 4096, 8192}, orbit_error(runge_kutta::Euler{}));
+  add("Euler", 1, "mild orbit, long steps", {8, 16, 32}, orbit_error(runge_kutta::Euler{}));
   add("DP 5(4)", 5, "mild orbit", {48, 96, 192}, orbit_error(DormandPrince54{}));
   add("DP 5(4)", 5, "mild orbit, to 7/10 of the round", {96, 192, 288}, [](int n) {
     const double t = 0.7 * mild.period();

@@ -25,7 +25,7 @@ Vec4 extrapolated(const Vec4& coarse, const Vec4& fine, int order) {
 
 double order_of(double coarse, double fine) {
   const std::array<double, 2> h{2, 1}, errors{coarse, fine};
-  return observed_order(h, errors);
+  return runge_kutta::observed_order(h, errors);
 }
 
 }  // namespace
@@ -43,12 +43,12 @@ Table order_table() {
                error_number(mild_error(better4)),
                number(order_of(mild_error(better2), mild_error(better4)), 3)});
   };
-  add("Euler", 4096, Euler{});
-  add("midpoint", 1024, Midpoint{});
+  add("Euler", 4096, runge_kutta::Euler{});
+  add("midpoint", 1024, runge_kutta::Midpoint{});
   add("RK4", 128, Rk4{});
   add("DP 5(4)", 24, DormandPrince54{});
   add("DOP853", 8, Dop853{});
-  add("backward Euler", 4096, BackwardEuler{});
+  add("backward Euler", 4096, runge_kutta::BackwardEuler{});
   add("Radau5", 32, Radau5{});
   return table;
 }
@@ -75,8 +75,8 @@ std::string order_figure() {
     plot.series.push_back(series);
   };
   constexpr int most = 1 << 16;
-  add("Euler", most, Euler{});
-  add("midpoint", most, Midpoint{});
+  add("Euler", most, runge_kutta::Euler{});
+  add("midpoint", most, runge_kutta::Midpoint{});
   add("RK4", most, Rk4{});
   add("DP 5(4)", most, DormandPrince54{});
   add("DOP853", most / 4, Dop853{});

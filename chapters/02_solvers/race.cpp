@@ -55,7 +55,7 @@ template <class F, class Solve>
 void run(Runner& runner, const Race<F>& race, const Solve& solve) {
   int evaluations = 0;
   try {
-    const Vec4 y = solve(CountedRhs<const F>(race.f, evaluations));
+    const Vec4 y = solve(runge_kutta::CountedRhs<const F>(race.f, evaluations));
     if (!y.allFinite()) return;
     runner.samples.push_back(
         {evaluations, race.error(y), [solve, f = race.f] { support::keep(solve(f)); }});
@@ -89,12 +89,12 @@ Runner adaptive_steps(const std::string& name, const Race<F>& race, int digits) 
 
 template <class F>
 std::vector<Runner> all_runners(const Race<F>& race) {
-  return {fixed_steps<Euler>("Euler", race, 128, 1 << 18),
-          fixed_steps<Midpoint>("midpoint", race, 128, 1 << 18),
+  return {fixed_steps<runge_kutta::Euler>("Euler", race, 128, 1 << 18),
+          fixed_steps<runge_kutta::Midpoint>("midpoint", race, 128, 1 << 18),
           fixed_steps<Rk4>("RK4", race, 64, 1 << 18),
           adaptive_steps<DormandPrince54>("DP 5(4)", race, 13),
           adaptive_steps<Dop853>("DOP853", race, 13),
-          fixed_steps<BackwardEuler>("backward Euler", race, 64, 1 << 15),
+          fixed_steps<runge_kutta::BackwardEuler>("backward Euler", race, 64, 1 << 15),
           adaptive_steps<Radau5>("Radau5", race, 11)};
 }
 

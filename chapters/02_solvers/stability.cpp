@@ -77,12 +77,12 @@ Table stability_table() {
     table.add({name, cost, stable_length<Method>(-1), stable_length<Method>(Complex(0, 1)),
                error_number(std::abs(stability_function<Method>(-1000)))});
   };
-  add("Euler", "1", Euler{});
-  add("midpoint", "2", Midpoint{});
+  add("Euler", "1", runge_kutta::Euler{});
+  add("midpoint", "2", runge_kutta::Midpoint{});
   add("RK4", "4", Rk4{});
   add("DP 5(4)", "6", DormandPrince54{});
   add("DOP853", "12", Dop853{});
-  add("backward Euler", "a few, and ∂f/∂y", BackwardEuler{});
+  add("backward Euler", "a few, and ∂f/∂y", runge_kutta::BackwardEuler{});
   add("Radau5", "some ten, and ∂f/∂y", Radau5{});
   return table;
 }
@@ -103,9 +103,10 @@ std::string regions_figure() {
   add(stability_boundary<Dop853>(), "c4", "DOP853", {-3.4, 4.2});
   add(stability_boundary<DormandPrince54>(), "c3", "DP 5(4)", {-3.8, 2.1});
   add(stability_boundary<Rk4>(), "c2", "RK4", {-0.6, 2.2});
-  add(stability_boundary<Midpoint>(), "c1", "midpoint", {-1, 1.06});
-  add(stability_boundary<Euler>(), "c0", "Euler", {-1, 0.3});
-  add(stability_boundary<BackwardEuler>(), "c6", "backward Euler: stable outside", {5, 0.9});
+  add(stability_boundary<runge_kutta::Midpoint>(), "c1", "midpoint", {-1, 1.06});
+  add(stability_boundary<runge_kutta::Euler>(), "c0", "Euler", {-1, 0.3});
+  add(stability_boundary<runge_kutta::BackwardEuler>(), "c6", "backward Euler: stable outside",
+      {5, 0.9});
   sketch.words({7.9, -0.42}, {0, 0}, "Re z", "ink", "end");
   sketch.words({0.12, 6.15}, {0, 0}, "Im z");
   return sketch.svg();

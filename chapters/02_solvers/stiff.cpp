@@ -126,7 +126,7 @@ Table newton_table() {
   const auto dfdy = [&](double t, const Vec4& z) {
     return detail::jacobian(dust, t, z, dust(t, z), h);
   };
-  const Vec4 y1 = backward_euler_step(with_jacobian(watched, dfdy), 0.0, y, h);
+  const Vec4 y1 = runge_kutta::backward_euler_step(with_jacobian(watched, dfdy), 0.0, y, h);
 
   Table table({"round", "put back in again", "Newton's method"});
   Vec4 z = y;

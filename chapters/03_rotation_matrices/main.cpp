@@ -77,7 +77,7 @@ using Flat = Eigen::Matrix<double, 9, 1>;
 
 Flat rate(double, const Flat& y) {
   const Mat3 R = y.reshaped(3, 3);
-  return rotation_dot(R, omega).reshaped();
+  return rotation::rotation_dot(R, omega).reshaped();
 }
 
 template <class Step>
@@ -88,13 +88,13 @@ Mat3 stepped(Step&& step, int steps) {
 }
 
 const auto euler = [](auto&& f, double t, const Flat& y, double step) {
-  return euler_step(f, t, y, step);
+  return runge_kutta::euler_step(f, t, y, step);
 };
 const auto midpoint = [](auto&& f, double t, const Flat& y, double step) {
-  return midpoint_step(f, t, y, step);
+  return runge_kutta::midpoint_step(f, t, y, step);
 };
 const auto rk4 = [](auto&& f, double t, const Flat& y, double step) {
-  return rk4_step(f, t, y, step);
+  return runge_kutta::rk4_step(f, t, y, step);
 };
 
 Mat3 exact_orientation(int steps) { return exp_rotation(Vec3(omega * (h * steps))); }
@@ -104,7 +104,7 @@ Table drift_table() {
   const auto add = [&](const std::string& name, auto&& step, int seconds) {
     const int steps = 60 * seconds;
     const Mat3 R = stepped(step, steps);
-    table.add({name, number(seconds) + " s", error_number(orthonormality_error(R)),
+    table.add({name, number(seconds) + " s", error_number(rotation::orthonormality_error(R)),
                number(R.colwise().norm().maxCoeff(), 6), number(R.determinant(), 6),
                error_number(angle_apart(exact_orientation(steps), nearest_rotation(R))) + " rad"});
   };
@@ -141,7 +141,7 @@ std::string drift_figure() {
       if (i != next) continue;
       next = std::max(next + 1, next * 3 / 2);
       series.x.push_back(i * h);
-      series.y.push_back(orthonormality_error(R));
+      series.y.push_back(rotation::orthonormality_error(R));
     }
     plot.series.push_back(series);
   };
@@ -149,8 +149,8 @@ std::string drift_figure() {
   add("Euler", euler, none);
   add("midpoint", midpoint, none);
   add("RK4", rk4, none);
-  add("Euler, one Newton step", euler, newton_rotation_step);
-  add("Euler, Gram–Schmidt", euler, gram_schmidt);
+  add("Euler, one Newton step", euler, rotation::newton_rotation_step);
+  add("Euler, Gram–Schmidt", euler, rotation::gram_schmidt);
   return support::to_svg(plot);
 }
 
@@ -161,8 +161,8 @@ struct Repair {
   Mat3 (*apply)(const Mat3&);
 };
 
-const std::vector<Repair> repairs{{"Gram–Schmidt", gram_schmidt},
-                                  {"one Newton step", newton_rotation_step},
+const std::vector<Repair> repairs{{"Gram–Schmidt", rotation::gram_schmidt},
+                                  {"one Newton step", rotation::newton_rotation_step},
                                   {"nearest rotation (SVD)", nearest_rotation}};
 
 /// A drifted matrix: a rotation with every number off by at most `size`.
@@ -178,8 +178,8 @@ Table repair_table() {
     const Mat3 M = drifted(size);
     for (const Repair& repair : repairs) {
       const Mat3 R = repair.apply(M);
-      table.add({error_number(size), repair.name, error_number(orthonormality_error(M)),
-                 error_number(orthonormality_error(R)),
+      table.add({error_number(size), repair.name, error_number(rotation::orthonormality_error(M)),
+                 error_number(rotation::orthonormality_error(R)),
                  support::number((R - M).norm() / size, 4) + " × drift"});
     }
   }
@@ -195,8 +195,8 @@ std::string repair_figure() {
     support::Series series{repair.name, {}, {}};
     for (double size = 0.3; size > 1e-9; size /= 3) {
       const Mat3 M = drifted(size);
-      series.x.push_back(orthonormality_error(M));
-      series.y.push_back(orthonormality_error(repair.apply(M)));
+      series.x.push_back(rotation::orthonormality_error(M));
+      series.y.push_back(rotation::orthonormality_error(repair.apply(M)));
     }
     plot.series.push_back(series);
   }
@@ -213,7 +213,7 @@ Table schedule_table() {
     for (int i = 1; i <= steps; ++i) {
       y = midpoint(rate, i * h, y, h);
       const Mat3 R = y.reshaped(3, 3);
-      worst = std::max(worst, orthonormality_error(R));
+      worst = std::max(worst, rotation::orthonormality_error(R));
       if (i % every == 0) y = repair.apply(R).reshaped();
     }
     const Mat3 end = nearest_rotation(Mat3(y.reshaped(3, 3)));

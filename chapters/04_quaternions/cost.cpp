@@ -51,11 +51,12 @@ Table counts_table() {
              count([&] { return Matrix3<Counted>(R * R); })});
   table.add({"turn a point", count([&] { return Vector3<Counted>(q * v); }),
              count([&] { return Vector3<Counted>(R * v); })});
-  table.add({"rate of change", count([&] { return quaternion_dot<Counted>(q, v); }),
-             count([&] { return rotation_dot<Counted>(R, v); })});
-  table.add({"one step of Euler", text_of(step_of_four<Euler>()), text_of(step_of_nine<Euler>())});
-  table.add({"one step of midpoint", text_of(step_of_four<Midpoint>()),
-             text_of(step_of_nine<Midpoint>())});
+  table.add({"rate of change", count([&] { return rotation::quaternion_dot<Counted>(q, v); }),
+             count([&] { return rotation::rotation_dot<Counted>(R, v); })});
+  table.add({"one step of Euler", text_of(step_of_four<runge_kutta::Euler>()),
+             text_of(step_of_nine<runge_kutta::Euler>())});
+  table.add({"one step of midpoint", text_of(step_of_four<runge_kutta::Midpoint>()),
+             text_of(step_of_nine<runge_kutta::Midpoint>())});
   table.add({"one step of RK4", text_of(step_of_four<Rk4>()), text_of(step_of_nine<Rk4>())});
   table.add({"normalise", count([&] { return q.normalized(); }), ""});
   table.add({"turn into a matrix", count([&] { return to_matrix(q); }), ""});
@@ -153,10 +154,12 @@ std::string work_figure() {
     }
     plot.series.push_back(series);
   };
-  add("Euler, nine", error_of_nine<Euler>, step_of_nine<Euler>());
-  add("Euler, four", error_of_four<Euler>, step_of_four<Euler>());
-  add("midpoint, nine", error_of_nine<Midpoint>, step_of_nine<Midpoint>());
-  add("midpoint, four", error_of_four<Midpoint>, step_of_four<Midpoint>());
+  add("Euler, nine", error_of_nine<runge_kutta::Euler>, step_of_nine<runge_kutta::Euler>());
+  add("Euler, four", error_of_four<runge_kutta::Euler>, step_of_four<runge_kutta::Euler>());
+  add("midpoint, nine", error_of_nine<runge_kutta::Midpoint>,
+      step_of_nine<runge_kutta::Midpoint>());
+  add("midpoint, four", error_of_four<runge_kutta::Midpoint>,
+      step_of_four<runge_kutta::Midpoint>());
   add("RK4, nine", error_of_nine<Rk4>, step_of_nine<Rk4>());
   add("RK4, four", error_of_four<Rk4>, step_of_four<Rk4>());
   return support::to_svg(plot);
@@ -171,10 +174,14 @@ Table reach_table() {
     stopwatch.add(name, step);
     errors.push_back(std::move(error));
   };
-  add("Euler, nine", steps_of<Euler>(nine, nine_start), error_of_nine<Euler>);
-  add("Euler, four", steps_of<Euler>(four, four_start), error_of_four<Euler>);
-  add("midpoint, nine", steps_of<Midpoint>(nine, nine_start), error_of_nine<Midpoint>);
-  add("midpoint, four", steps_of<Midpoint>(four, four_start), error_of_four<Midpoint>);
+  add("Euler, nine", steps_of<runge_kutta::Euler>(nine, nine_start),
+      error_of_nine<runge_kutta::Euler>);
+  add("Euler, four", steps_of<runge_kutta::Euler>(four, four_start),
+      error_of_four<runge_kutta::Euler>);
+  add("midpoint, nine", steps_of<runge_kutta::Midpoint>(nine, nine_start),
+      error_of_nine<runge_kutta::Midpoint>);
+  add("midpoint, four", steps_of<runge_kutta::Midpoint>(four, four_start),
+      error_of_four<runge_kutta::Midpoint>);
   add("RK4, nine", steps_of<Rk4>(nine, nine_start), error_of_nine<Rk4>);
   add("RK4, four", steps_of<Rk4>(four, four_start), error_of_four<Rk4>);
   add(
@@ -205,15 +212,15 @@ Table times_table() {
   static Mat3 R = to_matrix(q);
   static Vec3 p(1, 2, 3);
   const auto fresh = [](auto& value) -> auto& { return support::keep(value), value; };
-  add("normalise four numbers", [=] { return normalize(fresh(q)); });
-  add("one Newton step for nine", [=] { return newton_rotation_step(fresh(R)); });
-  add("Gram–Schmidt for nine", [=] { return gram_schmidt(fresh(R)); });
+  add("normalise four numbers", [=] { return rotation::normalize(fresh(q)); });
+  add("one Newton step for nine", [=] { return rotation::newton_rotation_step(fresh(R)); });
+  add("Gram–Schmidt for nine", [=] { return rotation::gram_schmidt(fresh(R)); });
   add("turn a point by four numbers", [=] { return Vec3(fresh(q) * fresh(p)); });
   add("turn a point by nine", [=] { return Vec3(fresh(R) * fresh(p)); });
   add("nine numbers of four", [=] { return to_matrix(fresh(q)); });
   add("four numbers of nine", [=] { return from_matrix(fresh(R)); });
   add("four numbers mixed, normalised",
-      [=] { return normalize(mix_four(fresh(q), fresh(r), 0.3)); });
+      [=] { return rotation::normalize(mix_four(fresh(q), fresh(r), 0.3)); });
   add("slerp", [=] { return slerp(fresh(q), fresh(r), 0.3); });
   Table table({"what", "time"});
   for (const support::Timing& each : stopwatch.timings())

@@ -29,7 +29,8 @@ void add_drift(Table& table, const std::string& name, int seconds) {
     table.add(
         {name, number(seconds) + " s", what, error_or_rounding(shape), error_number(off) + " rad"});
   };
-  add("nine numbers", orthonormality_error(R), angle_apart(to_matrix(exact), nearest_rotation(R)));
+  add("nine numbers", rotation::orthonormality_error(R),
+      angle_apart(to_matrix(exact), nearest_rotation(R)));
   add("four numbers", shape_error(q), angle_between(exact, q));
   add("four, normalised", shape_error(r), angle_between(exact, r));
 }
@@ -53,8 +54,8 @@ support::Series drift_series(const std::string& name, const Rate& rate, State y,
 
 Table drift_table() {
   Table table({"method", "after", "orientation as", "‖RᵀR − 1‖", "orientation off by"});
-  add_drift<Euler>(table, "Euler", 10);
-  add_drift<Midpoint>(table, "midpoint", 600);
+  add_drift<runge_kutta::Euler>(table, "Euler", 10);
+  add_drift<runge_kutta::Midpoint>(table, "midpoint", 600);
   add_drift<Rk4>(table, "RK4", 600);
   return table;
 }
@@ -65,13 +66,15 @@ std::string drift_figure() {
                      {"‖RᵀR − 1‖", support::Scale::log},
                      {}};
   const auto of_four = [](const Four<double>& y) { return shape_error(from_coefficients(y)); };
-  const auto of_nine = [](const Nine<double>& y) { return orthonormality_error(y.reshaped(3, 3)); };
+  const auto of_nine = [](const Nine<double>& y) {
+    return rotation::orthonormality_error(y.reshaped(3, 3));
+  };
   const auto four = rate_of_four<double>(steady);
   const auto nine = rate_of_nine<double>(steady);
-  plot.series = {drift_series<Euler>("Euler, nine", nine, nine_start, of_nine),
-                 drift_series<Euler>("Euler, four", four, four_start, of_four),
-                 drift_series<Midpoint>("midpoint, nine", nine, nine_start, of_nine),
-                 drift_series<Midpoint>("midpoint, four", four, four_start, of_four),
+  plot.series = {drift_series<runge_kutta::Euler>("Euler, nine", nine, nine_start, of_nine),
+                 drift_series<runge_kutta::Euler>("Euler, four", four, four_start, of_four),
+                 drift_series<runge_kutta::Midpoint>("midpoint, nine", nine, nine_start, of_nine),
+                 drift_series<runge_kutta::Midpoint>("midpoint, four", four, four_start, of_four),
                  drift_series<Rk4>("RK4, nine", nine, nine_start, of_nine),
                  drift_series<Rk4>("RK4, four", four, four_start, of_four)};
   return support::to_svg(plot);
@@ -81,8 +84,8 @@ Table big_steps_table() {
   Table table({"asked for", "Euler turns by", "midpoint", "RK4", "|q|: Euler", "midpoint", "RK4"});
   const auto four = rate_of_four<double>([](double) { return Vec3(0, 0, 1); });
   for (const double angle : {0.1, 0.5, 1.0, 2.0, 3.0, 6.0}) {
-    const Quat e = from_coefficients(Euler::step(four, 0.0, four_start, angle));
-    const Quat m = from_coefficients(Midpoint::step(four, 0.0, four_start, angle));
+    const Quat e = from_coefficients(runge_kutta::Euler::step(four, 0.0, four_start, angle));
+    const Quat m = from_coefficients(runge_kutta::Midpoint::step(four, 0.0, four_start, angle));
     const Quat r = from_coefficients(Rk4::step(four, 0.0, four_start, angle));
     const auto turn = [](const Quat& q) {
       return number(2 * std::atan2(q.z(), q.w()) + (q.z() < 0 ? 2 * pi : 0), 5);

@@ -19,7 +19,7 @@ using Nine = Eigen::Matrix<T, 9, 1>;
 template <class T, class Spin>
 auto rate_of_four(Spin spin) {
   return [spin](const T& t, const Four<T>& y) -> Four<T> {
-    return coefficients(quaternion_dot<T>(from_coefficients<T>(y), spin(t)));
+    return coefficients(rotation::quaternion_dot<T>(from_coefficients<T>(y), spin(t)));
   };
 }
 
@@ -27,13 +27,13 @@ auto rate_of_four(Spin spin) {
 template <class T, class Spin>
 auto rate_of_nine(Spin spin) {
   return [spin](const T& t, const Nine<T>& y) -> Nine<T> {
-    return rotation_dot<T>(y.reshaped(3, 3), spin(t)).reshaped();
+    return rotation::rotation_dot<T>(y.reshaped(3, 3), spin(t)).reshaped();
   };
 }
 
 inline const auto as_it_is = [](const auto& y) { return y; };
 inline const auto normalised = [](const Four<double>& y) {
-  return coefficients(normalize(from_coefficients(y)));
+  return coefficients(rotation::normalize(from_coefficients(y)));
 };
 
 /// The state after so many steps, repaired by `repair` after each.

@@ -38,10 +38,10 @@ std::vector<Lever> levers() {
   return list;
 }
 
-using Long = Vector3<DoubleDouble>;
+using Long = Vector3<simd::DoubleDouble>;
 
 Vec3 rounded(const Long& v) {
-  return v.unaryExpr([](const DoubleDouble& x) { return double(x); });
+  return v.unaryExpr([](const simd::DoubleDouble& x) { return double(x); });
 }
 
 /// r × F in 32 digits.
@@ -58,9 +58,9 @@ Vec3 exact_torque(const Long& r, const Vec3& F) {
 Long exact_arm(const Lever& lever) {
   Long r;
   for (int i = 0; i < 3; ++i)
-    r[i] = DoubleDouble(lever.R(i, 0)) * lever.p_body[0] +
-           DoubleDouble(lever.R(i, 1)) * lever.p_body[1] +
-           DoubleDouble(lever.R(i, 2)) * lever.p_body[2];
+    r[i] = simd::DoubleDouble(lever.R(i, 0)) * lever.p_body[0] +
+           simd::DoubleDouble(lever.R(i, 1)) * lever.p_body[1] +
+           simd::DoubleDouble(lever.R(i, 2)) * lever.p_body[2];
   return r;
 }
 
@@ -100,7 +100,7 @@ Compared only_turned(const Lever& lever, const Vec3&) {
 /// The point is given in the world, as it is: then p − x is known to all digits.
 Compared given_in_the_world(const Lever& lever, const Vec3& x, bool subtract_first) {
   const Vec3 p = x + lever.R * lever.p_body;
-  const Long arm = p.cast<DoubleDouble>() - x.cast<DoubleDouble>();
+  const Long arm = p.cast<simd::DoubleDouble>() - x.cast<simd::DoubleDouble>();
   const Vec3 late = p.cross(lever.force) - x.cross(lever.force);
   return {subtract_first ? force_at_point<double>(lever.force, p, x).torque : late,
           exact_torque(arm, lever.force)};

@@ -34,13 +34,14 @@ Task<double> in_other_axes(const Task<double>& task, const Mat3& S) {
 
 /// ω in 32 digits: Σ n (n · L) / A over the three axes.
 Vec3 exact_omega(const Task<double>& task) {
-  Vector3<DoubleDouble> omega = Vector3<DoubleDouble>::Constant(0.0);
+  Vector3<simd::DoubleDouble> omega = Vector3<simd::DoubleDouble>::Constant(0.0);
   for (int i = 0; i < 3; ++i) {
-    DoubleDouble along = 0.0;
-    for (int k = 0; k < 3; ++k) along += DoubleDouble(task.R(k, i)) * task.L[k];
-    for (int k = 0; k < 3; ++k) omega[k] += along / DoubleDouble(task.moments[i]) * task.R(k, i);
+    simd::DoubleDouble along = 0.0;
+    for (int k = 0; k < 3; ++k) along += simd::DoubleDouble(task.R(k, i)) * task.L[k];
+    for (int k = 0; k < 3; ++k)
+      omega[k] += along / simd::DoubleDouble(task.moments[i]) * task.R(k, i);
   }
-  return omega.unaryExpr([](const DoubleDouble& x) { return double(x); });
+  return omega.unaryExpr([](const simd::DoubleDouble& x) { return double(x); });
 }
 
 /// The worst relative error of ω for an L in any direction.
@@ -205,11 +206,11 @@ Table arm_table() {
       errors.push_back(error(steps));
       row.push_back(error_number(errors.back()) + " m");
     }
-    row.push_back(number(observed_order(h, errors), 2));
+    row.push_back(number(runge_kutta::observed_order(h, errors), 2));
     table.add(row);
   };
-  add("midpoint: at each evaluation", fresh_arm_error<Midpoint>);
-  add("midpoint: once a step", old_arm_error<Midpoint>);
+  add("midpoint: at each evaluation", fresh_arm_error<runge_kutta::Midpoint>);
+  add("midpoint: once a step", old_arm_error<runge_kutta::Midpoint>);
   add("RK4: at each evaluation", fresh_arm_error<Rk4>);
   add("RK4: once a step", old_arm_error<Rk4>);
   return table;
@@ -245,7 +246,7 @@ Table cancel_table() {
   Table table({"pairs", "Σ |F|", "what is left of Σ F", "in double-double"});
   for (const int pairs : {100, 10000, 1000000}) {
     double sum = 0, size = 0;
-    DoubleDouble precise = 0.0;
+    simd::DoubleDouble precise = 0.0;
     for (const double F : cancelling(pairs)) {
       sum += F;
       size += std::abs(F);

@@ -42,7 +42,7 @@ Seven<T> rate_of_L(T, const Seven<T>& y) {
   const Quaternion<T> q = orientation_of(y);
   const Vector3<T> L = y.template tail<3>();
   const Vector3<T> omega = angular_velocity(subject<T>(), to_matrix(q), L);
-  return seven<T>(quaternion_dot(q, omega), Vector3<T>::Zero());
+  return seven<T>(rotation::quaternion_dot(q, omega), Vector3<T>::Zero());
 }
 
 /// ω̇ = −I⁻¹ (ω × L).
@@ -52,7 +52,7 @@ Seven<T> rate_of_omega(T, const Seven<T>& y) {
   const Matrix3<T> R = to_matrix(q);
   const Vector3<T> omega = y.template tail<3>();
   const Vector3<T> turning = angular_momentum(subject<T>(), R, omega).cross(omega);
-  return seven<T>(quaternion_dot(q, omega), angular_velocity(subject<T>(), R, turning));
+  return seven<T>(rotation::quaternion_dot(q, omega), angular_velocity(subject<T>(), R, turning));
 }
 
 /// The same in body axes, where the tensor stands still.
@@ -61,7 +61,7 @@ Seven<T> rate_of_omega_body(T, const Seven<T>& y) {
   const Vector3<T> omega = y.template tail<3>();
   const Vector3<T> L_body = subject<T>().I_body() * omega;
   const Vector3<T> turning = L_body.cross(omega);
-  return seven<T>(quaternion_dot_body(orientation_of(y), omega),
+  return seven<T>(rotation::quaternion_dot_body(orientation_of(y), omega),
                   subject<T>().I_body_inv() * turning);
 }
 
@@ -69,7 +69,7 @@ Seven<T> rate_of_omega_body(T, const Seven<T>& y) {
 template <class T>
 Seven<T> rate_of_constant_omega(T, const Seven<T>& y) {
   const Vector3<T> omega = y.template tail<3>();
-  return seven<T>(quaternion_dot(orientation_of(y), omega), Vector3<T>::Zero());
+  return seven<T>(rotation::quaternion_dot(orientation_of(y), omega), Vector3<T>::Zero());
 }
 
 using Counted = support::Counted;
@@ -169,8 +169,8 @@ void add_work(support::Plot& plot, const std::string& method, int stages) {
 Table kept_table() {
   Table table({"method", "steps a second", "stored", "L off by", "energy off by"});
   constexpr double ten_minutes = 600;
-  add_kept<Euler>(table, "Euler", 60, ten_minutes);
-  add_kept<Midpoint>(table, "midpoint", 60, ten_minutes);
+  add_kept<runge_kutta::Euler>(table, "Euler", 60, ten_minutes);
+  add_kept<runge_kutta::Midpoint>(table, "midpoint", 60, ten_minutes);
   add_kept<Rk4>(table, "RK4", 60, ten_minutes);
   add_kept<Rk4>(table, "RK4", 240, ten_minutes);
   return table;
@@ -198,7 +198,7 @@ std::string stored_figure() {
                      {"evaluations", support::Scale::log},
                      {"orientation off by [rad]", support::Scale::log},
                      {}};
-  add_work<Midpoint>(plot, "midpoint", 2);
+  add_work<runge_kutta::Midpoint>(plot, "midpoint", 2);
   add_work<Rk4>(plot, "RK4", 4);
   return support::to_svg(plot);
 }

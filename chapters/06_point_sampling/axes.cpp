@@ -51,7 +51,7 @@ namespace {
 /// Points on a grid of 2⁻²⁰ m: they can be moved by 2²⁰ m or 2³⁰ m without being rounded.
 std::vector<PointMass> points_of_mug() {
   std::vector<PointMass> points;
-  RandomPoints random(4000, 3);
+  sampling::RandomPoints random(4000, 3);
   const Eigen::AlignedBox3d box = mug_solid().bounds();
   while (points.size() < 300) {
     const Vec3 p = box.min() + random.next().cwiseProduct(box.sizes());

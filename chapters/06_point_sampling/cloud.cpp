@@ -15,7 +15,7 @@ Mat3 upright() {
 
 std::vector<Vec3> points_inside(const MeshSolid& solid, int tried) {
   std::vector<Vec3> inside;
-  R3Points points(tried);
+  sampling::R3Points points(tried);
   const Eigen::AlignedBox3d& box = solid.bounds();
   for (int i = 0; i < tried; ++i) {
     const Vec3 p = box.min() + points.next().cwiseProduct(box.sizes());
@@ -64,7 +64,8 @@ std::string cloud_figure() {
     sketch.look({760 * (static_cast<double>(i) + 0.5) / 3, 128, 1560});
     draw_box(sketch);
     draw_cloud(sketch, tried[i], pixels[i]);
-    const auto found = sample_mass_properties(mug_solid(), mug_density, R3Points(tried[i]));
+    const auto found =
+        sampling::sample_mass_properties(mug_solid(), mug_density, sampling::R3Points(tried[i]));
     const double off = std::abs(found.mass / mug_truth().mass - 1);
     sketch.words({0, 0}, {0, 138}, number(tried[i], 5) + " points:", "ink", "middle");
     sketch.words({0, 0}, {0, 168}, "mass off by " + percent(off), "ink", "middle");

@@ -41,7 +41,7 @@ bool inside_by_looking_at_all(const PolygonMesh& mesh, const Vec3& p) {
 class Places {
  public:
   Places() {
-    RandomPoints points(4096, 7);
+    sampling::RandomPoints points(4096, 7);
     const Eigen::AlignedBox3d box = mug_solid().bounds();
     for (int i = 0; i < 4096; ++i)
       list_.emplace_back(box.min() + points.next().cwiseProduct(box.sizes()));

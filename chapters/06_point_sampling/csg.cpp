@@ -35,8 +35,8 @@ std::string millimetres(double value) {
 Table die_table() {
   Table table({"points", "z of the centre: random", "standard error", "R3", "closed form"});
   for (const int n : {1000, 10000, 100000, 1000000}) {
-    const auto random = sample_mass_properties(die(), 1, RandomPoints(n, 2));
-    const auto r3 = sample_mass_properties(die(), 1, R3Points(n));
+    const auto random = sampling::sample_mass_properties(die(), 1, sampling::RandomPoints(n, 2));
+    const auto r3 = sampling::sample_mass_properties(die(), 1, sampling::R3Points(n));
     table.add({number(n, 7), millimetres(random.centre.z()),
                millimetres(random.centre_standard_error / std::sqrt(3.0)),
                millimetres(r3.centre.z()), millimetres(die_centre().z())});
@@ -67,13 +67,13 @@ std::string csg_figure() {
     svg += shaded(DepthImage(solid, R, middle, half, n), n, {cell * i, 0}, size);
     svg += caption(cell * (i + 0.5), 284, words);
   };
-  draw(0, intersection(Box{Vec3::Constant(die_edge)}, Ball{die_ball}),
+  draw(0, solids::intersection(Box{Vec3::Constant(die_edge)}, Ball{die_ball}),
        from_above * axis_rotation(2, -0.35), Vec3::Zero(), 12.5, "a box ∩ a ball …");
   draw(1, die(), from_above * axis_rotation(2, -0.35), Vec3::Zero(), 12.5, "… without 21 balls");
   const Eigen::AlignedBox3d box = mug_solid().bounds();
-  const Placed<Box> knife =
-      placed(Box{box.sizes()}, box.center() - Vec3(0, box.sizes().y() / 2, 0));
-  draw(2, difference(mug_solid(), knife),
+  const solids::Placed<Box> knife =
+      solids::placed(Box{box.sizes()}, box.center() - Vec3(0, box.sizes().y() / 2, 0));
+  draw(2, solids::difference(mug_solid(), knife),
        axis_rotation(0, 0.45) * axis_rotation(0, -pi / 2) * axis_rotation(2, -0.35), box.center(),
        0.068, "a mesh without a box");
   return svg + "</svg>\n";

@@ -57,7 +57,7 @@ inline const std::vector<Vec3>& Pips::centres() {
 
 inline auto die() {
   const Box box{Vec3::Constant(die_edge)};
-  return difference(intersection(box, Ball{die_ball}), Pips{});
+  return solids::difference(solids::intersection(box, Ball{die_ball}), Pips{});
 }
 
 }  // namespace point_sampling_chapter

@@ -51,7 +51,7 @@ PolygonMesh box_of_triangles(const Vec3& size) {
 /// The points of a grid of n³ cells in the box.
 std::vector<Vec3> grid_in(const Vec3& size, int n) {
   std::vector<Vec3> list;
-  GridPoints points(n);
+  sampling::GridPoints points(n);
   for (std::int64_t i = 0; i < points.count(); ++i)
     list.emplace_back(points.next().cwiseProduct(size));
   return list;

@@ -20,7 +20,7 @@ Table cells_table() {
   const Box plank{Vec3(1, 0.2, 0.05)};
   const MassProperties truth = mass_properties(plank, 500);
   for (const int n : {1, 2, 4, 8, 16}) {
-    const auto body = sample_mass_properties(plank, 500, GridPoints(n));
+    const auto body = sampling::sample_mass_properties(plank, 500, sampling::GridPoints(n));
     table.add(
         {number(n) + "³", number(body.mass, 6) + " kg", number(body.inertia(2, 2), 6) + " kg m²",
          percent(1 - body.inertia(2, 2) / truth.inertia(2, 2), 5), percent(1.0 / (n * n), 5)});
@@ -43,14 +43,15 @@ Table fill_table() {
 Table loose_table() {
   Table table({"32768 points", "mass", "off by", "the standard error says"});
   const auto add = [&table](const std::string& name, auto points) {
-    const SampledMassProperties body = sample_mass_properties(LooseCube{}, 1, points);
+    const sampling::SampledMassProperties body =
+        sampling::sample_mass_properties(LooseCube{}, 1, points);
     table.add({name, number(body.mass, 5) + " kg", percent(std::abs(body.mass - 1)),
                percent(body.mass_standard_error)});
   };
-  add("grid", GridPoints(32));
-  add("random", RandomPoints(32768));
-  add("stratified", StratifiedPoints(32));
-  add("R3", R3Points(32768));
+  add("grid", sampling::GridPoints(32));
+  add("random", sampling::RandomPoints(32768));
+  add("stratified", sampling::StratifiedPoints(32));
+  add("R3", sampling::R3Points(32768));
   return table;
 }
 

@@ -21,8 +21,9 @@ struct Method {
 inline int per_axis(int n) { return static_cast<int>(std::lround(std::cbrt(n))); }
 
 template <class MakePoints>
-SampledMassProperties sampled_mug(const Placement& at, MakePoints&& points) {
-  return sample_mass_properties(placed(mug_solid(), at.R, at.x), mug_density, points);
+sampling::SampledMassProperties sampled_mug(const Placement& at, MakePoints&& points) {
+  return sampling::sample_mass_properties(solids::placed(mug_solid(), at.R, at.x), mug_density,
+                                          points);
 }
 
 inline const std::vector<Method>& methods() {
@@ -31,22 +32,27 @@ inline const std::vector<Method>& methods() {
   using At = const Placement&;
   static const std::vector<Method> list{
       {"random points", "−1/2",
-       [](At at, int n, Seed seed) { return sampled_mug(at, RandomPoints(n, seed)); }, points},
+       [](At at, int n, Seed seed) { return sampled_mug(at, sampling::RandomPoints(n, seed)); },
+       points},
       {"grid points", "−2/3, unsteady",
-       [](At at, int n, Seed) { return sampled_mug(at, GridPoints(per_axis(n))); }, points},
+       [](At at, int n, Seed) { return sampled_mug(at, sampling::GridPoints(per_axis(n))); },
+       points},
       {"stratified points", "−2/3",
-       [](At at, int n, Seed seed) { return sampled_mug(at, StratifiedPoints(per_axis(n), seed)); },
+       [](At at, int n, Seed seed) {
+         return sampled_mug(at, sampling::StratifiedPoints(per_axis(n), seed));
+       },
        points},
-      {"R3 points", "about −2/3", [](At at, int n, Seed) { return sampled_mug(at, R3Points(n)); },
-       points},
+      {"R3 points", "about −2/3",
+       [](At at, int n, Seed) { return sampled_mug(at, sampling::R3Points(n)); }, points},
       {"jittered columns", "−1",
        [](At at, int n, Seed seed) {
-         return jittered_column_mass_properties(placed_mesh(mug(), at), mug_density, n, seed);
+         return sampling::jittered_column_mass_properties(placed_mesh(mug(), at), mug_density, n,
+                                                          seed);
        },
        columns},
       {"grid columns", "−1 to −3/2",
        [](At at, int n, Seed) {
-         return column_mass_properties(placed_mesh(mug(), at), mug_density, n);
+         return sampling::column_mass_properties(placed_mesh(mug(), at), mug_density, n);
        },
        columns}};
   return list;

@@ -19,7 +19,7 @@ Table orders_table() {
       row.push_back(error_number(all_errors()[i][k]));
       h.push_back(1.0 / method.numbers[k]);
     }
-    const double order = observed_order(h, all_errors()[i]);
+    const double order = runge_kutta::observed_order(h, all_errors()[i]);
     std::array<char, 16> text{};
     std::snprintf(text.data(), text.size(), "−%.2f", order);
     row.insert(row.end(), {text.data(), method.theory});
@@ -60,7 +60,7 @@ Honesty honesty(const Find& find) {
   Honesty sums;
   Seed seed = 0;
   for (const Placement& at : placements(count)) {
-    const SampledMassProperties found = find(at, 1000 * ++seed);
+    const sampling::SampledMassProperties found = find(at, 1000 * ++seed);
     sums.error += std::pow(found.mass / mug_truth().mass - 1, 2) / count;
     sums.reported += std::pow(found.mass_standard_error / mug_truth().mass, 2) / count;
   }
@@ -69,9 +69,10 @@ Honesty honesty(const Find& find) {
 
 /// As many sets of points, and their scatter.
 template <class MakePoints>
-SampledMassProperties mug_by_sets(const Placement& at, int sets, Seed seed, MakePoints&& points) {
-  return replicated_mass_properties(placed(mug_solid(), at.R, at.x), mug_density, sets,
-                                    [&](Seed set) { return points(seed + set); });
+sampling::SampledMassProperties mug_by_sets(const Placement& at, int sets, Seed seed,
+                                            MakePoints&& points) {
+  return sampling::replicated_mass_properties(solids::placed(mug_solid(), at.R, at.x), mug_density,
+                                              sets, [&](Seed set) { return points(seed + set); });
 }
 
 }  // namespace
@@ -83,15 +84,16 @@ Table honest_table() {
     table.add({name, percent(h.error), percent(h.reported), number(h.reported / h.error, 2)});
   };
   using At = const Placement&;
-  add("random", [](At at, Seed s) { return sampled_mug(at, RandomPoints(8000, s)); });
-  add("stratified", [](At at, Seed s) { return sampled_mug(at, StratifiedPoints(20, s)); });
-  add("grid", [](At at, Seed) { return sampled_mug(at, GridPoints(20)); });
-  add("R3", [](At at, Seed) { return sampled_mug(at, R3Points(8000)); });
+  add("random", [](At at, Seed s) { return sampled_mug(at, sampling::RandomPoints(8000, s)); });
+  add("stratified",
+      [](At at, Seed s) { return sampled_mug(at, sampling::StratifiedPoints(20, s)); });
+  add("grid", [](At at, Seed) { return sampled_mug(at, sampling::GridPoints(20)); });
+  add("R3", [](At at, Seed) { return sampled_mug(at, sampling::R3Points(8000)); });
   add("8 stratified sets", [](At at, Seed s) {
-    return mug_by_sets(at, 8, s, [](Seed set) { return StratifiedPoints(10, set); });
+    return mug_by_sets(at, 8, s, [](Seed set) { return sampling::StratifiedPoints(10, set); });
   });
   add("8 sets of R3", [](At at, Seed s) {
-    return mug_by_sets(at, 8, s, [](Seed set) { return R3Points(1000, set); });
+    return mug_by_sets(at, 8, s, [](Seed set) { return sampling::R3Points(1000, set); });
   });
   return table;
 }

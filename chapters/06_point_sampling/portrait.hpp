@@ -13,7 +13,7 @@ class DepthImage {
   /// @param R      solid to viewer
   /// @param middle of the picture, in the solid's coordinates
   /// @param half   half of what the picture has room for, also in depth
-  template <Solid S>
+  template <solids::Solid S>
   DepthImage(const S& solid, const Mat3& R, const Vec3& middle, double half, int n)
       : n_(n), depth_(static_cast<std::size_t>(n * n), nothing), pixel_(2 * half / n) {
     for (int row = 0; row < n; ++row)

@@ -35,7 +35,7 @@ void draw_points(support::Sketch& sketch, const std::vector<Vec2>& points) {
 }
 
 /// x and y of the first layer or of all points.
-template <SamplePoints P>
+template <sampling::SamplePoints P>
 std::vector<Vec2> first_two(P points, int count) {
   std::vector<Vec2> list;
   list.reserve(static_cast<std::size_t>(count));
@@ -61,8 +61,8 @@ std::string squares_figure() {
   support::Sketch sketch(760, 236, "256 points of the unit square, spread in four ways", 22);
   const std::array<std::string, 4> names{"random", "stratified", "grid", "R3"};
   const std::array<std::vector<Vec2>, 4> sets{
-      first_two(RandomPoints(all), all), first_two(StratifiedPoints(n), all),
-      first_two(GridPoints(n), all), first_two(R3Points(all), all)};
+      first_two(sampling::RandomPoints(all), all), first_two(sampling::StratifiedPoints(n), all),
+      first_two(sampling::GridPoints(n), all), first_two(sampling::R3Points(all), all)};
   for (std::size_t k = 0; k < 4; ++k) {
     sketch.look({8 + 190 * static_cast<double>(k), 186, 176});
     if (k == 1)

@@ -80,22 +80,22 @@ inline Points turned(Points points, const Mat3& R) {
 // ── Boxes ──
 
 /// The box along the world's axes of an object that is turned by R, seen from the object.
-inline OrientedBox askew_box(const Points& points, const Mat3& R) {
-  const OrientedBox box = aligned_box(turned(points, R));
+inline boxes::OrientedBox askew_box(const Points& points, const Mat3& R) {
+  const boxes::OrientedBox box = boxes::aligned_box(turned(points, R));
   return {R.transpose() * box.centre, R.transpose(), box.size};
 }
 
 /// The box, full of mass at the density of the body.
-inline MassProperties at_density(const OrientedBox& box, const Thing& body) {
-  return box_mass_properties(box, body.density * box.volume());
+inline MassProperties at_density(const boxes::OrientedBox& box, const Thing& body) {
+  return boxes::box_mass_properties(box, body.density * box.volume());
 }
 /// The box with the mass of the body in it.
-inline MassProperties at_true_mass(const OrientedBox& box, const Thing& body) {
-  return box_mass_properties(box, body.truth.mass);
+inline MassProperties at_true_mass(const boxes::OrientedBox& box, const Thing& body) {
+  return boxes::box_mass_properties(box, body.truth.mass);
 }
 /// The box shrunk until its volume is the body's.
-inline MassProperties at_true_volume(const OrientedBox& box, const Thing& body) {
-  return box_mass_properties(shrunk_to(box, body.volume()), body.truth.mass);
+inline MassProperties at_true_volume(const boxes::OrientedBox& box, const Thing& body) {
+  return boxes::box_mass_properties(boxes::shrunk_to(box, body.volume()), body.truth.mass);
 }
 
 /// Relative, by the root of the sum of the squares of all nine numbers.

@@ -22,7 +22,8 @@ Table times_table() {
   const std::string vertices = number(static_cast<double>(body.points().size()), 6) + " vertices",
                     triangles = number(body.mesh.face_count(), 6) + " triangles";
   std::vector<std::string> errors, seen;
-  const auto add_box = [&](const std::string& name, OrientedBox (*find)(std::span<const Vec3>)) {
+  const auto add_box = [&](const std::string& name,
+                           boxes::OrientedBox (*find)(std::span<const Vec3>)) {
     stopwatch.add(
         name, [&body, find] { support::keep(find(body.points())); }, 1);
     const Mat3 I = at_true_mass(find(body.points()), body).inertia;
@@ -35,9 +36,9 @@ Table times_table() {
     seen.push_back(triangles);
     errors.emplace_back("< 1e-14");
   };
-  add_box("box along the axes", aligned_box);
-  add_box("principal box", principal_box);
-  add_box("smaller box", fit_oriented_box);
+  add_box("box along the axes", boxes::aligned_box);
+  add_box("principal box", boxes::principal_box);
+  add_box("smaller box", boxes::fit_oriented_box);
   const double density = body.density;
   add_sum("exact sum, fast", [density](const PolygonMesh& mesh) {
     return unchecked_mass_properties(mesh, density, Accuracy::fast);

@@ -10,7 +10,7 @@ namespace bounding_boxes_chapter {
 namespace {
 
 /// The full box with the mass and the inertia tensor of a body: it always exists, and only once.
-OrientedBox equivalent_box(const MassProperties& body) {
+boxes::OrientedBox equivalent_box(const MassProperties& body) {
   const PrincipalAxes axes = principal_axes(body.inertia);
   const Vec3 squares = 6 / body.mass * (Vec3::Constant(axes.moments.sum()) - 2 * axes.moments);
   return {body.centre, axes.R, squares.cwiseMax(0).cwiseSqrt()};
@@ -19,7 +19,7 @@ OrientedBox equivalent_box(const MassProperties& body) {
 /// A box as lines: those at the farthest corner are behind the body.
 class BoxLines {
  public:
-  BoxLines(const OrientedBox& box, const Mat3& to_viewer, const support::Placement& at) {
+  BoxLines(const boxes::OrientedBox& box, const Mat3& to_viewer, const support::Placement& at) {
     for (int i = 0; i < 8; ++i) {
       const Vec3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
       const Vec3 p = to_viewer * (box.centre + box.R * box.size.cwiseProduct(signs) / 2);
@@ -57,7 +57,8 @@ class BoxLines {
 Table equivalent_table() {
   Table table({"object", "box around it", "box with its inertia", "volumes, to the object's"});
   for (const Thing& body : things()) {
-    const OrientedBox around = aligned_box(body.points()), same = equivalent_box(body.truth);
+    const boxes::OrientedBox around = boxes::aligned_box(body.points()),
+                             same = equivalent_box(body.truth);
     const auto sorted = [](Vec3 size) {
       std::sort(size.begin(), size.end(), std::greater<>());
       return millimetres(size);
@@ -73,7 +74,7 @@ std::string equivalent_figure() {
   std::string svg =
       support::svg_open(760, 330, "The box around a body and the box that turns like it");
   const auto draw = [&](const Thing& body, const Mat3& R, double x, double scale) {
-    const OrientedBox around = aligned_box(body.points());
+    const boxes::OrientedBox around = boxes::aligned_box(body.points());
     const Vec3 middle = R * around.centre;
     const support::Placement at{x - scale * middle.x(), 150 + scale * middle.y(), scale};
     const BoxLines outer(around, R, at), inner(equivalent_box(body.truth), R, at);

@@ -22,10 +22,10 @@ struct BoxErrors {
   }
 };
 
-BoxErrors errors_of(const OrientedBox& box, const Thing& body) {
+BoxErrors errors_of(const boxes::OrientedBox& box, const Thing& body) {
   const Mat3& truth = body.truth.inertia;
   return {box.volume() / body.volume(),
-          (box.centre - body.truth.centre).norm() / aligned_box(body.points()).size.norm(),
+          (box.centre - body.truth.centre).norm() / boxes::aligned_box(body.points()).size.norm(),
           inertia_error(at_density(box, body).inertia, truth),
           inertia_error(at_true_mass(box, body).inertia, truth),
           inertia_error(at_true_volume(box, body).inertia, truth)};
@@ -51,10 +51,10 @@ Table errors_table() {
                percent(e.density), percent(e.true_mass), percent(e.true_volume)});
   };
   for (const Thing& body : things()) {
-    add(body, "upright", errors_of(aligned_box(body.points()), body));
+    add(body, "upright", errors_of(boxes::aligned_box(body.points()), body));
     add(body, "askew", errors_askew(body));
-    add(body, "principal", errors_of(principal_box(body.points()), body));
-    add(body, "smaller", errors_of(fit_oriented_box(body.points()), body));
+    add(body, "principal", errors_of(boxes::principal_box(body.points()), body));
+    add(body, "smaller", errors_of(boxes::fit_oriented_box(body.points()), body));
   }
   return table;
 }
@@ -98,7 +98,7 @@ std::string between_figure() {
   }
   plot.series = {full, shrunk, ball};
   for (const Thing& body : things()) {
-    const OrientedBox box = aligned_box(body.points());
+    const boxes::OrientedBox box = boxes::aligned_box(body.points());
     const double ratio = body.truth.inertia.trace() / at_true_mass(box, body).inertia.trace();
     plot.series.push_back(
         {body.name, {body.volume() / box.volume()}, {ratio}, support::Look::dots});

@@ -76,7 +76,7 @@ std::string order_text(const Mat3& I) {
 Table flight_table() {
   Table table({"object", "upright", "askew", "principal", "smaller", "a ball"});
   for (const Thing& body : things()) {
-    const auto off = [&](const OrientedBox& box) {
+    const auto off = [&](const boxes::OrientedBox& box) {
       const Mat3 I = at_true_mass(box, body).inertia;
       return whole_degrees(off_after_a_second(body, [&I](std::size_t) { return I; }));
     };
@@ -85,9 +85,9 @@ Table flight_table() {
     });
     const double ball =
         off_after_a_second(body, [](std::size_t) -> Mat3 { return Mat3::Identity(); });
-    table.add({body.name, off(aligned_box(body.points())), whole_degrees(askew),
-               off(principal_box(body.points())), off(fit_oriented_box(body.points())),
-               whole_degrees(ball)});
+    table.add({body.name, off(boxes::aligned_box(body.points())), whole_degrees(askew),
+               off(boxes::principal_box(body.points())),
+               off(boxes::fit_oriented_box(body.points())), whole_degrees(ball)});
   }
   return table;
 }
@@ -118,10 +118,10 @@ std::string rule_figure() {
     return list;
   });
   add("smaller", [](const Thing& body) {
-    return List{at_true_mass(fit_oriented_box(body.points()), body).inertia};
+    return List{at_true_mass(boxes::fit_oriented_box(body.points()), body).inertia};
   });
   add("upright", [](const Thing& body) {
-    return List{at_true_mass(aligned_box(body.points()), body).inertia};
+    return List{at_true_mass(boxes::aligned_box(body.points()), body).inertia};
   });
   return support::to_svg(plot);
 }
@@ -129,7 +129,7 @@ std::string rule_figure() {
 Table moments_table() {
   Table table({"object", "easy to hard", "ratio", "its box", "ratio", "difference"});
   for (const Thing& body : things()) {
-    const Mat3 box = at_true_mass(aligned_box(body.points()), body).inertia;
+    const Mat3 box = at_true_mass(boxes::aligned_box(body.points()), body).inertia;
     table.add({body.name, order_text(body.truth.inertia), ratio_text(body.truth.inertia),
                order_text(box), ratio_text(box),
                svg_number(shape_difference(body.truth.inertia, box), 3)});
@@ -146,7 +146,7 @@ Vec3 mug_spin() {
   const Vec3 axis = principal_axes(mug().truth.inertia).R.col(0);
   return 6 * pi * (axis.z() < 0 ? Vec3(-axis) : axis);
 }
-Mat3 mug_box_inertia() { return at_true_mass(aligned_box(mug().points()), mug()).inertia; }
+Mat3 mug_box_inertia() { return at_true_mass(boxes::aligned_box(mug().points()), mug()).inertia; }
 
 /// How far the axis of the spin, painted on the mug, has gone from where it was.
 double leaned(const Mat3& R) {

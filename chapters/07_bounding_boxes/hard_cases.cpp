@@ -17,7 +17,7 @@ MassProperties ball_with_tail(double length) {
                  translated(tail, {0, 0, radius + length / 2}));
 }
 
-OrientedBox box_of_ball_with_tail(double length) {
+boxes::OrientedBox box_of_ball_with_tail(double length) {
   return {{0, 0, length / 2}, Mat3::Identity(), {0.1, 0.1, 0.1 + length}};
 }
 
@@ -26,9 +26,10 @@ OrientedBox box_of_ball_with_tail(double length) {
 Table hard_table() {
   Table table({"body", "box", "its volume", "off centre", "true mass", "true volume"});
   const auto add = [&](const std::string& name, const std::string& kind, const MassProperties& body,
-                       double volume, const OrientedBox& box) {
-    const MassProperties full = box_mass_properties(box, body.mass),
-                         shrunk = box_mass_properties(shrunk_to(box, volume), body.mass);
+                       double volume, const boxes::OrientedBox& box) {
+    const MassProperties full = boxes::box_mass_properties(box, body.mass),
+                         shrunk =
+                             boxes::box_mass_properties(boxes::shrunk_to(box, volume), body.mass);
     table.add({name, kind, times(box.volume() / volume),
                percent((box.centre - body.centre).norm() / box.size.norm()),
                percent(inertia_error(full.inertia, body.inertia)),
@@ -41,7 +42,7 @@ Table hard_table() {
   }
   Points stray = mug().points();
   stray.emplace_back(0, 0, 1);
-  add("mug, a vertex 1 m up", "upright", mug().truth, mug().volume(), aligned_box(stray));
+  add("mug, a vertex 1 m up", "upright", mug().truth, mug().volume(), boxes::aligned_box(stray));
   const Vec3 sheet(0.297, 0.21, 0.0001);
   const MassProperties paper = mass_properties(Box{sheet}, 800);
   Points corners;
@@ -51,7 +52,7 @@ Table hard_table() {
   add("sheet of paper", "askew by 1°", paper, sheet.prod(),
       askew_box(corners, axis_rotation(0, pi / 180)));
   const MassProperties cube = mass_properties(Box{Vec3::Ones()}, 1);
-  add("cube, 9 vertices", "principal", cube, 1, principal_box(cube_with_a_vertex()));
+  add("cube, 9 vertices", "principal", cube, 1, boxes::principal_box(cube_with_a_vertex()));
   return table;
 }
 

@@ -12,7 +12,7 @@ namespace bounding_boxes_chapter {
 namespace {
 
 /// The four corners of a box of which one edge points at the viewer, who sees the axes i and j.
-std::vector<Vec2> rectangle(const OrientedBox& box, int i, int j, int viewed) {
+std::vector<Vec2> rectangle(const boxes::OrientedBox& box, int i, int j, int viewed) {
   int edge = 0;  // the one along the line of sight
   box.R.row(viewed).cwiseAbs().maxCoeff(&edge);
   const auto side = [&](int k) -> Vec2 { return Vec2(box.R(i, k), box.R(j, k)) * box.size[k] / 2; };
@@ -31,8 +31,8 @@ std::string lies_figure() {
   const Points points = turned(racket().points(), axis_rotation(2, 0.6));
   std::vector<Vec2> seen;
   for (const Vec3& p : points)
-    seen.emplace_back(p.head<2>() - aligned_box(points).centre.head<2>());
-  OrientedBox upright = aligned_box(points), along = principal_box(points);
+    seen.emplace_back(p.head<2>() - boxes::aligned_box(points).centre.head<2>());
+  boxes::OrientedBox upright = boxes::aligned_box(points), along = boxes::principal_box(points);
   along.centre -= upright.centre;
   upright.centre.setZero();
   sketch.specks(seen, "ink", 1.5);
@@ -65,7 +65,7 @@ std::string cube_figure() {
     sketch.look({x, 156, 146});
     sketch.curve({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}},
                  {"solid", 1, 1, 0.75});
-    const OrientedBox box = principal_box(points);
+    const boxes::OrientedBox box = boxes::principal_box(points);
     sketch.curve(rectangle(box, 0, 1, 2), {"c1", 2.4});
     for (const Vec3& p : points) sketch.dot(p.head<2>(), "ink", 4.5);
     if (points.size() > 8) sketch.dot(points[8].head<2>(), "c6", 7);
@@ -102,19 +102,19 @@ std::string sides_figure() {
     sketch.look({x - scale * middle.x(), 178 + scale * middle[up], scale});
     sketch.curves(silhouette(mug().mesh, 0, up), {"solid", 0.5, 1, 1});
   };
-  const auto draw = [&](const OrientedBox& box, int up, const std::string& colour,
+  const auto draw = [&](const boxes::OrientedBox& box, int up, const std::string& colour,
                         const std::string& name, double down) {
     sketch.curve(rectangle(box, 0, up, 3 - up), {colour, 2.4});
     sketch.words({middle.x(), middle[up]}, {0, down}, name + times(box.volume() / mug().volume()),
                  colour, "middle");
   };
-  const OrientedBox upright = aligned_box(mug().points());
+  const boxes::OrientedBox upright = boxes::aligned_box(mug().points());
   look(200, 2);
   draw(upright, 2, "c0", "along the axes: ", 200);
-  draw(principal_box(mug().points()), 2, "c6", "principal: ", 225);
+  draw(boxes::principal_box(mug().points()), 2, "c6", "principal: ", 225);
   look(572, 1);
   draw(upright, 1, "c0", "along the axes: ", 200);
-  draw(fit_oriented_box(mug().points()), 1, "c2", "smaller: ", 225);
+  draw(boxes::fit_oriented_box(mug().points()), 1, "c2", "smaller: ", 225);
   return sketch.svg();
 }
 
@@ -123,7 +123,7 @@ std::string sides_figure() {
 namespace {
 
 /// By how much a box of the mug is turned about z, from 0° to 90°, where it looks the same again.
-double turn_of(const OrientedBox& box) {
+double turn_of(const boxes::OrientedBox& box) {
   int edge = 0;
   box.R.row(0).cwiseAbs().maxCoeff(&edge);
   const double angle = std::atan(box.R(1, edge) / box.R(0, edge));
@@ -137,16 +137,17 @@ std::string valley_figure() {
                      {"turned about the upright axis by [°]", support::Scale::linear},
                      {"volume / mug's", support::Scale::linear},
                      {}};
-  const auto volume = [](const OrientedBox& box) { return box.volume() / mug().volume(); };
+  const auto volume = [](const boxes::OrientedBox& box) { return box.volume() / mug().volume(); };
   support::Series curve{"any turn", {}, {}};
   for (int i = 0; i <= 360; ++i) {
     curve.x.push_back(i / 4.0);
-    curve.y.push_back(volume(box_around(mug().points(), axis_rotation(2, i / 4.0 * degree))));
+    curve.y.push_back(
+        volume(boxes::box_around(mug().points(), axis_rotation(2, i / 4.0 * degree))));
   }
   plot.series.push_back(curve);
-  const OrientedBox upright = aligned_box(mug().points());
+  const boxes::OrientedBox upright = boxes::aligned_box(mug().points());
   plot.series.push_back({"along the axes", {0}, {volume(upright)}, support::Look::dots});
-  const OrientedBox smaller = fit_oriented_box(mug().points());
+  const boxes::OrientedBox smaller = boxes::fit_oriented_box(mug().points());
   plot.series.push_back(
       {"smaller", {turn_of(smaller) / degree}, {volume(smaller)}, support::Look::dots});
   return support::to_svg(plot);
@@ -155,12 +156,13 @@ std::string valley_figure() {
 Table descent_table() {
   Table table({"object", "along the axes", "down from there", "principal", "down from there"});
   for (const Thing& body : things()) {
-    const auto text = [&body](const OrientedBox& box) {
+    const auto text = [&body](const boxes::OrientedBox& box) {
       return times(box.volume() / body.volume());
     };
-    const OrientedBox upright = aligned_box(body.points()), main = principal_box(body.points());
-    table.add({body.name, text(upright), text(refined_box(body.points(), upright)), text(main),
-               text(refined_box(body.points(), main))});
+    const boxes::OrientedBox upright = boxes::aligned_box(body.points()),
+                             main = boxes::principal_box(body.points());
+    table.add({body.name, text(upright), text(boxes::refined_box(body.points(), upright)),
+               text(main), text(boxes::refined_box(body.points(), main))});
   }
   return table;
 }

@@ -77,7 +77,7 @@ inline PolygonMesh torus(int k) {
 
 /// One thread, and no instructions but those that every machine of the family has: the same bits
 /// everywhere.
-inline const LoopOptions anywhere{1, simd::InstructionSet::baseline};
+inline const simd::LoopOptions anywhere{1, simd::InstructionSet::baseline};
 
 inline BoundedMassProperties computed(const PolygonMesh& mesh, Accuracy accuracy) {
   return unchecked_mass_properties(mesh, 1, accuracy, anywhere);
@@ -112,7 +112,7 @@ MassProperties one_by_one(const PolygonMesh& mesh, const Vec3& p,
     const Point<T> a = from_p(t[0]), b = from_p(t[1]), c = from_p(t[2]);
     sum += detail::raw_moments<simd::Fma::separate>(six_volume(a, b, c), a, b, c);
   });
-  Moments<DoubleDouble> all;
+  Moments<simd::DoubleDouble> all;
   return mass_properties(detail::with_factors(all += sum), p, 1);
 }
 
@@ -123,7 +123,7 @@ inline MassProperties plain_loop(const PolygonMesh& mesh) {
 
 /// The truth: each operation in 32 digits.
 inline MassProperties exact(const PolygonMesh& mesh) {
-  return one_by_one<DoubleDouble>(mesh, detail::reference_point(mesh), six_volume_of_edges);
+  return one_by_one<simd::DoubleDouble>(mesh, detail::reference_point(mesh), six_volume_of_edges);
 }
 
 inline double mass_error(const MassProperties& found, const MassProperties& truth) {

@@ -37,13 +37,13 @@ FarErrors far_errors(double distance) {
   return worst;
 }
 
-using Long = Vector3<DoubleDouble>;
+using Long = Vector3<simd::DoubleDouble>;
 
 /// The centre of mass in 32 digits.
 Long exact_centre(const PolygonMesh& mesh) {
   const Vec3 p = detail::reference_point(mesh);
   const MassProperties near = exact(moved(mesh, -p));  // p is near: the vertices move exactly
-  return near.centre.cast<DoubleDouble>() + p.cast<DoubleDouble>();
+  return near.centre.cast<simd::DoubleDouble>() + p.cast<simd::DoubleDouble>();
 }
 
 /// How far the centre is off, without and with what rounding took from it [m].
@@ -56,8 +56,8 @@ CentreErrors centre_errors(double distance) {
   for (const Vec3& way : ways_off) {
     const PolygonMesh mesh = mug_at(distance, way);
     const BoundedMassProperties found = computed(mesh, Accuracy::tight);
-    const Long truth = exact_centre(mesh), alone = found.centre.cast<DoubleDouble>();
-    const Long both = alone + found.centre_rest.cast<DoubleDouble>();
+    const Long truth = exact_centre(mesh), alone = found.centre.cast<simd::DoubleDouble>();
+    const Long both = alone + found.centre_rest.cast<simd::DoubleDouble>();
     worst.alone = std::max(worst.alone, detail::to_double(alone - truth).norm());
     worst.with_rest = std::max(worst.with_rest, detail::to_double(both - truth).norm());
   }

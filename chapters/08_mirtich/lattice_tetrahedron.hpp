@@ -14,7 +14,7 @@ __extension__ typedef __int128 Whole;
 /// is known exactly: a sixth of the determinant of its edges.
 struct LatticeTetrahedron {
   PolygonMesh mesh;
-  DoubleDouble volume;
+  simd::DoubleDouble volume;
 };
 
 inline Whole determinant(const Mat3& edges) {
@@ -45,7 +45,7 @@ inline LatticeTetrahedron lattice_tetrahedron(const Mat3& R, const Vec3& sizes) 
   for (Vec3& x : mesh.vertices) x *= 0x1p-40;
   for (const std::array<int, 3>& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
     mesh.add_face(face);
-  return {mesh, DoubleDouble(hi * 0x1p-120, lo * 0x1p-120) / 6};
+  return {mesh, simd::DoubleDouble(hi * 0x1p-120, lo * 0x1p-120) / 6};
 }
 
 }  // namespace mirtich_chapter

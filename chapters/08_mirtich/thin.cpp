@@ -11,7 +11,7 @@ namespace mirtich_chapter {
 namespace {
 
 double mass_error(const BoundedMassProperties& found, const LatticeTetrahedron& body) {
-  return std::abs(double((DoubleDouble(found.mass) - body.volume) / body.volume));
+  return std::abs(double((simd::DoubleDouble(found.mass) - body.volume) / body.volume));
 }
 
 /// The worst of several bodies that lie differently.

@@ -7,7 +7,7 @@
 
 namespace rigid_body_chapter {
 
-inline MatrixState<> as_matrix_state(const RigidBodyState<>& s) {
+inline rotation::MatrixState<> as_matrix_state(const RigidBodyState<>& s) {
   return {s.x, to_matrix(s.q), s.P, s.L};
 }
 

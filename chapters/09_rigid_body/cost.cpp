@@ -51,18 +51,20 @@ Table counts_table() {
   const auto motion_of = [&](const auto&... forces) { return RigidBodyRhs(body, forces...); };
   table.add({"R from q", operations([&] { return to_matrix(state.q); })});
   table.add({"ω from L", operations([&] { return angular_velocity(body, now.R, state.L); })});
-  table.add({"rate of q from ω", operations([&] { return quaternion_dot(state.q, now.omega); })});
+  table.add({"rate of q from ω",
+             operations([&] { return rotation::quaternion_dot(state.q, now.omega); })});
   table.add({"dydt, nothing pushes", operations([&] { return motion_of()(C(0), y); })});
   table.add({"dydt, weight", operations([&] { return motion_of(weight)(C(0), y); })});
   table.add(
       {"dydt, weight and drag", operations([&] { return motion_of(weight, drag)(C(0), y); })});
   table.add({"dydt, weight, drag, spring",
              operations([&] { return motion_of(weight, drag, spring)(C(0), y); })});
-  const MatrixState<C> with_R{state.x, now.R, state.P, state.L};
+  const rotation::MatrixState<C> with_R{state.x, now.R, state.P, state.L};
   table.add({"with R for q, nothing pushes",
-             operations([&] { return MatrixStateRhs(body)(C(0), pack(with_R)); })});
+             operations([&] { return rotation::MatrixStateRhs(body)(C(0), pack(with_R)); })});
   table.add({"RK4's own, 13 numbers", operations([&] {
-               return rk4_step([](C, const PackedState<C>& z) { return z; }, C(0), y, C(0.1));
+               return runge_kutta::rk4_step([](C, const PackedState<C>& z) { return z; }, C(0), y,
+                                            C(0.1));
              })});
   return table;
 }
@@ -71,9 +73,9 @@ Table counts_table() {
 
 Table times_table() {
   static PackedState<double> y = pack(mug_start());
-  static PackedMatrixState<double> with_R = pack(as_matrix_state(mug_start()));
+  static rotation::PackedMatrixState<double> with_R = pack(as_matrix_state(mug_start()));
   static const RigidBodyRhs lone(mug());
-  static const MatrixStateRhs lone_with_R(mug());
+  static const rotation::MatrixStateRhs lone_with_R(mug());
   static const auto motion = hanging_mug();
   static const FreeTrajectory free(handle(), handle_start());
   support::Stopwatch stopwatch;
@@ -87,8 +89,8 @@ Table times_table() {
   add("dydt, nothing pushes", [] { return lone(0, y); });
   add("dydt, weight, drag, spring", [] { return motion(0, y); });
   add("with R for q, nothing pushes", [] { return lone_with_R(0, with_R); });
-  add("RK4 step, nothing pushes", [] { return rk4_step(lone, 0, y, 0.01); });
-  add("RK4 step, weight, drag, spring", [] { return rk4_step(motion, 0, y, 0.01); });
+  add("RK4 step, nothing pushes", [] { return runge_kutta::rk4_step(lone, 0, y, 0.01); });
+  add("RK4 step, weight, drag, spring", [] { return runge_kutta::rk4_step(motion, 0, y, 0.01); });
   add("closed form of a free body: set up",
       [] { return FreeTrajectory(handle(), handle_start()); });
   add("closed form of a free body: one time", [] { return free.at(7); });
@@ -155,9 +157,9 @@ std::string work_figure() {
                      {"evaluations of dydt", support::Scale::log},
                      {"orientation off by [rad]", support::Scale::log},
                      {}};
-  plot.series = {work_of_steps<Euler>("Euler", 1),
+  plot.series = {work_of_steps<runge_kutta::Euler>("Euler", 1),
                  work_of_steps<MomentaFirst>("momenta first", 1),
-                 work_of_steps<Midpoint>("midpoint", 2),
+                 work_of_steps<runge_kutta::Midpoint>("midpoint", 2),
                  work_of_steps<Rk4>("RK4", 4),
                  work_to_tolerances<DormandPrince54>("DP 5(4), adaptive"),
                  work_to_tolerances<Dop853>("DOP853, adaptive")};
@@ -210,11 +212,12 @@ Table race_table() {
   const auto tolerance = [](int rung) { return std::pow(10, -2 - 0.25 * rung); };
   (void)mug_end();
   add_time_to(
-      table, "Euler", [&](int rung) { return by_steps<Euler>(1, steps(rung)); }, 58);
+      table, "Euler", [&](int rung) { return by_steps<runge_kutta::Euler>(1, steps(rung)); }, 58);
   add_time_to(
       table, "momenta first", [&](int rung) { return by_steps<MomentaFirst>(1, steps(rung)); }, 58);
   add_time_to(
-      table, "midpoint", [&](int rung) { return by_steps<Midpoint>(2, steps(rung)); }, 58);
+      table, "midpoint", [&](int rung) { return by_steps<runge_kutta::Midpoint>(2, steps(rung)); },
+      58);
   add_time_to(
       table, "RK4", [&](int rung) { return by_steps<Rk4>(4, steps(rung)); }, 58);
   add_time_to(

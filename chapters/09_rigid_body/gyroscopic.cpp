@@ -30,23 +30,23 @@ Vec3 omega_of(const Quat& q, const Vec3& L) { return angular_velocity(handle(), 
 
 Seven L_stays(double, const Seven& y) {
   const Quat q = orientation_in(y);
-  return seven(quaternion_dot<double>(q, omega_of(q, y.tail<3>())), Vec3::Zero());
+  return seven(rotation::quaternion_dot<double>(q, omega_of(q, y.tail<3>())), Vec3::Zero());
 }
 
 Seven by_euler(double, const Seven& y) {
   const Vec3 omega = y.tail<3>(), L = handle().I_body() * omega;
-  return seven(quaternion_dot_body<double>(orientation_in(y), omega),
+  return seven(rotation::quaternion_dot_body<double>(orientation_in(y), omega),
                handle().I_body_inv() * L.cross(omega));
 }
 
 Seven omega_stays(double, const Seven& y) {
-  return seven(quaternion_dot_body<double>(orientation_in(y), y.tail<3>()), Vec3::Zero());
+  return seven(rotation::quaternion_dot_body<double>(orientation_in(y), y.tail<3>()), Vec3::Zero());
 }
 
 Seven with_the_term_in_the_world(double, const Seven& y) {
   const Quat q = orientation_in(y);
   const Vec3 L = y.tail<3>(), omega = omega_of(q, L);
-  return seven(quaternion_dot<double>(q, omega), L.cross(omega));
+  return seven(rotation::quaternion_dot<double>(q, omega), L.cross(omega));
 }
 
 const std::array<Law, 4> laws{Law{"rate of L: 0", L_stays, true},

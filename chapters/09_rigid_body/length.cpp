@@ -42,7 +42,7 @@ Drifted drifted(const Rhs& motion, const RigidBodyState<>& start, double duratio
   const double h = duration / steps;
   Drifted result{pack(start), 0};
   for (int i = 0; i < steps; ++i) {
-    result.end = rk4_step(rate, i * h, result.end, h);
+    result.end = runge_kutta::rk4_step(rate, i * h, result.end, h);
     result.worst = std::max(result.worst, length_off(result.end));
     if (after) result.end = with_unit_q(result.end);
   }

@@ -19,9 +19,9 @@ namespace rigid_body_chapter {
 namespace {
 
 template <class Rhs>
-MatrixState<> stepped_by_matrix(const Rhs& motion, const MatrixState<>& start, double duration,
-                                int steps) {
-  return unpack<double>(integrate_fixed<Rk4>(motion, pack(start), 0, duration, steps));
+rotation::MatrixState<> stepped_by_matrix(const Rhs& motion, const rotation::MatrixState<>& start,
+                                          double duration, int steps) {
+  return rotation::unpack<double>(integrate_fixed<Rk4>(motion, pack(start), 0, duration, steps));
 }
 
 double angle_of(const Mat3& A, const Mat3& B) {
@@ -36,10 +36,10 @@ struct TwoWays {
 template <class... Forces>
 TwoWays both_ways(const RigidBody<>& body, const RigidBodyState<>& start, double duration,
                   int steps, const Forces&... forces) {
-  return {
-      to_matrix(stepped<Rk4>(RigidBodyRhs(body, forces...), start, duration, steps).q),
-      stepped_by_matrix(MatrixStateRhs(body, forces...), as_matrix_state(start), duration, steps)
-          .R};
+  return {to_matrix(stepped<Rk4>(RigidBodyRhs(body, forces...), start, duration, steps).q),
+          stepped_by_matrix(rotation::MatrixStateRhs(body, forces...), as_matrix_state(start),
+                            duration, steps)
+              .R};
 }
 
 void add_ways(Table& table, const std::string& scene, int rate, const TwoWays& ways,
@@ -48,7 +48,7 @@ void add_ways(Table& table, const std::string& scene, int rate, const TwoWays& w
   table.add({scene, std::to_string(rate), error_number(angle_of(ways.by_q, exact)) + " rad",
              error_number(angle_of(repaired, exact)) + " rad",
              error_number(angle_of(ways.by_q, repaired)) + " rad",
-             error_number(orthonormality_error(ways.by_R))});
+             error_number(rotation::orthonormality_error(ways.by_R))});
 }
 
 }  // namespace
@@ -91,8 +91,9 @@ void add_sampled(Table& table, int n) {
   constexpr unsigned sets = 8;
   std::array<double, 3> squares{};
   for (unsigned seed = 1; seed <= sets; ++seed) {
-    const Mat3 I =
-        sample_mass_properties(solid, handle_object.density, RandomPoints(n, seed)).inertia;
+    const Mat3 I = sampling::sample_mass_properties(solid, handle_object.density,
+                                                    sampling::RandomPoints(n, seed))
+                       .inertia;
     const std::array<double, 3> errors{moment_error(I), off_with(I, 1), off_with(I, 10)};
     for (std::size_t i = 0; i < 3; ++i) squares[i] += errors[i] * errors[i] / sets;
   }

@@ -52,9 +52,9 @@ Table steps_table() {
                              static_cast<int>(rate * mug_time));
     });
   };
-  add("Euler", "1", Euler{});
+  add("Euler", "1", runge_kutta::Euler{});
   add("momenta first", "1", MomentaFirst{});
-  add("midpoint", "2", Midpoint{});
+  add("midpoint", "2", runge_kutta::Midpoint{});
   add("RK4", "4", Rk4{});
   return table;
 }
@@ -127,9 +127,9 @@ std::string energy_figure() {
                      {"time [s]", support::Scale::log},
                      {"largest error of the energy so far", support::Scale::log},
                      {}};
-  plot.series = {energy_series<Euler>("Euler, 240 steps/s", 240),
-                 energy_series<Midpoint>("midpoint, 120", 120), energy_series<Rk4>("RK4, 60", 60),
-                 energy_series<Dop853>("DOP853, 20", 20)};
+  plot.series = {energy_series<runge_kutta::Euler>("Euler, 240 steps/s", 240),
+                 energy_series<runge_kutta::Midpoint>("midpoint, 120", 120),
+                 energy_series<Rk4>("RK4, 60", 60), energy_series<Dop853>("DOP853, 20", 20)};
   return support::to_svg(plot);
 }
 

@@ -64,9 +64,9 @@ namespace {
 std::vector<Vec3> way_through(const Vec3& moments, const Vec3& direction) {
   const RigidBody<> body(1, moments.asDiagonal());
   const RigidBodyState<> start{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), direction};
-  const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
-  const double round =
-      4 * complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) / std::abs(polhode->lambda);
+  const auto polhode = elliptic::polhode_of(principal_axes(body.I_body()), start.q, start.L);
+  const double round = 4 * elliptic::complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) /
+                       std::abs(polhode->lambda);
   const FreeTrajectory motion(body, start);
   std::vector<Vec3> points;
   constexpr int count = 72;

@@ -7,9 +7,9 @@
 namespace scene_chapter {
 
 inline Quat by_series(const KnownTurning& scene, double tolerance, int& order, int& steps) {
-  const SteadyTorque torque(scene.body, scene.forces);
-  const TurningBySeries<1> turning(torque, torque.turning(scene.start.q, scene.start.L), 0,
-                                   scene.duration, tolerance);
+  const steady::SteadyTorque torque(scene.body, scene.forces);
+  const steady::TurningBySeries<1> turning(torque, torque.turning(scene.start.q, scene.start.L), 0,
+                                           scene.duration, tolerance);
   order = turning.order(), steps = turning.steps();
   return torque.orientation(turning.end());
 }

@@ -59,8 +59,8 @@ support::Series by_taylor(const KnownTurning& scene) {
 
 /// One question, drawn at the error that the closed form says it stays below.
 support::Series by_closed_form(const KnownTurning& scene) {
-  const SteadyTorque torque(scene.body, scene.forces);
-  const auto top = LagrangeTop::from(torque, scene.start.q, scene.start.L);
+  const steady::SteadyTorque torque(scene.body, scene.forces);
+  const auto top = steady::LagrangeTop::from(torque, scene.start.q, scene.start.L);
   return {"closed form, asked once", {1}, {top->error_bound(scene.duration)}, support::Look::dots};
 }
 

@@ -15,12 +15,12 @@ namespace {
 
 /// sn over one period, for k'² = 1 − k².
 support::Series elliptic_sine(const std::string& name, double kc2) {
-  const Modulus modulus{1 - kc2, kc2};
-  const Amplitude eta{0, 1};
-  const double K = complete_elliptic_k(std::sqrt(kc2));
+  const elliptic::Modulus modulus{1 - kc2, kc2};
+  const elliptic::Amplitude eta{0, 1};
+  const double K = elliptic::complete_elliptic_k(std::sqrt(kc2));
   const auto sn = [&](double u) {
-    return modulus.k2 < modulus.kc2 ? ThetaSeries(modulus, eta)(u).sn
-                                    : ComplementaryThetaSeries(modulus, eta)(u).sn;
+    return modulus.k2 < modulus.kc2 ? elliptic::ThetaSeries(modulus, eta)(u).sn
+                                    : elliptic::ComplementaryThetaSeries(modulus, eta)(u).sn;
   };
   support::Series series{name, {}, {}};
   for (int i = 0; i <= 240; ++i) {
@@ -48,9 +48,9 @@ namespace {
 std::vector<Vec3> round_of(const Vec3& moments, const Vec3& direction, int count) {
   const RigidBody<> body(1, moments.asDiagonal());
   const RigidBodyState<> start{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), direction};
-  const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
-  const double round =
-      4 * complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) / std::abs(polhode->lambda);
+  const auto polhode = elliptic::polhode_of(principal_axes(body.I_body()), start.q, start.L);
+  const double round = 4 * elliptic::complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) /
+                       std::abs(polhode->lambda);
   const FreeTrajectory motion(body, start);
   std::vector<Vec3> points;
   for (int i = 0; i <= count; ++i)
@@ -199,9 +199,10 @@ std::string future_figure() {
     promised.x.push_back(std::pow(10, i));
     promised.y.push_back(1e-13 * askew_future.omega.norm() * std::pow(10, i));
   }
-  plot.series = {growth("midpoint, 60 steps/s", stepped_errors<Midpoint>(askew_future, 60)),
-                 growth("RK4, 30", rk4_errors()),
-                 growth("DOP853, 5", stepped_errors<Dop853>(askew_future, 5)), promised};
+  plot.series = {
+      growth("midpoint, 60 steps/s", stepped_errors<runge_kutta::Midpoint>(askew_future, 60)),
+      growth("RK4, 30", rk4_errors()), growth("DOP853, 5", stepped_errors<Dop853>(askew_future, 5)),
+      promised};
   return support::to_svg(plot);
 }
 

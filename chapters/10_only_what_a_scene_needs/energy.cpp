@@ -61,8 +61,8 @@ void add_free_row(Table& table, const std::string& name, int rate) {
 
 Table free_energy_table() {
   Table table({"method", "steps/s", "largest, 20 s", "200 s", "trend [1/s], 20 s", "200 s"});
-  add_free_row<Euler>(table, "Euler", 240);
-  add_free_row<Midpoint>(table, "midpoint", 120);
+  add_free_row<runge_kutta::Euler>(table, "Euler", 240);
+  add_free_row<runge_kutta::Midpoint>(table, "midpoint", 120);
   add_free_row<Rk4>(table, "RK4", 60);
   add_free_row<Dop853>(table, "DOP853", 20);
   table.add({"closed form", "–", "< 1e-13", "< 1e-13", "0", "0"});
@@ -192,7 +192,7 @@ std::vector<double> with_drag(double angular_drag) {
   scene.forces.angular_drag = angular_drag;
   const HeldRhs motion(scene.body, scene.forces);
   const RigidBodyState<> exact = followed(motion, scene.start, 2);
-  const Steps method = of_splitting<BlanesMoan4>(scene, "");
+  const Steps method = of_splitting<geometric::BlanesMoan4>(scene, "");
   std::vector<double> errors;
   for (const int steps : {40, 80, 160, 320}) {
     RigidBodyState<> state = scene.start;

@@ -15,8 +15,9 @@ namespace {
 
 /// The way of the axis over the sphere, in the world, once round the vertical.
 std::vector<Vec3> tip_of(const KnownTurning& scene) {
-  const SteadyTorque torque(scene.body, scene.forces);
-  const LagrangeTop top = LagrangeTop::from(torque, scene.start.q, scene.start.L).value();
+  const steady::SteadyTorque torque(scene.body, scene.forces);
+  const steady::LagrangeTop top =
+      steady::LagrangeTop::from(torque, scene.start.q, scene.start.L).value();
   std::vector<Vec3> way{top.at(0).q * Vec3::UnitZ()};
   double round = 0;
   for (int i = 1; std::abs(round) < 2 * pi; ++i) {

@@ -108,7 +108,7 @@ Table times_of(const std::string& heading, const support::Stopwatch& stopwatch) 
 
 Table rungs_table() {
   static double t = 7;
-  static const SteadyPath path(ball(), thrown(ball()), weight.steady(ball()));
+  static const steady::SteadyPath path(ball(), thrown(ball()), weight.steady(ball()));
   static const FreeTrajectory round(die(), thrown(die())), top(gear(), thrown(gear())),
       full(racket(), thrown(racket()));
   static const RigidBodyRhs motion(racket(), weight);
@@ -127,7 +127,7 @@ Table rungs_table() {
   add("full body", [] { return full.at(t); });
   add("full body, set up and asked once",
       [] { return FreeTrajectory(racket(), thrown(racket())).at(t); });
-  add("full body, one step of RK4", [] { return rk4_step(motion, 0, y, 0.01); });
+  add("full body, one step of RK4", [] { return runge_kutta::rk4_step(motion, 0, y, 0.01); });
   return times_of("what is asked", stopwatch);
 }
 
@@ -142,8 +142,8 @@ struct OnlyFalling {
   PackedState<double> operator()(double, const PackedState<double>& y) const {
     const RigidBodyState<> state = unpack<double>(y);
     const Derived<> now = derived(body, state);
-    return pack<double>(
-        {now.v, quaternion_dot(state.q, now.omega), body.mass() * weight.g, Vec3::Zero()});
+    return pack<double>({now.v, rotation::quaternion_dot(state.q, now.omega),
+                         body.mass() * weight.g, Vec3::Zero()});
   }
 };
 
@@ -160,7 +160,7 @@ Table absent_table() {
   const auto add = [&](const std::string& name, const auto& motion) {
     stopwatch.add(name, [&motion] {
       support::keep(y);
-      support::keep(rk4_step(motion, 0, y, 0.01));
+      support::keep(runge_kutta::rk4_step(motion, 0, y, 0.01));
     });
   };
   add("weight alone, written by hand", by_hand);

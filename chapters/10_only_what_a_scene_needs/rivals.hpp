@@ -31,7 +31,7 @@ Steps of_method(const KnownTurning& scene, const std::string& name, int evaluati
 template <class Scheme>
 Steps of_splitting(const KnownTurning& scene, const std::string& name) {
   const HeldRhs motion(scene.body, scene.forces);
-  const Splitting<Scheme, SteadyForces> splitting(motion);
+  const geometric::Splitting<Scheme, SteadyForces> splitting(motion);
   constexpr int parts = static_cast<int>(Scheme::composition.parts.size());
   // A kick that ends a step and the one that begins the next are at the same place.
   return {name, parts / 2, [splitting](double t, const RigidBodyState<>& state, double h) {
@@ -42,7 +42,7 @@ Steps of_splitting(const KnownTurning& scene, const std::string& name) {
 inline Steps of_turns(const KnownTurning& scene) {
   const HeldRhs motion(scene.body, scene.forces);
   return {"Lie-group RK4", 4, [motion](double t, const RigidBodyState<>& state, double h) {
-            return LieGroupRk4::step(motion, t, state, h);
+            return geometric::LieGroupRk4::step(motion, t, state, h);
           }};
 }
 
@@ -50,10 +50,10 @@ inline std::vector<Steps> rivals(const KnownTurning& scene) {
   return {of_method<Rk4>(scene, "RK4", 4),
           of_turns(scene),
           of_method<Dop853>(scene, "DOP853, fixed", 12),
-          of_splitting<Strang>(scene, "splitting, order 2"),
-          of_splitting<BlanesMoan4>(scene, "splitting, order 4"),
-          of_splitting<BlanesMoan6>(scene, "splitting, order 6"),
-          of_splitting<KahanLi8>(scene, "splitting, order 8")};
+          of_splitting<geometric::Strang>(scene, "splitting, order 2"),
+          of_splitting<geometric::BlanesMoan4>(scene, "splitting, order 4"),
+          of_splitting<geometric::BlanesMoan6>(scene, "splitting, order 6"),
+          of_splitting<geometric::KahanLi8>(scene, "splitting, order 8")};
 }
 
 }  // namespace scene_chapter

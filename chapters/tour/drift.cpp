@@ -36,7 +36,7 @@ bool is_sampled(int step) {
 template <class Rhs, class State, class Repair, class ShapeError>
 State run(const Rhs& motion, State y, Repair&& repair, ShapeError&& shape_error, Run& result) {
   for (int step = 1; step <= all_steps; ++step) {
-    y = repair(rk4_step(motion, h * (step - 1), y, h));
+    y = repair(runge_kutta::rk4_step(motion, h * (step - 1), y, h));
     if (!is_sampled(step)) continue;
     result.time.push_back(h * step);
     result.shape_error.push_back(shape_error(y));
@@ -50,7 +50,8 @@ double seconds_per_step(const Rhs& motion, const State& start, Repair&& repair) 
   constexpr int timed = 1000;
   const double seconds = support::shortest_run(0.02, [&] {
     State y = start;
-    for (int step = 0; step < timed; ++step) y = repair(rk4_step(motion, h * step, y, h));
+    for (int step = 0; step < timed; ++step)
+      y = repair(runge_kutta::rk4_step(motion, h * step, y, h));
     support::keep(y);
   });
   return seconds / timed;
@@ -58,20 +59,22 @@ double seconds_per_step(const Rhs& motion, const State& start, Repair&& repair) 
 
 template <class Repair>
 Run run_matrix(const RigidBody<>& body, const RigidBodyState<>& start, Repair&& repair) {
-  const MatrixStateRhs motion(body);
-  const PackedMatrixState<double> y0 =
-      pack(MatrixState<>{start.x, to_matrix(start.q), start.P, start.L});
-  const auto repaired = [&](const PackedMatrixState<double>& y) {
-    MatrixState<> state = unpack<double>(y);
+  const rotation::MatrixStateRhs motion(body);
+  const rotation::PackedMatrixState<double> y0 =
+      pack(rotation::MatrixState<>{start.x, to_matrix(start.q), start.P, start.L});
+  const auto repaired = [&](const rotation::PackedMatrixState<double>& y) {
+    rotation::MatrixState<> state = rotation::unpack<double>(y);
     state.R = repair(state.R);
     return pack(state);
   };
   Run result;
-  const PackedMatrixState<double> y = run(
+  const rotation::PackedMatrixState<double> y = run(
       motion, y0, repaired,
-      [](const PackedMatrixState<double>& z) { return orthonormality_error(unpack<double>(z).R); },
+      [](const rotation::PackedMatrixState<double>& z) {
+        return rotation::orthonormality_error(rotation::unpack<double>(z).R);
+      },
       result);
-  result.end = from_matrix(nearest_rotation(unpack<double>(y).R));
+  result.end = from_matrix(nearest_rotation(rotation::unpack<double>(y).R));
   result.seconds_per_step = seconds_per_step(motion, y0, repaired);
   return result;
 }
@@ -91,7 +94,7 @@ Run run_quaternion(const RigidBody<>& body, const RigidBodyState<>& start, Repai
   };
   Run result;
   const PackedState<double> y = run(motion, pack(start), repaired, shape_error, result);
-  result.end = normalize(unpack<double>(y).q);
+  result.end = rotation::normalize(unpack<double>(y).q);
   result.seconds_per_step = seconds_per_step(motion, pack(start), repaired);
   return result;
 }
@@ -121,11 +124,11 @@ void show_drift(const Subject& subject, Output& output) {
   };
   progress("drift of the matrix and of the quaternion");
   add("matrix", "none", run_matrix(body, start, [](const Mat3& R) { return R; }));
-  add("matrix", "Gram–Schmidt", run_matrix(body, start, gram_schmidt));
-  add("matrix", "Newton step", run_matrix(body, start, newton_rotation_step));
+  add("matrix", "Gram–Schmidt", run_matrix(body, start, rotation::gram_schmidt));
+  add("matrix", "Newton step", run_matrix(body, start, rotation::newton_rotation_step));
   add("matrix", "polar by SVD", run_matrix(body, start, nearest_rotation));
   add("quaternion", "none", run_quaternion(body, start, [](const Quat& q) { return q; }));
-  add("quaternion", "normalise", run_quaternion(body, start, normalize));
+  add("quaternion", "normalise", run_quaternion(body, start, rotation::normalize));
   output.show("Drift: ten minutes of RK4 at 60 steps a second, half a turn a second", table,
               "drift");
   output.write("drift.svg", support::to_svg(plot));

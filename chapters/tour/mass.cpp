@@ -66,10 +66,13 @@ void measure_boxes(const Subject& subject, Measurements& all, support::Plot& plo
     plot.series.push_back(series);
   };
   point("box along the axes",
-        [&] { return box_mass_properties(aligned_box(mesh.vertices), mass); });
-  point("oriented box", [&] { return box_mass_properties(fit_oriented_box(mesh.vertices), mass); });
-  point("box of the true volume",
-        [&] { return box_mass_properties(shrunk_to(aligned_box(mesh.vertices), volume), mass); });
+        [&] { return boxes::box_mass_properties(boxes::aligned_box(mesh.vertices), mass); });
+  point("oriented box",
+        [&] { return boxes::box_mass_properties(boxes::fit_oriented_box(mesh.vertices), mass); });
+  point("box of the true volume", [&] {
+    return boxes::box_mass_properties(boxes::shrunk_to(boxes::aligned_box(mesh.vertices), volume),
+                                      mass);
+  });
 }
 
 void measure_points(const Subject& subject, Measurements& all, support::Plot& plot) {
@@ -77,7 +80,7 @@ void measure_points(const Subject& subject, Measurements& all, support::Plot& pl
   const auto row = [&](support::Series& series, const std::string& name, auto points) {
     progress("sampling " + std::to_string(points.count()) + " points: " + series.name);
     extend(series, all.measure(name, [&] {
-      return sample_mass_properties(solid, subject.density, points);
+      return sampling::sample_mass_properties(solid, subject.density, points);
     }));
   };
   support::Series grid{"grid points", {}, {}}, random{"random points", {}, {}},
@@ -85,9 +88,9 @@ void measure_points(const Subject& subject, Measurements& all, support::Plot& pl
   for (const int n : {10, 22, 46, 100}) {
     const std::int64_t count = std::int64_t{n} * n * n;
     const std::string points = std::to_string(count) + " points, ";
-    row(grid, points + "grid", GridPoints(n));
-    row(random, points + "random", RandomPoints(count));
-    row(r3, points + "low-discrepancy R3", R3Points(count));
+    row(grid, points + "grid", sampling::GridPoints(n));
+    row(random, points + "random", sampling::RandomPoints(count));
+    row(r3, points + "low-discrepancy R3", sampling::R3Points(count));
   }
   plot.series.insert(plot.series.end(), {grid, random, r3});
 }

@@ -33,7 +33,7 @@ struct Problem {
   Quat exact;
 
   double error(const PackedState<double>& y) const {
-    return angle_between(normalize(unpack<double>(y).q), exact);
+    return angle_between(rotation::normalize(unpack<double>(y).q), exact);
   }
 };
 
@@ -143,12 +143,12 @@ void show_solvers(const Subject& subject, Output& output) {
   progress("reference solution");
   const Problem problem = make_problem(body, subject.exact);
   const std::vector<Curve> curves{
-      fixed_steps<Euler>("Euler", problem, 128, 1 << 17),
-      fixed_steps<Midpoint>("midpoint", problem, 64, 1 << 16),
+      fixed_steps<runge_kutta::Euler>("Euler", problem, 128, 1 << 17),
+      fixed_steps<runge_kutta::Midpoint>("midpoint", problem, 64, 1 << 16),
       fixed_steps<Rk4>("RK4", problem, 32, 1 << 15),
       adaptive_steps<DormandPrince54>("Dormand–Prince 5(4)", problem, 14),
       adaptive_steps<Dop853>("Dormand–Prince 8(5,3)", problem, 15),
-      fixed_steps<BackwardEuler>("backward Euler", problem, 128, 1 << 13),
+      fixed_steps<runge_kutta::BackwardEuler>("backward Euler", problem, 128, 1 << 13),
       adaptive_steps<Radau5>("Radau IIA 5 (implicit)", problem, 12)};
 
   support::Table table(

@@ -62,8 +62,9 @@ inline RigidBodyState<> nut_start() { return spinning(nut(), nut_rate, nut_tilt)
 
 /// The time from one turning over to the next [s], of a body that nothing pushes.
 inline double time_between_flips(const RigidBody<>& body, const RigidBodyState<>& start) {
-  const auto polhode = polhode_of(principal_axes(body.I_body()), start.q, start.L);
-  return 2 * complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) / std::abs(polhode->lambda);
+  const auto polhode = elliptic::polhode_of(principal_axes(body.I_body()), start.q, start.L);
+  return 2 * elliptic::complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) /
+         std::abs(polhode->lambda);
 }
 
 /// By how much `a` is turned against `b` [rad].

@@ -43,14 +43,15 @@ class DoubleDoubleTurning {
     for (int i = 0; i < 4; ++i) now_[6 + i] = q[i];
   }
 
-  using State = Eigen::Matrix<DoubleDouble, 10, 1>;  ///< ω, u, q
+  using State = Eigen::Matrix<simd::DoubleDouble, 10, 1>;  ///< ω, u, q
 
   TurningEnd at(double t1) {
-    while (t_ < DoubleDouble(t1)) {
+    while (t_ < simd::DoubleDouble(t1)) {
       expand();
-      const double left = double(DoubleDouble(t1) - t_), h = std::min(step(), left);
+      const double left = double(simd::DoubleDouble(t1) - t_), h = std::min(step(), left);
       advance(h);
-      t_ = h == left ? DoubleDouble(t1) : t_ + h;  // of a sum of doubles the digits would be missed
+      t_ = h == left ? simd::DoubleDouble(t1)
+                     : t_ + h;  // of a sum of doubles the digits would be missed
     }
     const auto number = [&](int i) { return double(now_[i]); };
     return {Quat(number(6), number(7), number(8), number(9)).normalized(),
@@ -73,7 +74,7 @@ class DoubleDoubleTurning {
   }
 
  private:
-  using T = DoubleDouble;
+  using T = simd::DoubleDouble;
   static constexpr int order = 36;
 
   /// Coefficient k of the product of two components' series.
@@ -126,7 +127,7 @@ class DoubleDoubleTurning {
   }
 
   Turning body_;
-  DoubleDouble t_ = 0;
+  simd::DoubleDouble t_ = 0;
   State now_;
   Eigen::Matrix<T, 10, order + 1> series_;
 };

@@ -9,8 +9,8 @@
 namespace tumble::reference {
 
 /// The moments of a closed mesh about a point, by the tetrahedra that its triangles make with it.
-inline Moments<DoubleDouble> exact_moments(const PolygonMesh& mesh, const Vec3& reference) {
-  using T = DoubleDouble;
+inline Moments<simd::DoubleDouble> exact_moments(const PolygonMesh& mesh, const Vec3& reference) {
+  using T = simd::DoubleDouble;
   using V = Vector3<T>;
   Moments<T> m;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {
@@ -38,9 +38,9 @@ inline MassProperties exact_mass_properties(const PolygonMesh& mesh, double dens
 }
 
 /// The true centre of mass, to 28 digits.
-inline Vector3<DoubleDouble> exact_centre(const PolygonMesh& mesh) {
+inline Vector3<simd::DoubleDouble> exact_centre(const PolygonMesh& mesh) {
   const Vec3 p = detail::reference_point(mesh);
-  return detail::centre_from_reference(exact_moments(mesh, p)) + p.cast<DoubleDouble>();
+  return detail::centre_from_reference(exact_moments(mesh, p)) + p.cast<simd::DoubleDouble>();
 }
 
 }  // namespace tumble::reference

@@ -30,14 +30,14 @@ class LongFreeTurning {
     motion.at(guess);
     const double late = lateness(motion, begin);
     motion.shift(-late);
-    period_ = DoubleDouble(guess) - DoubleDouble(late);
+    period_ = simd::DoubleDouble(guess) - simd::DoubleDouble(late);
     const double left = lateness(motion, begin);
     motion.shift(-left);
-    period_ -= DoubleDouble(left);
+    period_ -= simd::DoubleDouble(left);
     for (int i = 0; i < 3; ++i)
       defect_ = std::max(defect_, std::abs(double(motion.now()[i] - begin[i])));
     turn_ = product(quaternion(motion.now()), conjugate(quaternion(begin)));
-    turn_ = scaled(turn_, DoubleDouble(1) / norm_squared(quaternion(begin)));
+    turn_ = scaled(turn_, simd::DoubleDouble(1) / norm_squared(quaternion(begin)));
   }
 
   double period() const { return double(period_); }  ///< of ω [s]
@@ -48,7 +48,7 @@ class LongFreeTurning {
   std::vector<double> flips(double first, double until) const {
     DoubleDoubleTurning motion(start_);
     motion.at(first);
-    DoubleDouble begin = first;
+    simd::DoubleDouble begin = first;
     for (int i = 0; i < 4; ++i) {
       const double late = double(motion.now()[1] / motion.rates()[1]);
       motion.shift(-late);
@@ -65,7 +65,7 @@ class LongFreeTurning {
   /// The state at time t ≥ 0 [s].
   TurningEnd at(double t) const {
     const double periods = std::floor(t / period());
-    const DoubleDouble rest = DoubleDouble(t) - period_ * periods;
+    const simd::DoubleDouble rest = simd::DoubleDouble(t) - period_ * periods;
     DoubleDoubleTurning motion(start_);
     motion.at(rest.hi);
     motion.shift(rest.lo);
@@ -77,19 +77,20 @@ class LongFreeTurning {
 
  private:
   using State = DoubleDoubleTurning::State;
-  using Q = Eigen::Matrix<DoubleDouble, 4, 1>;  // w, x, y, z
+  using Q = Eigen::Matrix<simd::DoubleDouble, 4, 1>;  // w, x, y, z
 
   static double guessed_period(const Turning& start) {
     const PrincipalAxes axes{start.J, Mat3::Identity()};
-    const auto polhode = polhode_of(axes, start.q, start.L);
+    const auto polhode = elliptic::polhode_of(axes, start.q, start.L);
     require(polhode.has_value(), "the body does not wobble");
-    return std::abs(4 * complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) / polhode->lambda);
+    return std::abs(4 * elliptic::complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) /
+                    polhode->lambda);
   }
 
   /// How long ago ω was what it was at the beginning, for a short time [s].
   static double lateness(DoubleDoubleTurning& motion, const State& begin) {
     const State rates = motion.rates();
-    DoubleDouble way = 0, square = 0;
+    simd::DoubleDouble way = 0, square = 0;
     for (int i = 0; i < 3; ++i) {
       way += (motion.now()[i] - begin[i]) * rates[i];
       square += rates[i] * rates[i];
@@ -98,18 +99,25 @@ class LongFreeTurning {
   }
 
   static Q quaternion(const State& s) { return {s[6], s[7], s[8], s[9]}; }
-  static Q conjugate(const Q& q) { return {q[0], -q[1], -q[2], -q[3]}; }
-  static Q scaled(const Q& q, const DoubleDouble& s) {
+  static Q conjugate(Q q) {
+    for (int i = 1; i < 4; ++i) q[i] = -q[i];
+    return q;
+  }
+  static Q scaled(const Q& q, const simd::DoubleDouble& s) {
     return {q[0] * s, q[1] * s, q[2] * s, q[3] * s};
   }
-  static DoubleDouble norm_squared(const Q& q) {
+  static simd::DoubleDouble norm_squared(const Q& q) {
     return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
   }
   static Q product(const Q& a, const Q& b) {
-    return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-            a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-            a[0] * b[2] + a[2] * b[0] + a[3] * b[1] - a[1] * b[3],
-            a[0] * b[3] + a[3] * b[0] + a[1] * b[2] - a[2] * b[1]};
+    Q c;
+    c[0] = a[0] * b[0];
+    for (int i = 1; i < 4; ++i) {
+      const int j = i % 3 + 1, k = j % 3 + 1;  // i, j, k follow each other in a circle
+      c[0] -= a[i] * b[i];
+      c[i] = a[0] * b[i] + a[i] * b[0] + a[j] * b[k] - a[k] * b[j];
+    }
+    return c;
   }
   static Q power(Q base, long long n) {
     Q result{1, 0, 0, 0};
@@ -121,7 +129,7 @@ class LongFreeTurning {
   }
 
   Turning start_;
-  DoubleDouble period_ = 0;
+  simd::DoubleDouble period_ = 0;
   double defect_ = 0;
   Q turn_ = {1, 0, 0, 0};
 };

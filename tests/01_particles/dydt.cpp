@@ -27,17 +27,18 @@ Vec3 x_of(const VectorXd& y, int n) { return y.segment<3>(6 * n); }
 Vec3 v_of(const VectorXd& y, int n) { return y.segment<3>(6 * n + 3); }
 
 VectorXd reference(const System& system, double t, const VectorXd& y) {
-  std::vector<tumble::Particle<double>> list;
+  std::vector<tumble::particles::Particle<double>> list;
   for (int n = 0; n < count_of(system); ++n)
     list.push_back({mass_of(system, n), x_of(y, n), v_of(y, n)});
-  const auto springs = [&](double, const tumble::ParticlesView<double>& view,
-                           const tumble::Push<double>& push) {
+  const auto springs = [&](double, const tumble::particles::ParticlesView<double>& view,
+                           const tumble::particles::Push<double>& push) {
     for (const auto& [i, j, stiffness, damping, rest_length] : system.springs)
-      tumble::Spring{i, j, stiffness, damping, rest_length}(t, view, push);
+      tumble::particles::Spring{i, j, stiffness, damping, rest_length}(t, view, push);
   };
-  return tumble::ParticleSystem(list, tumble::UniformGravity{system.gravity},
-                                tumble::LinearDrag{system.linear_drag},
-                                tumble::QuadraticDrag{system.quadratic_drag}, springs)
+  return tumble::particles::ParticleSystem(list, tumble::particles::UniformGravity{system.gravity},
+                                           tumble::particles::LinearDrag{system.linear_drag},
+                                           tumble::particles::QuadraticDrag{system.quadratic_drag},
+                                           springs)
       .dydt(t, y);
 }
 

@@ -29,9 +29,9 @@ Particles any_particles(int count, double size = 10) {
 }
 
 VectorXd reference(const Particles& list) {
-  std::vector<tumble::Particle<double>> same;
+  std::vector<tumble::particles::Particle<double>> same;
   for (const auto& [mass, x, v] : list) same.push_back({mass, x, v});
-  return tumble::flatten(same);
+  return tumble::particles::flatten(same);
 }
 
 /// Where particle n starts, as a place and as a number of particles before it.

@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity(),
                  not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 double reference(double h, double error, int order) {
-  return tumble::adaptive_step_size(h, error, order);
+  return tumble::runge_kutta::adaptive_step_size(h, error, order);
 }
 
 /// A power of a number takes 2 roundings and those of its exponent and its logarithm, which within

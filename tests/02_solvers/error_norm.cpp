@@ -16,7 +16,7 @@ namespace {
 
 double reference(const VectorXd& error, const VectorXd& y0, const VectorXd& y1,
                  const Tolerances& tolerances) {
-  return tumble::error_norm(error, y0, y1, {tolerances.relative, tolerances.absolute});
+  return tumble::runge_kutta::error_norm(error, y0, y1, {tolerances.relative, tolerances.absolute});
 }
 
 /// A ratio takes 4 roundings, its square twice as many and one; the sum one a component; the mean

@@ -20,7 +20,7 @@ namespace {
 using Numbers = std::vector<double>;
 
 double reference(const Numbers& h, const Numbers& errors) {
-  return tumble::observed_order(h, errors);
+  return tumble::runge_kutta::observed_order(h, errors);
 }
 
 Numbers logarithms(const Numbers& numbers) {

@@ -94,7 +94,8 @@ TEST_SUITE(TUMBLE_UNIT) {
       const Vec3 angles = any_angles();
       const auto R = student::euler_angles_to_matrix(angles, axes);
       // An error of δ in each number is one of at most 6 δ in RᵀR and 3√3 δ in the determinant.
-      REQUIRE(R == obeys("RᵀR = 1", tumble::orthonormality_error(R), 6 * rounding(angles)));
+      REQUIRE(R ==
+              obeys("RᵀR = 1", tumble::rotation::orthonormality_error(R), 6 * rounding(angles)));
       REQUIRE(R == obeys("det R = 1", std::abs(R.value().determinant() - 1), 6 * rounding(angles)));
     }
   }
@@ -141,7 +142,8 @@ TEST_SUITE(TUMBLE_UNIT) {
         Vec3 sum = Vec3::Zero();
         for (std::size_t n = 0; n < 3; ++n) sum[axes[n]] += angles[static_cast<Eigen::Index>(n)];
         // R = 1 + [sum]× up to products of two angles.
-        const double error = (tumble::unskew<double>(R.value()) - sum).lpNorm<Eigen::Infinity>();
+        const double error =
+            (tumble::rotation::unskew<double>(R.value()) - sum).lpNorm<Eigen::Infinity>();
         REQUIRE(R == close_to(reference(angles, axes), rounding(angles)));
         REQUIRE(R == obeys("R − Rᵀ = 2 (the sum of the turns) ×", error,
                            3 * size * size + rounding(angles) * size));

@@ -118,7 +118,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       const Mat3 M = drifted_rotation(size);
       const auto R = student::nearest_rotation(M);
       REQUIRE(R == close_to(reference(M), rounding(M)));
-      REQUIRE(R == obeys("RᵀR = 1", tumble::orthonormality_error(R), 6 * rounding(M)));
+      REQUIRE(R == obeys("RᵀR = 1", tumble::rotation::orthonormality_error(R), 6 * rounding(M)));
     }
   }
 
@@ -132,7 +132,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       const auto R = student::nearest_rotation(M);
       REQUIRE(R == close_to(reference(M), rounding(M)));
       // An error of δ in each number is one of at most 6 δ in RᵀR.
-      REQUIRE(R == obeys("RᵀR = 1", tumble::orthonormality_error(R), 6 * rounding(M)));
+      REQUIRE(R == obeys("RᵀR = 1", tumble::rotation::orthonormality_error(R), 6 * rounding(M)));
       // A step turns what is across ω by atan(h|ω|), and stretches it. Each one rounds M anew.
       const double angle = steps * std::atan(h * omega.norm());
       const Mat3 expected = tumble::exp_rotation<double>(angle * axis) * start;
@@ -148,16 +148,19 @@ const Misconceptions<decltype(rotation_matrices::nearest_rotation)> misconceptio
       "This is the first step of the iteration. It squares the error, which is enough for a small "
       "drift and not for a large one: go on until nothing changes.",
       "The nearest rotation",
-      [](const Mat3& M) -> Mat3 { return tumble::newton_rotation_step(M); }},
+      [](const Mat3& M) -> Mat3 { return tumble::rotation::newton_rotation_step(M); }},
      {"Gram–Schmidt",
       "This is a rotation, but not the nearest: the first column was not moved at all, and the "
       "others pay for it. All three should give way alike.",
-      "The nearest rotation", [](const Mat3& M) -> Mat3 { return tumble::gram_schmidt(M); }},
+      "The nearest rotation",
+      [](const Mat3& M) -> Mat3 { return tumble::rotation::gram_schmidt(M); }},
      {"Gram–Schmidt by rows",
       "This is a rotation, but not the nearest: the first row was not moved at all, and the others "
       "pay for it.",
       "The nearest rotation",
-      [](const Mat3& M) -> Mat3 { return tumble::gram_schmidt(M.transpose()).transpose(); }},
+      [](const Mat3& M) -> Mat3 {
+        return tumble::rotation::gram_schmidt(M.transpose()).transpose();
+      }},
      {"columns only normalised",
       "The columns have length 1 now, but are not orthogonal. A rotation needs both.", "Drift",
       [](const Mat3& M) -> Mat3 { return M.colwise().normalized(); }},

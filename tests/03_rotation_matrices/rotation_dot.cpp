@@ -18,7 +18,9 @@ const Function<decltype(rotation_matrices::rotation_dot)> rotation_dot{TUMBLE_UN
 
 namespace {
 
-Mat3 reference(const Mat3& R, const Vec3& omega) { return tumble::rotation_dot(R, omega); }
+Mat3 reference(const Mat3& R, const Vec3& omega) {
+  return tumble::rotation::rotation_dot(R, omega);
+}
 
 /// Two products and a sum a number, on either side.
 double rounding(const Mat3& R, const Vec3& omega) { return 8 * eps * omega.norm() * R.norm(); }
@@ -101,7 +103,9 @@ const Misconceptions<decltype(rotation_matrices::rotation_dot)> misconceptions{
       "This is the rate for an ω that is given in the axes of the body. Here ω is in world axes: "
       "look at the order of the two factors.",
       "Angular velocity",
-      [](const Mat3& R, const Vec3& omega) -> Mat3 { return tumble::rotation_dot_body(R, omega); }},
+      [](const Mat3& R, const Vec3& omega) -> Mat3 {
+        return tumble::rotation::rotation_dot_body(R, omega);
+      }},
      {"turned the other way",
       "Every number has the wrong sign: the body turns against ω. A point r of it moves as ω × r, "
       "not r × ω.",
@@ -127,7 +131,7 @@ const Misconceptions<decltype(rotation_matrices::rotation_dot)> misconceptions{
      {"R left out",
       "This is the matrix of ω alone. The rate of an axis also depends on where that axis points.",
       "Angular velocity",
-      [](const Mat3&, const Vec3& omega) -> Mat3 { return tumble::skew(omega); }},
+      [](const Mat3&, const Vec3& omega) -> Mat3 { return tumble::rotation::skew(omega); }},
      {"rate added to R",
       "R itself is contained in the result. What is wanted is the rate alone; the step is the "
       "integrator's business.",
@@ -138,7 +142,7 @@ const Misconceptions<decltype(rotation_matrices::rotation_dot)> misconceptions{
       "this R has drifted.",
       "Drift",
       [](const Mat3& R, const Vec3& omega) -> Mat3 {
-        return tumble::rotation_dot_body<double>(R, R.transpose() * omega);
+        return tumble::rotation::rotation_dot_body<double>(R, R.transpose() * omega);
       }},
      {"repaired on the way",
       "The rate belongs to a rotation near R. A derivative takes the state as it is; repairing it "

@@ -24,7 +24,7 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("the numbers of any vector stand at their places, unrounded") {
     for (int n = 0; n < 20; ++n) {
       const Vec3 a = any_vector(10);
-      REQUIRE(student::skew(a) == close_to(tumble::skew(a), 0));
+      REQUIRE(student::skew(a) == close_to(tumble::rotation::skew(a), 0));
     }
   }
 
@@ -59,7 +59,7 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("zero, tiny and huge vectors: nothing is normalised, nothing is lost") {
     for (const double size : {0., 1e-300, 1e-8, 1e150, 1e300}) {
       const Vec3 a = any_vector(size);
-      REQUIRE(student::skew(a) == close_to(tumble::skew(a), 0));
+      REQUIRE(student::skew(a) == close_to(tumble::rotation::skew(a), 0));
     }
   }
 }
@@ -69,7 +69,8 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
     {{"transposed",
       "All signs are the other way round: this matrix makes b × a. Write out the first component "
       "of a × b and compare it with the first row.",
-      "Angular velocity", [](const Vec3& a) -> Mat3 { return tumble::skew(a).transpose(); }},
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 { return tumble::rotation::skew(a).transpose(); }},
      {"minus signs forgotten",
       "The matrix came out symmetric. Each component of a cross product is a difference, so that "
       "in each row one of the two numbers has a minus.",
@@ -88,20 +89,20 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
       "product begins with z: z, x is its order, not x, z.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 {
-        return tumble::skew<double>({a.x(), -a.y(), a.z()});
+        return tumble::rotation::skew<double>({a.x(), -a.y(), a.z()});
       }},
      {"x and z swapped",
       "The components were filled in as one reads, x first. The row for x holds everything but "
       "a's x component.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 {
-        return tumble::skew<double>({a.z(), a.y(), a.x()});
+        return tumble::rotation::skew<double>({a.z(), a.y(), a.x()});
       }},
      {"one half only",
       "The numbers below the diagonal are missing: each component of a stands in the matrix twice.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 {
-        Mat3 S = tumble::skew(a);
+        Mat3 S = tumble::rotation::skew(a);
         S(1, 0) = S(2, 0) = S(2, 1) = 0;
         return S;
       }},
@@ -113,4 +114,4 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
       "The vector was scaled to length 1. A cross product grows with its factors, and ω carries "
       "the speed of the turn in its length.",
       "Angular velocity",
-      [](const Vec3& a) -> Mat3 { return tumble::skew(Vec3(a.normalized())); }}}};
+      [](const Vec3& a) -> Mat3 { return tumble::rotation::skew(Vec3(a.normalized())); }}}};

@@ -31,7 +31,7 @@ constexpr double rounding_of_all = 6 * rounding;
 /// 1 − 2 |v|² and so on, as it stands in books for unit quaternions: without any division, with
 /// `factor` where the 2 belongs.
 Mat3 for_unit(const Quaternion& q, double factor) {
-  const Mat3 V = tumble::skew<double>(q.tail<3>());
+  const Mat3 V = tumble::rotation::skew<double>(q.tail<3>());
   return Mat3::Identity() + factor * (q[0] * V + V * V);
 }
 
@@ -65,7 +65,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (const double drift : {0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1.}) {
       const Quaternion q = (1 + drift) * any_unit_quaternion();
       const auto R = student::to_matrix(q);
-      REQUIRE(R == obeys("RᵀR = 1", tumble::orthonormality_error(R), rounding_of_all));
+      REQUIRE(R == obeys("RᵀR = 1", tumble::rotation::orthonormality_error(R), rounding_of_all));
       REQUIRE(R == obeys("det R = 1", std::abs(R->determinant() - 1), rounding_of_all));
     }
   }
@@ -91,7 +91,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       const Vec3 expected = 2 * v / (1 + v.squaredNorm());
       // The three numbers are as exact, relatively, as those near 1.
       REQUIRE(R == obeys("½ (R − Rᵀ) = sin θ u as a cross product",
-                         (tumble::unskew<double>(R) - expected).norm() / expected.norm(),
+                         (tumble::rotation::unskew<double>(R) - expected).norm() / expected.norm(),
                          2 * rounding));
     }
   }

@@ -33,8 +33,8 @@ Mat3 placed(const Mat3& own, double mass, const Box& box, const Vec3& about) {
 Mat3 reference(double mass, const Box& box, const Vec3& about) {
   if (!(mass > 0 && box.size.minCoeff() > 0))  // which the library refuses
     return placed(own_inertia(mass, box.size), mass, box, about);
-  return tumble::inertia_about(tumble::box_mass_properties({box.centre, box.R, box.size}, mass),
-                               about);
+  return tumble::inertia_about(
+      tumble::boxes::box_mass_properties({box.centre, box.R, box.size}, mass), about);
 }
 
 /// Some 5 eps for the moments, 6 for the turn and 4 for what is added by the move; an R that is a

@@ -51,10 +51,12 @@ Mat3 scatter(const Points& points, const Vec3& about) {
   return S;
 }
 
-Box reference(const Points& points) { return to_box(tumble::principal_box(points)); }
+Box reference(const Points& points) { return to_box(tumble::boxes::principal_box(points)); }
 
 /// The smallest box with these directions.
-Box around(const Points& points, const Mat3& R) { return to_box(tumble::box_around(points, R)); }
+Box around(const Points& points, const Mat3& R) {
+  return to_box(tumble::boxes::box_around(points, R));
+}
 
 Mat3 axes_of(const Mat3& S) { return tumble::principal_axes(S).R; }
 
@@ -229,9 +231,9 @@ TEST_SUITE(TUMBLE_UNIT) {
       const auto box = student::fit_oriented_box(any_cloud(10));
       // 24 turns, each of which rounds by 6 eps a number, and the products made here.
       const double bound = 512 * eps;
-      REQUIRE(box == obeys("RᵀR = 1", tumble::orthonormality_error(box->R), bound));
+      REQUIRE(box == obeys("RᵀR = 1", tumble::rotation::orthonormality_error(box->R), bound));
       REQUIRE(box == obeys("det R = 1", std::abs(box->R.determinant() - 1), bound));
-      REQUIRE(box == obeys("size ≥ 0", -box->size.minCoeff(), 0));
+      REQUIRE(box == obeys("size ≥ 0", -box->size.minCoeff<Eigen::PropagateNaN>(), 0));
     }
   }
 }

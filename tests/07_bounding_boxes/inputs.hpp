@@ -16,7 +16,7 @@ namespace tumble::judge {
 using bounding_boxes::Box;
 using Points = std::vector<Vec3>;
 
-inline Box to_box(const OrientedBox& box) { return {box.centre, box.R, box.size}; }
+inline Box to_box(const boxes::OrientedBox& box) { return {box.centre, box.R, box.size}; }
 
 /// Points in a cube, about a place.
 inline Points any_points(int n, double size = 2, const Vec3& place = Vec3::Zero()) {
@@ -49,7 +49,7 @@ inline double sticks_out(const Box& box, const Points& points) {
   double worst = 0;
   for (const Vec3& point : points) {
     const Vec3 r = box.R.transpose() * (point - box.centre);
-    worst = std::fmax(worst, (r.cwiseAbs() - box.size / 2).maxCoeff());
+    worst = worse(worst, (r.cwiseAbs() - box.size / 2).maxCoeff<Eigen::PropagateNaN>());
   }
   return worst;
 }
@@ -62,7 +62,8 @@ inline double loose_by(const Box& box, const Points& points) {
     low = low.cwiseMin(r);
     high = high.cwiseMax(r);
   }
-  return std::fmax((box.size / 2 - high).maxCoeff(), (low + box.size / 2).maxCoeff());
+  return worse((box.size / 2 - high).maxCoeff<Eigen::PropagateNaN>(),
+               (low + box.size / 2).maxCoeff<Eigen::PropagateNaN>());
 }
 
 }  // namespace tumble::judge

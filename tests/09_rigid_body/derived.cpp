@@ -74,8 +74,8 @@ TEST_SUITE(TUMBLE_UNIT) {
       const auto now = student::derived(body, state);
       REQUIRE(now == close_to(expected, rounding(body, state)));
       // Nine numbers that are each off by `rounding` make RᵀR off by at most 6 of it.
-      REQUIRE(now ==
-              obeys("RᵀR = 1", tumble::orthonormality_error(now->R), 6 * rounding(body, state)));
+      REQUIRE(now == obeys("RᵀR = 1", tumble::rotation::orthonormality_error(now->R),
+                           6 * rounding(body, state)));
     }
   }
 
@@ -164,7 +164,7 @@ const Misconceptions<decltype(rigid_body::derived)> misconceptions{
       "that is made with it is right.",
       "The length of q",
       [](const Body& body, const State& s) -> Derived {
-        const Mat3 V = tumble::skew<double>(s.q.tail<3>());
+        const Mat3 V = tumble::rotation::skew<double>(s.q.tail<3>());
         const Mat3 R = Mat3::Identity() + 2 * (s.q[0] * V + V * V);
         return {R, s.P / body.mass, R * (body.I_body_inv * (R.transpose() * s.L))};
       }},

@@ -345,7 +345,7 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
       "longer or shorter, and then this R stretches.",
       "The length of q",
       with_law([](const Body& body, const State& s, Derived now, const Wrench& push) {
-        const Mat3 V = tumble::skew<double>(s.q.tail<3>());
+        const Mat3 V = tumble::rotation::skew<double>(s.q.tail<3>());
         const Mat3 R = Mat3::Identity() + 2 * (s.q[0] * V + V * V);
         now.omega = R * (body.I_body_inv * (R.transpose() * s.L));
         return rates(s, now, push);

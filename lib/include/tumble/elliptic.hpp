@@ -9,3 +9,7 @@
 #include "tumble/elliptic/integrals.hpp"
 #include "tumble/elliptic/modulus.hpp"
 #include "tumble/elliptic/theta_series.hpp"
+
+/// Elliptic integrals and Jacobi's functions, and the polhode that they describe.
+/// @ingroup elliptic
+namespace tumble::elliptic {}

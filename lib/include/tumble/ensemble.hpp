@@ -21,3 +21,7 @@
 #include "tumble/ensemble/spin.hpp"
 #include "tumble/ensemble/stepper.hpp"
 #include "tumble/ensemble/taylor_magnus.hpp"
+
+/// What a force of your own on an ensemble is given, and what it gives.
+/// @ingroup ensemble
+namespace tumble::ensemble {}

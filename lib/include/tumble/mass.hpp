@@ -30,3 +30,19 @@
 #include "tumble/mass/stratified_points.hpp"
 #include "tumble/mass/transform.hpp"
 #include "tumble/mass/validity.hpp"
+
+/// Solids made of solids, and what a solid is.
+/// @ingroup mass
+namespace tumble::solids {}
+
+/// Mass properties from points and from columns.
+/// @ingroup mass
+namespace tumble::sampling {}
+
+/// Boxes around points, and how they do for a body.
+/// @ingroup mass
+namespace tumble::boxes {}
+
+/// Mirtich's integrals over a polyhedron: volume → faces → shadows → edges.
+/// @ingroup mass
+namespace tumble::mirtich {}

@@ -16,3 +16,7 @@
 #include "tumble/ode/observed_order.hpp"
 #include "tumble/ode/radau5.hpp"
 #include "tumble/ode/rk4.hpp"
+
+/// What a method is made of and measured by: tableaus, the simplest methods, error norms.
+/// @ingroup ode
+namespace tumble::runge_kutta {}

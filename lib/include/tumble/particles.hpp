@@ -12,3 +12,7 @@
 #include "tumble/particles/particle_system.hpp"
 #include "tumble/particles/spring.hpp"
 #include "tumble/particles/uniform_gravity.hpp"
+
+/// Particles, the forces on them, and their state as one column.
+/// @ingroup particles
+namespace tumble::particles {}

@@ -13,3 +13,7 @@
 #include "tumble/rotation/orthonormality.hpp"
 #include "tumble/rotation/rotation_dot.hpp"
 #include "tumble/rotation/skew.hpp"
+
+/// How orientations change, and how they are kept orthonormal: matrices, and quaternions too.
+/// @ingroup rotation
+namespace tumble::rotation {}

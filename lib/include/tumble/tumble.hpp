@@ -3,7 +3,10 @@
 /// The whole library.
 
 /// @defgroup core Foundations
-/// What every topic needs: vectors, refusals, solids, numbers of twice the digits, threads.
+/// What every topic needs: vectors, refusals, solids.
+
+/// @defgroup simd Vectors of numbers
+/// Numbers of twice the digits, many numbers at once, and what the processor has for them.
 
 #include "tumble/body.hpp"
 #include "tumble/elliptic.hpp"
@@ -22,3 +25,7 @@
 
 /// Rigid-body dynamics: the folders under `tumble/` are its topics, each header is one concept.
 namespace tumble {}
+
+/// Numbers of twice the digits, vectors of numbers, and the instructions that they use.
+/// @ingroup simd
+namespace tumble::simd {}

@@ -33,15 +33,24 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
   const std::string folder = source.parent_path().string() + "/";
   const std::string own = source.filename().string() + ":";
   std::istringstream in(compiler_output);
-  std::string kept;
+  std::string kept, elsewhere;  // the last warning at a place elsewhere: its notes may be about us
   bool keep = false;
   int lines = 0;
   for (std::string line; std::getline(in, line) && lines < most_shown;) {
     const bool about_source = line.starts_with(folder + own);
-    if (starts_message(line))
+    if (starts_message(line)) {
       keep = about_source;
-    else if (!line.starts_with(' '))
+      const bool is_note = line.find(": note: ") != std::string::npos;
+      if (keep && is_note && !elsewhere.empty()) {
+        kept += elsewhere + "\n";
+        ++lines;
+      }
+      if (keep || !is_note) elsewhere.clear();
+      if (const auto at = line.find("warning: "); !keep && at != std::string::npos)
+        elsewhere = line.substr(at);
+    } else if (!line.starts_with(' ')) {
       keep = false;  // "In file included from", "required from", totals: not for a beginner
+    }
     if (!keep && others && is_error(line) && starts_message(line)) {
       kept += line.substr(line.find("error: ")) + "\n";
       ++lines;

@@ -228,7 +228,7 @@ class Builder {
       result.outcome = BuildOutcome::wrong_signature;
       result.detail = read_declaration(course_, unit_).signature;
     } else if (!undefined.empty()) {
-      result.detail = "These functions are used, and are not there:\n";
+      result.detail = "Your code calls these functions, but nothing defines them:\n";
       for (const std::string& name : undefined) result.detail += "  " + name + "\n";
       const bool of_eigen = undefined.front().find("Eigen::") != std::string::npos;
       result.detail += of_eigen
@@ -250,7 +250,8 @@ class Builder {
     walls.files.read.insert(walls.files.read.end(),
                             {"/proc", "/usr", "/lib", "/lib64", "/etc/ld.so.cache"});
     program.environment = {
-        "ASAN_OPTIONS=detect_leaks=0:handle_abort=1:handle_sigfpe=1:hard_rss_limit_mb=1024",
+        "ASAN_OPTIONS=detect_leaks=0:handle_abort=1:handle_sigfpe=1:hard_rss_limit_mb=1024:"
+        "malloc_fill_byte=254:max_malloc_fill_size=1048576:detect_stack_use_after_return=1",
         "UBSAN_OPTIONS=print_stacktrace=1"};
     return program;
   }

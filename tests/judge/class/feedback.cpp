@@ -65,9 +65,11 @@ std::string judge_failures(const StudentRecord& record) {
   return units.empty() ? "" : "the judge failed at " + units + ": no verdict";
 }
 
-/// "not judged yet: 1.3, 1.5" of a grading that was interrupted, or nothing.
+/// "not judged yet: 1.3, 1.5" of a grading that was interrupted or had no time left, or nothing.
 std::string not_judged(const CourseSettings& settings, const StudentRecord& record) {
   if (record.absent || !record.refused.empty()) return "";
+  if (const std::size_t left = count_unreached(settings, record); left > 0)
+    return std::to_string(left) + " " + no_time_left;
   std::string units;
   for (const Unit& unit : settings.units)
     if (!record.find(unit)) units += (units.empty() ? "" : ", ") + unit.number;

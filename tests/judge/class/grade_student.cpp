@@ -2,18 +2,16 @@
 
 #include "judge/class/sources.hpp"
 #include "judge/course/progress.hpp"
-#include "judge/course/stable_hash.hpp"
 #include "judge/verdict/judge_all.hpp"
-#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
 namespace {
 
 /// Is a record of before a verdict on this file, with these inputs, by this judge?
-bool still_holds(const UnitRecord& unit, const StudentRecord& before, const StudentRecord& now,
+bool still_holds(const UnitRecord& unit, std::uint64_t judge, std::uint64_t seed,
                  const fs::path& source) {
-  return unit.judge_failure.empty() && before.judge == now.judge && unit.seed == now.seed &&
+  return unit.judge_failure.empty() && unit.judge == judge && unit.seed == seed &&
          unit.source == fingerprint(source);
 }
 
@@ -25,7 +23,8 @@ std::vector<UnitRecord> kept(const Grading& grading, const Sources& sources,
   if (!before) return units;
   for (const Unit& unit : grading.settings.units)
     if (const UnitRecord* known = before->find(unit)) {
-      const bool keep = grading.only.empty() ? still_holds(*known, *before, now, sources.of(unit))
+      const bool keep = grading.only.empty() ? still_holds(*known, grading.judge.of(unit), now.seed,
+                                                           sources.of(unit))
                                              : !grading.only.contains(unit.id());
       if (keep) units.push_back(*known);
     }
@@ -37,7 +36,7 @@ StudentRecord new_record(const Grading& grading, const Submission& submission,
                          const Sources& sources) {
   StudentRecord record{submission.student,
                        seed_of(grading.seed, submission.student),
-                       grading.judge,
+                       grading.judge.shared(),
                        sources.refused(),
                        {}};
   record.who = submission.who;
@@ -53,6 +52,7 @@ StudentRecord new_record(const Grading& grading, const Submission& submission,
 /// A verdict as it is kept.
 UnitRecord unit_record(const Grading& grading, const Sources& sources, const UnitResult& result) {
   UnitRecord unit = record_of(grading.course, result);
+  unit.judge = grading.judge.of(result.unit);
   if (!sources.handed_in(result.unit)) unit.summary = not_handed_in;
   for (std::string* text : {&unit.detail, &unit.explanation}) *text = sources.as_handed_in(*text);
   return unit;
@@ -107,6 +107,8 @@ void grade_student(const Grading& grading, const Submission& submission,
   judgement.compiled = &grading.compiled;
   judgement.builds_at_once = grading.builds_at_once;
   judgement.locate_crashes = false;  // with sanitizers the walls are lower
+  judgement.deadline = grading.deadline;
+  std::size_t judged = 0;
   judge_all(
       course, open, [&](const Unit& unit) { return sources.of(unit); }, judgement,
       [&](const UnitResult& result) {
@@ -115,12 +117,11 @@ void grade_student(const Grading& grading, const Submission& submission,
         add_in_order(record, std::move(unit), grading.settings);
         write_record(file, record, grading.settings);
         done(record);
+        ++judged;
       });
-}
-
-std::uint64_t judge_fingerprint() {
-  const fs::path self = "/proc/self/exe";
-  return fs::exists(self) ? stable_hash(support::read_text(self)) : 0;
+  record.out_of_time = judged < open.size();
+  if (record.out_of_time) write_record(file, record, grading.settings);
+  for (; judged < open.size(); ++judged) done(record);
 }
 
 }  // namespace tumble::judge

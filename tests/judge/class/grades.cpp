@@ -39,6 +39,16 @@ void write_case(std::ostream& out, const StudentRecord& student, const UnitRecor
         << markup(unit.explanation) << "</failure>\n    </testcase>\n";
 }
 
+void write_unreached(std::ostream& out, const CourseSettings& settings,
+                     const StudentRecord& record) {
+  if (!record.out_of_time) return;
+  for (const Unit& unit : settings.units)
+    if (!record.find(unit))
+      out << "    <testcase classname=\"" << markup(record.student) << "\" name=\"" << unit.number
+          << " " << markup(unit.id()) << "\">\n      <skipped message=\"" << no_time_left
+          << "\"/>\n    </testcase>\n";
+}
+
 }  // namespace
 
 std::string grades_csv(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
@@ -76,15 +86,17 @@ std::string grades_junit(const CourseSettings& settings,
   for (const StudentRecord& record : records) {
     const std::size_t refused = record.refused.empty() ? 0 : 1;
     const std::size_t unjudged = count_judge_failures(record), errors = refused + unjudged;
+    const std::size_t skipped = count_unreached(settings, record);
     out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
-        << record.units.size() + refused << "\" failures=\""
-        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors
-        << "\">\n";
+        << record.units.size() + refused + skipped << "\" failures=\""
+        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors << "\""
+        << (skipped > 0 ? " skipped=\"" + std::to_string(skipped) + "\"" : "") << ">\n";
     if (refused > 0)
       out << "    <testcase classname=\"" << markup(record.student)
           << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
           << "\"/>\n    </testcase>\n";
     for (const UnitRecord& unit : record.units) write_case(out, record, unit);
+    write_unreached(out, settings, record);
     out << "  </testsuite>\n";
   }
   out << "</testsuites>\n";

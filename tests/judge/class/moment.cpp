@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdlib>
 #include <regex>
 
 #include "judge/class/file_kinds.hpp"
@@ -19,7 +20,7 @@ struct CivilTime {
 std::optional<Moment> utc(const CivilTime& t) {
   using namespace std::chrono;
   const year_month_day date{year{t.year}, month{t.month}, day{t.day}};
-  if (!date.ok() || t.hour > 23 || t.minute > 59 || t.second > 60) return std::nullopt;
+  if (!date.ok() || t.hour > 23 || t.minute > 59 || t.second > 59) return std::nullopt;
   const Moment days = sys_days{date}.time_since_epoch().count();
   return days * 86400 + t.hour * 3600 + t.minute * 60 + t.second;
 }
@@ -49,8 +50,11 @@ std::optional<Moment> iso_moment(const std::string& text, std::int64_t zone) {
   const auto local = utc({number_in(m[1]), static_cast<unsigned>(number_in(m[2])),
                           static_cast<unsigned>(number_in(m[3])), number_in(m[4]), number_in(m[5]),
                           number_in(m[6])});
-  if (!local) return std::nullopt;
-  return *local - (m[7].matched ? zone_of(text) : zone);
+  constexpr std::int64_t farthest_zone = 14 * 3600 + 59 * 60;
+  const std::int64_t ahead = m[7].matched ? zone_of(text) : zone;
+  const bool is_zone = std::abs(ahead) <= farthest_zone;
+  if (!local || !is_zone) return std::nullopt;
+  return *local - ahead;
 }
 
 /// As Moodle writes it in English.
@@ -77,6 +81,14 @@ std::int64_t zone_of(const std::string& text) {
   if (!std::regex_match(text, m, pattern) || text.find(':') == std::string::npos) return 0;
   const std::int64_t ahead = number_in(m[2]) * 3600 + number_in(m[3]) * 60;
   return m[1] == "-" ? -ahead : ahead;
+}
+
+std::optional<Moment> exact_moment_of(const std::string& text) {
+  static const std::regex exact(
+      R"(\d{4}-\d{2}-\d{2}T\d{2}:\d{2}(:\d{2}(\.\d{1,9})?)?(Z|[+-]\d{2}:[0-5]\d))");
+  constexpr std::size_t longest = 40;
+  if (text.size() > longest || !std::regex_match(text, exact)) return std::nullopt;
+  return iso_moment(text, 0);
 }
 
 std::optional<Moment> moment_of(const std::string& text, std::int64_t zone) {

@@ -20,4 +20,8 @@ std::int64_t zone_of(const std::string& text);
 /// @param zone ahead of UTC [s], for a time that does not name its own
 std::optional<Moment> moment_of(const std::string& text, std::int64_t zone = 0);
 
+/// The same for what has to be exact, as in course.json: ISO 8601 with a time zone,
+/// "2026-12-01T23:59:00+01:00" or "2026-12-01T22:59Z".
+std::optional<Moment> exact_moment_of(const std::string& text);
+
 }  // namespace tumble::judge

@@ -31,12 +31,6 @@ LateRule read_late(const Place& place) {
   return rule;
 }
 
-std::string read_moment(const Place& place) {
-  require(moment_of(place.text()).has_value(), place.name(), " is \"", place.text(),
-          R"(", not a time such as "2026-12-01T23:59:00+01:00")");
-  return place.text();
-}
-
 Override read_override(const Course& course, const Place& place) {
   Override by_hand;
   for (const auto& [key, value] : place.members()) {
@@ -64,6 +58,12 @@ Several read_several(const Place& place) {
 }
 
 }  // namespace
+
+std::string read_moment(const Place& place) {
+  require(exact_moment_of(place.text()).has_value(), place.name(), " is \"", place.text(),
+          R"(", not a time such as "2026-12-01T23:59:00Z" or "2026-12-01T23:59:00+01:00")");
+  return place.text();
+}
 
 ClassRules read_rules(const Course& course, const Place& settings) {
   ClassRules rules;

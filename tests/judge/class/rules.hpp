@@ -54,4 +54,8 @@ struct ClassRules {
 /// @throws std::invalid_argument naming the place of what means nothing
 ClassRules read_rules(const Course& course, const support::Place& settings);
 
+/// A moment that has to be exact.
+/// @throws std::invalid_argument naming the place if it is none
+std::string read_moment(const support::Place& place);
+
 }  // namespace tumble::judge

@@ -32,6 +32,7 @@ void add_circumstances(ordered_json& j, const StudentRecord& record) {
   for (const auto& [key, text] : texts)
     if (!text->empty()) j[key] = *text;
   if (record.marked_late) j["marked_late"] = true;
+  if (record.out_of_time) j["out_of_time"] = true;
   if (!record.notes.empty()) j["notes"] = record.notes;
   if (!record.files.empty()) j["files"] = record.files;
 }
@@ -42,11 +43,16 @@ void read_circumstances(const ordered_json& j, StudentRecord& record) {
   record.handed_in = j.value("handed_in", "");
   record.together = j.value("together", "");
   record.marked_late = j.value("marked_late", false);
+  record.out_of_time = j.value("out_of_time", false);
   record.notes = j.value("notes", record.notes);
   record.files = j.value("files", record.files);
 }
 
 }  // namespace
+
+std::size_t count_unreached(const CourseSettings& settings, const StudentRecord& record) {
+  return record.out_of_time ? settings.units.size() - record.units.size() : 0;
+}
 
 double earned(const CourseSettings& settings, const StudentRecord& record) {
   double sum = 0;

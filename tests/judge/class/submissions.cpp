@@ -12,14 +12,30 @@ namespace {
 
 bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 
+bool has_part(const fs::path& path, const std::string& name) {
+  return std::any_of(path.begin(), path.end(),
+                     [&](const fs::path& part) { return lower_case(part.string()) == name; });
+}
+
+/// Which folders are the course's, not the student's. Where there is no exercises/, what lies in a
+/// folder solutions/ is what was handed in.
+std::vector<const char*> folders_of_the_course(const std::vector<fs::path>& paths) {
+  const bool whole = std::any_of(paths.begin(), paths.end(),
+                                 [](const fs::path& path) { return has_part(path, "exercises"); });
+  std::vector<const char*> folders{"tests", "build", "__macosx"};
+  if (whole) folders.push_back("solutions");
+  return folders;
+}
+
 /// How well a path fits a unit: 3 in exercises/, 2 in a folder of the chapter, 1 by its name alone,
 /// 0 not at all.
-int fit(const fs::path& path, const Unit& unit, bool only_one_of_that_name) {
+int fit(const fs::path& path, const Unit& unit, bool only_one_of_that_name,
+        const std::vector<const char*>& not_theirs) {
   std::vector<std::string> parts;
   for (const fs::path& part : path) parts.push_back(lower_case(part.string()));
   if (parts.empty() || exercise_named(parts.back()) != unit.name) return 0;
-  for (const char* other : {"solutions", "tests", "build", "__macosx"})
-    if (std::find(parts.begin(), parts.end(), other) != parts.end()) return 0;
+  for (const char* folder : not_theirs)
+    if (std::find(parts.begin(), parts.end(), folder) != parts.end()) return 0;
   const std::size_t n = parts.size();
   if (n < 2 || parts[n - 2] != unit.chapter) return only_one_of_that_name ? 1 : 0;
   return n >= 3 && parts[n - 3] == "exercises" ? 3 : 2;
@@ -43,9 +59,10 @@ bool counts_rather(const Candidate& a, const Candidate& b) {
 /// The best of them first.
 std::vector<Candidate> candidates(const Unit& unit, bool only_one_of_that_name,
                                   const std::vector<fs::path>& paths) {
+  const std::vector<const char*> not_theirs = folders_of_the_course(paths);
   std::vector<Candidate> found;
   for (const fs::path& path : paths)
-    if (const int how = fit(path, unit, only_one_of_that_name); how > 0)
+    if (const int how = fit(path, unit, only_one_of_that_name, not_theirs); how > 0)
       found.push_back({path, how, std::distance(path.begin(), path.end())});
   std::sort(found.begin(), found.end(), counts_rather);
   return found;

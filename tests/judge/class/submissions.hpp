@@ -54,8 +54,9 @@ struct ChosenFile {
 
 /// Which of `paths` is the file of each unit: …/exercises/04_quaternions/product.cpp, else
 /// …/04_quaternions/product.cpp, else product.cpp where one unit only has that name; of several the
-/// one least deep, and of those the last in natural order. What lies under solutions/, tests/ or
-/// build/ is no student's. Units without a file are left out.
+/// one least deep, and of those the last in natural order. What lies under tests/ or build/
+/// is no student's, and neither is solutions/ beside an exercises/. Units without a file are left
+/// out.
 /// @param counted the units that are graded: a name alone means one of them first
 std::map<std::string, ChosenFile> choose_files(const Course& course,
                                                const std::vector<Unit>& counted,

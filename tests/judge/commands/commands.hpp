@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "judge/course/course.hpp"
+#include "judge/platforms/package.hpp"
 
 namespace tumble::judge {
 
@@ -43,6 +44,7 @@ struct GradeOptions {
   std::vector<std::string> only;       ///< units and chapters to judge again
   std::vector<std::string> students;   ///< to judge; all if none is named
   bool strict = false;                 ///< refuse to judge if a wall of the sandbox is missing
+  std::optional<double> seconds;       ///< after these no exercise is begun
 };
 
 struct ReportOptions {
@@ -52,17 +54,17 @@ struct ReportOptions {
   bool names = false;                ///< the students' too
 };
 
-struct ExportOptions {
-  std::string platform;                      ///< "gradescope", …
-  fs::path to;                               ///< a new folder
-  std::optional<fs::path> settings;          ///< course.json
-  std::string image = "OWNER/tumble-judge";  ///< of PrairieLearn's grader
+struct HandoutOptions {
+  std::string chapters;              ///< "1-4,6"; or empty, and those of `settings`
+  std::optional<fs::path> settings;  ///< course.json
+  fs::path to;                       ///< a new folder
 };
 
 struct PlatformOptions {
   std::string platform;              ///< "gradescope", …
   fs::path root;                     ///< of its folders
   std::optional<fs::path> settings;  ///< course.json
+  std::optional<double> seconds;     ///< after these no exercise is begun
 };
 
 /// What `check` judges: "4.1", "product", "4", "all", "4.1.3" for one case; the next open unit if
@@ -91,13 +93,13 @@ int solution(const Course& course, const std::string& what, bool anyway);
 int sandbox(const Course& course);
 /// Grades a class.
 int grade(const Course& course, const GradeOptions& options);
-/// Makes a repository for students of the chapters that "1-4" means.
-int handout_command(const Course& course, const std::string& chapters, const fs::path& to);
+/// Makes a repository for students.
+int handout_command(const Course& course, const HandoutOptions& options);
 /// Grades one submission where a platform has put it, and writes the results where it looks for
 /// them.
 int platform_command(const Course& course, const PlatformOptions& options);
 /// Makes what a platform takes.
-int export_command(const Course& course, const ExportOptions& options);
+int export_command(const Course& course, const PackageOrder& order);
 /// Writes one page about a class.
 int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.

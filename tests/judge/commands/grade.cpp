@@ -101,6 +101,17 @@ std::set<std::string> units_named(const Course& course, const CourseSettings& se
   return ids;
 }
 
+/// Says for whom no time was left.
+/// @return whether there is anybody
+bool said_who_is_left(const std::vector<StudentRecord>& records) {
+  const auto left = std::count_if(records.begin(), records.end(),
+                                  [](const StudentRecord& record) { return record.out_of_time; });
+  if (left > 0)
+    std::cerr << "tumble: no time was left for " << left << " of " << records.size()
+              << " submissions; the same command goes on there\n";
+  return left > 0;
+}
+
 /// Keeps the settings for the report.
 void keep_settings(const GradesFolder& folder, const std::optional<fs::path>& settings) {
   std::error_code was_not_there;
@@ -129,7 +140,8 @@ int finish(const Work& work, const GradesFolder& folder, const CourseSettings& s
                  "goes on there\n";
     return 130;
   }
-  return say_failures(failed, records) ? 2 : 0;
+  const bool has_failed = say_failures(failed, records), unfinished = said_who_is_left(records);
+  return has_failed ? 2 : unfinished ? 1 : 0;
 }
 
 }  // namespace
@@ -151,16 +163,19 @@ int grade(const Course& course, const GradeOptions& options) {
   const std::size_t students_at_once = options.at_once.value_or(cores);
   // A compiler takes 150 MB: no more of them than cores.
   const std::size_t builds_at_once = std::max<std::size_t>(1, cores / students_at_once);
-  Grading grading{course, settings,      class_seed(settings, folder), judge_fingerprint(),
-                  cache,  builds_at_once};
+  const JudgeFingerprint judge(course);
+  Grading grading{course, settings, class_seed(settings, folder), judge, cache, builds_at_once};
   grading.only = only;
+  if (options.seconds) grading.deadline = after(*options.seconds);
   std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
             << " exercises each\n";
   say_list("records:", set_damaged_aside(folder, work.all.submissions));
   const auto start = std::chrono::steady_clock::now();
   const Interruption interruption;
+  const std::vector<StudentRecord> before = records_of(folder, settings, submissions);
   const std::vector<FailedStudent> failed =
       grade_class(grading, submissions, folder, students_at_once, interruption);
+  say_changes(before, records_of(folder, settings, submissions));
   return finish(work, folder, settings, failed, interruption, start);
 }
 

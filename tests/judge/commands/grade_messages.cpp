@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
+#include <utility>
 
 #include "judge/class/feedback.hpp"
 #include "judge/class/final_grade.hpp"
@@ -108,6 +110,24 @@ void say_about(const std::vector<LeftOut>& left_out, const std::vector<std::stri
   say_unknown(settings, records);
   say_identical(identical_files(settings, records));
   say_timeless(settings, records);
+}
+
+void say_changes(const std::vector<StudentRecord>& before,
+                 const std::vector<StudentRecord>& after) {
+  std::map<std::pair<std::string, std::string>, const UnitRecord*> known;
+  for (const StudentRecord& record : before)
+    for (const UnitRecord& unit : record.units) known[{record.student, unit.unit}] = &unit;
+  std::vector<std::string> changes;
+  for (const StudentRecord& record : after)
+    for (const UnitRecord& unit : record.units) {
+      const auto found = known.find({record.student, unit.unit});
+      if (found == known.end() || !unit.judge_failure.empty()) continue;
+      const UnitRecord& last = *found->second;
+      if (last.source == unit.source && last.summary != unit.summary)
+        changes.push_back(record.student + ", " + unit.number + ": " + last.summary + " → " +
+                          unit.summary);
+    }
+  say_list("verdicts on the same files that have changed:", changes);
 }
 
 bool say_failures(const std::vector<FailedStudent>& failed,

@@ -22,6 +22,9 @@ void say_list(const std::string& head, const std::vector<std::string>& lines);
 void say_about(const std::vector<LeftOut>& left_out, const std::vector<std::string>& strangers,
                const CourseSettings& settings, const std::vector<StudentRecord>& records);
 
+/// Says which verdicts on the same files have changed, since the judge, its specs or the seed did.
+void say_changes(const std::vector<StudentRecord>& before, const std::vector<StudentRecord>& after);
+
 /// Says what the judge has failed at.
 /// @return whether there was anything
 bool say_failures(const std::vector<FailedStudent>& failed,

@@ -17,6 +17,8 @@ namespace {
 Targets nothing(const Course&) { return {}; }
 Targets everything(const Course&) { return all_specs(); }
 
+constexpr const char* seconds_help =
+    "seconds after which no exercise is begun: what is left is said to be not judged";
 constexpr const char* strict_help = "refuse to judge if a wall of the sandbox is missing";
 
 class CommandLine {
@@ -149,6 +151,7 @@ class CommandLine {
     app.add_option("--student", grade_.students, "judge only these students");
     app.add_option("--jobs", grade_.at_once, "submissions at a time; as many as cores if not given")
         ->check(CLI::Range(1, 1000));
+    app.add_option("--deadline", grade_.seconds, seconds_help)->check(CLI::PositiveNumber);
     app.add_flag("--strict", grade_.strict, strict_help);
   }
 
@@ -166,10 +169,10 @@ class CommandLine {
   void add_handout() {
     CLI::App& app = command(
         "handout", "a repository for students, without the solutions",
-        [this](const Course& course) { return handout_command(course, chapters_, handout_to_); },
-        nothing);
-    app.add_option("--chapters", chapters_, "1-4, or 1-4,6")->required();
-    app.add_option("DIR", handout_to_, "a new folder")->required();
+        [this](const Course& course) { return handout_command(course, handout_); }, nothing);
+    app.add_option("--chapters", handout_.chapters, "1-4, or 1-4,6");
+    app.add_option("--course", handout_.settings, "course.json: the chapters of what counts");
+    app.add_option("DIR", handout_.to, "a new folder")->required();
   }
 
   void add_export() {
@@ -182,6 +185,9 @@ class CommandLine {
                    "course.json: exercises, weights, credit, hidden, due date, seed");
     app.add_option("--image", export_.image, "name of PrairieLearn's grader image")
         ->capture_default_str();
+    app.add_flag("--each", export_.each, "a question for each exercise: PrairieLearn");
+    app.add_option("--limit", export_.limit,
+                   "seconds that the platform gives a submission, if you have changed them");
   }
 
   void add_platform() {
@@ -192,6 +198,7 @@ class CommandLine {
     app.add_option("PLATFORM", platform_.platform, platforms)->required();
     app.add_option("ROOT", platform_.root, "/autograder, /grade, the checkout")->required();
     app.add_option("--course", platform_.settings, "course.json");
+    app.add_option("--deadline", platform_.seconds, seconds_help)->check(CLI::PositiveNumber);
   }
 
   void add_proofs() {
@@ -222,9 +229,8 @@ class CommandLine {
   bool anyway_ = false;
   GradeOptions grade_;
   ReportOptions report_;
-  std::string chapters_;
-  fs::path handout_to_;
-  ExportOptions export_;
+  HandoutOptions handout_;
+  PackageOrder export_;
   PlatformOptions platform_;
   std::string what_ = "all";
   std::uint64_t seed_ = 1;

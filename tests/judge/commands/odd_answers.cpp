@@ -42,6 +42,32 @@ Value with_numbers(const Value& value, double x) {
   return result;
 }
 
+/// One number of a value replaced, the others stay: number `which`, counted in order. Counts
+/// `which` down on the way.
+Value with_one_number(const Value& value, double x, std::size_t& which) {
+  const List* list = value.as<List>();
+  if (!list) return which-- == 0 ? with_numbers(value, x) : value;
+  List result;
+  for (const Value& each : *list) result.push_back(with_one_number(each, x, which));
+  return result;
+}
+
+std::size_t count_numbers(const Value& value) {
+  const List* list = value.as<List>();
+  if (!list) return 1;
+  std::size_t count = 0;
+  for (const Value& each : *list) count += count_numbers(each);
+  return count;
+}
+
+/// One number replaced, a fraction `place` of the way from the first to the last.
+Value with_number_at(const Value& value, double x, double place) {
+  const std::size_t count = count_numbers(value);
+  if (count == 0) return value;
+  auto which = static_cast<std::size_t>(place * static_cast<double>(count - 1));
+  return with_one_number(value, x, which);
+}
+
 /// Every list at this depth changed in size.
 Value with_lists(const Value& value, int depth, const std::function<void(List&)>& change) {
   const List* list = value.as<List>();
@@ -56,27 +82,24 @@ Value with_lists(const Value& value, int depth, const std::function<void(List&)>
 
 std::vector<Distortion> distortions() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double largest = std::numeric_limits<double>::max();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::pair<std::string, double>> numbers = {
-      {"NaN", std::numeric_limits<double>::quiet_NaN()},
+      {"NaN", nan},
       {"infinity", infinity},
       {"-infinity", -infinity},
-      {"the largest number", largest},
-      {"its negative", -largest},
-      {"the smallest number", 5e-324}};
+      {"the largest number", std::numeric_limits<double>::max()}};
   const std::vector<std::pair<std::string, std::function<void(List&)>>> sizes = {
       {"empty", [](List& list) { list.clear(); }},
-      {"one too short",
-       [](List& list) {
-         if (!list.empty()) list.pop_back();
-       }},
+      {"one too short", [](List& list) { list.resize(std::max<std::size_t>(list.size(), 1) - 1); }},
       {"one too long", [](List& list) { list.push_back(list.empty() ? Value(1.) : list.back()); }},
       {"huge", [](List& list) { list.resize(30'000, list.empty() ? Value(1.) : list.back()); }}};
   std::vector<Distortion> all;
   for (const auto& [name, x] : numbers)
     all.push_back({name, [x = x](const Value& v) { return with_numbers(v, x); }});
+  for (const double place : {0., 0.5, 1.})
+    all.push_back({"NaN once", [=](const Value& v) { return with_number_at(v, nan, place); }});
   for (const auto& [name, change] : sizes)
-    for (const int depth : {0, 1, 2})
+    for (const int depth : {0, 1})
       all.push_back(
           {name + " at depth " + std::to_string(depth),
            [depth, change = change](const Value& v) { return with_lists(v, depth, change); }});

@@ -42,19 +42,27 @@ std::string signal_text(int number) {
   }
 }
 
-/// What assert() and Eigen print before they end a program: "… Assertion `index < size()' failed."
+/// What assert(), Eigen and the standard library print before they end a program:
+/// "… Assertion `index < size()' failed.", with one quote or the other.
 std::string failed_assertion(const std::string& printed) {
-  const auto start = printed.rfind("Assertion `");
+  const std::string before = "Assertion ";
+  const auto start = printed.rfind(before);
   const auto end = printed.find("' failed", start);
   if (start == std::string::npos || end == std::string::npos) return {};
-  return printed.substr(start + 11, end - start - 11);
+  const auto text = start + before.size() + 1;
+  return text < end ? printed.substr(text, end - text) : std::string();
+}
+
+bool is_about_index(const std::string& assertion) {
+  return assertion.find("index") != std::string::npos ||
+         assertion.find("__n < this->size()") != std::string::npos;
 }
 
 std::string abort_text(const std::string& printed) {
   const std::string assertion = failed_assertion(printed);
   if (assertion.empty()) return signal_text(SIGABRT);
   return "an assertion failed, " + assertion.substr(0, most_detail) +
-         (assertion.find("index") != std::string::npos ? " (an index out of range)" : "");
+         (is_about_index(assertion) ? " (an index out of range)" : "");
 }
 
 }  // namespace

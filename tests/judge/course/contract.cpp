@@ -15,15 +15,17 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
 }
 
-/// The names in "(const Quaternion& a, double t)": the last word before each comma of the list.
-std::vector<std::string> parameter_names(const std::string& signature) {
-  std::vector<std::string> names;
+/// Reads "(const Quaternion& a, double t)": a name is the last word before a comma of the list.
+void read_parameters(const std::string& signature, Declaration& declaration) {
   std::string parameter;
   int depth = 0;
   const auto finish = [&] {
     parameter = trimmed(parameter);
     const auto last = parameter.find_last_of(" &*");
-    if (!parameter.empty()) names.push_back(parameter.substr(last + 1));
+    if (!parameter.empty()) {
+      declaration.parameters.push_back(parameter.substr(last + 1));
+      declaration.types.push_back(parameter.substr(0, last + 1));
+    }
     parameter.clear();
   };
   for (std::size_t i = signature.find('('); i + 1 < signature.size(); ++i) {
@@ -37,7 +39,6 @@ std::vector<std::string> parameter_names(const std::string& signature) {
     if (c == ')' || c == '>') --depth;
   }
   finish();
-  return names;
 }
 
 }  // namespace
@@ -55,7 +56,9 @@ Declaration read_declaration(const Course& course, const Unit& unit) {
       declaration.signature += line.substr(0, end) + "\n";
       if (end == std::string::npos) continue;
       declaration.signature = trimmed(declaration.signature);
-      declaration.parameters = parameter_names(declaration.signature);
+      read_parameters(declaration.signature, declaration);
+      declaration.result =
+          declaration.signature.substr(0, declaration.signature.find(" " + unit.name));
       return declaration;
     }
   }

@@ -14,6 +14,8 @@ struct Declaration {
   std::string title;                    ///< "the product of two quaternions"
   std::string signature;                ///< up to and without the semicolon, on one line or more
   std::vector<std::string> parameters;  ///< their names, in order
+  std::vector<std::string> types;       ///< and their types: "const Body&"
+  std::string result;                   ///< type of the result
 };
 
 /// Reads the part of `contract` that is headed `// == 4.1 product: the product of two quaternions`.

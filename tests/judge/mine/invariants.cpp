@@ -36,7 +36,7 @@ Turning turning_of(const OwnEngine& engine, const ProblemResult& result, Method 
   const Numbers y = engine.run(question).answer.states.back();
   const RigidBodyState<>& start = result.problem.start;
   const Quat turned = Quat(y[3], y[4], y[5], y[6]) * start.q.conjugate();
-  const Vec3 measured = log_quaternion<double>(normalize(turned)) / moment;
+  const Vec3 measured = log_quaternion<double>(rotation::normalize(turned)) / moment;
   return {derived(result.problem.body, start).omega, measured, to_matrix(start.q)};
 }
 
@@ -78,7 +78,8 @@ DriftResult drift_of(const OwnEngine& engine, const ProblemResult& result) {
   std::vector<Numbers> states{start};
   const double h = result.problem.duration / steps;
   const RigidBodyRhs motion(result.problem.body);
-  for (int i = 0; i < steps; ++i) states.push_back(Midpoint::step(motion, i * h, states.back(), h));
+  for (int i = 0; i < steps; ++i)
+    states.push_back(runge_kutta::Midpoint::step(motion, i * h, states.back(), h));
   try {
     drift.right = right_drift(result, states, h);
     drift.own = engine.drift(result.setting(), states, h);

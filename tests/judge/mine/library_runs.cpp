@@ -19,7 +19,7 @@ Point fixed(const Problem& problem, int steps) {
     const auto run = [&](auto&& f) {
       return integrate_fixed<Method_>(f, start, 0.0, problem.duration, steps);
     };
-    point.error = problem.error(run(CountedRhs(motion, point.evaluations)));
+    point.error = problem.error(run(runge_kutta::CountedRhs(motion, point.evaluations)));
     point.seconds = support::shortest_run(0.01, [&] { support::keep(run(motion)); });
     return point;
   });
@@ -44,9 +44,9 @@ Point dop853(const Problem& problem, double tolerance) {
 Point library_run(const Problem& problem, Method method, int steps) {
   switch (method) {
     case Method::euler:
-      return fixed<Euler>(problem, steps);
+      return fixed<runge_kutta::Euler>(problem, steps);
     case Method::midpoint:
-      return fixed<Midpoint>(problem, steps);
+      return fixed<runge_kutta::Midpoint>(problem, steps);
     default:
       return fixed<Rk4>(problem, steps);
   }

@@ -48,7 +48,7 @@ Problem made(const Plan& plan) {
 double Problem::error(const Numbers& y) const {
   const Quat q(y[3], y[4], y[5], y[6]);
   if (!y.allFinite() || q.squaredNorm() == 0) return std::numeric_limits<double>::quiet_NaN();
-  return angle_between(normalize(q), end);
+  return angle_between(rotation::normalize(q), end);
 }
 
 double Problem::energy(const Numbers& y, const MassProperties& properties) const {

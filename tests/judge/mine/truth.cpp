@@ -19,7 +19,7 @@ Quat true_end(const Problem& problem) {
                                       {tolerance, tolerance})
         .y;
   });
-  return normalize(unpack<double>(PackedState<double>(end.cast<double>())).q);
+  return rotation::normalize(unpack<double>(PackedState<double>(end.cast<double>())).q);
 }
 
 }  // namespace tumble::judge::mine

@@ -58,7 +58,7 @@ Child start(const Task& job, std::size_t number, std::size_t memory_bytes) {
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error(std::string("cannot fork: ") + strerror(errno));
   if (pid == 0) {
-    if (memory_bytes > 0) platform::limit_own_memory(memory_bytes);
+    platform::limit_own_memory(memory_bytes);
     run_job(job, number, sent.write.number(), failure.write.number());
   }
   return {number, pid, std::move(sent.read), std::move(failure.read)};

@@ -19,10 +19,12 @@ struct FinishedJob {
 /// Sends bytes from a job to the process that has started it.
 using SendBytes = std::function<void(const std::string& bytes)>;
 
+/// What a judging process may use; the largest honest one needs a tenth of it.
+inline constexpr std::size_t memory_of_judging = 3ull << 30;
+
 struct ProcessPool {
-  std::size_t at_once = 1;  ///< jobs that run at the same time
-  std::size_t memory_bytes =
-      0;  ///< of one job, 0: no limit; the programs that it starts have their own
+  std::size_t at_once = 1;                       ///< jobs that run at the same time
+  std::size_t memory_bytes = memory_of_judging;  ///< of one job; what it starts has its own limit
   /// Called here with what a job has sent, in the order in which it was sent.
   std::function<void(std::size_t number, const std::string& bytes)> received;
   /// Called here when a job has ended, after all that it has sent.

@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
@@ -8,6 +9,7 @@
 
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <linux/sockios.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -166,12 +168,36 @@ CallFilter build_sanitizer_filter() {
         SCMP_SYS(setns),
         SCMP_SYS(bpf),
         SCMP_SYS(keyctl),
-
+        SCMP_SYS(add_key),
+        SCMP_SYS(request_key),
         SCMP_SYS(execveat),
         SCMP_SYS(setpriority),
         SCMP_SYS(shmget),
         SCMP_SYS(msgget),
         SCMP_SYS(semget),
+        SCMP_SYS(mq_open),
+        SCMP_SYS(mq_unlink),
+        SCMP_SYS(mq_notify),
+        SCMP_SYS(inotify_init),
+        SCMP_SYS(inotify_init1),
+        SCMP_SYS(fanotify_init),
+        SCMP_SYS(perf_event_open),
+        SCMP_SYS(userfaultfd),
+        SCMP_SYS(memfd_create),
+        SCMP_SYS(io_setup),
+        SCMP_SYS(open_by_handle_at),
+        SCMP_SYS(umount2),
+        SCMP_SYS(pivot_root),
+        SCMP_SYS(chroot),
+        SCMP_SYS(quotactl),
+        SCMP_SYS(kcmp),
+        SCMP_SYS(process_madvise),
+        SCMP_SYS(migrate_pages),
+        SCMP_SYS(move_pages),
+        SCMP_SYS(sched_setscheduler),
+        SCMP_SYS(sched_setattr),
+        SCMP_SYS(sched_setparam),
+        SCMP_SYS(ioprio_set),
         SCMP_SYS(personality)},
        EPERM);
   // Files are read only, also where there is no Landlock.
@@ -187,6 +213,13 @@ CallFilter build_sanitizer_filter() {
     add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(open), {has(1, bit)});
     add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(openat), {has(2, bit)});
   }
+  // A file that is ready, or changed, sends a signal to whom its owner names.
+  for (const int command : {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE, F_NOTIFY})
+    add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(fcntl),
+             {{1, SCMP_CMP_EQ, static_cast<std::uint64_t>(command), 0}});
+  for (const int request : {FIOSETOWN, SIOCSPGRP, FIOASYNC, TIOCSTI})
+    add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(ioctl),
+             {{1, SCMP_CMP_EQ, static_cast<std::uint64_t>(request), 0}});
   deny(context, {SCMP_SYS(clone3)},
        ENOSYS);  // then the C library uses clone, whose flags can be seen
   add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prlimit64), {{0, SCMP_CMP_NE, 0, 0}});
@@ -199,6 +232,7 @@ CallFilter build_sanitizer_filter() {
 
 const CallFilter& call_filter(CallRules rules) {
   static const CallFilter none;
+  if (!call_filters_available()) return none;  // missing_walls() says so
   static const CallFilter worker = build_worker_filter();
   static const CallFilter sanitizer = build_sanitizer_filter();
   switch (rules) {
@@ -212,7 +246,12 @@ const CallFilter& call_filter(CallRules rules) {
   return none;
 }
 
-bool call_filters_available() { return true; }
+bool call_filters_available() {
+  // seccomp(2): a kernel that has filters looks for the program, and finds none there.
+  static const bool available =
+      prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) != 0 && errno == EFAULT;
+  return available;
+}
 
 bool install_call_filter(const CallFilter& filter) {
   // The kernel only reads the program, whatever the type of the pointer says.

@@ -10,9 +10,6 @@ namespace {
 
 constexpr double incomparable = std::numeric_limits<double>::quiet_NaN();
 
-/// The larger of two errors, where NaN is larger than everything.
-double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
-
 double difference(double a, double b) {
   const bool same_place = a == b || (std::isnan(a) && std::isnan(b));
   if (same_place) return 0;

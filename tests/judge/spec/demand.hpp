@@ -3,6 +3,7 @@
 /// What a law demands of an answer. Tolerances are absolute, per number, and derived by the spec
 /// (k·eps·scale, C·hᵖ, 4σ/√n).
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,10 @@ namespace tumble::judge {
 /// where exactly one of them is not finite or the shapes differ, 0 where both are the same
 /// non-finite value.
 using Metric = double (*)(const Value& a, const Value& b);
+
+/// The larger of two errors, where NaN is larger than everything. (std::fmax drops it, and so may
+/// Eigen's maxCoeff(): a law that looked at an answer through these would let NaN pass.)
+inline double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 double largest_difference(const Value& a, const Value& b);
 /// The same for quaternions as rotations: q and −q are one.

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <optional>
+#include <utility>
 
 #include "judge/spec/demand.hpp"
 
@@ -27,20 +30,47 @@ Value negated(const Value& value) {
   return result;
 }
 
+/// Whether this is a list of as many lists of numbers, each as long.
+bool is_square_matrix(const Value& value) {
+  const List* rows = value.as<List>();
+  return rows && std::all_of(rows->begin(), rows->end(), [&](const Value& each) {
+           const List* row = each.as<List>();
+           return row && row->size() == rows->size() &&
+                  std::all_of(row->begin(), row->end(),
+                              [](const Value& x) { return x.as<double>(); });
+         });
+}
+
 /// The transpose of a square matrix of at least two rows; nothing of anything else.
 std::optional<Value> transposed(const Value& value) {
-  const List* rows = value.as<List>();
-  if (!rows || rows->size() < 2) return std::nullopt;
-  List result(rows->size(), List(rows->size()));
-  for (std::size_t i = 0; i < rows->size(); ++i) {
-    const List* row = (*rows)[i].as<List>();
-    if (!row || row->size() != rows->size()) return std::nullopt;
-    for (std::size_t j = 0; j < row->size(); ++j) {
-      if (!(*row)[j].as<double>()) return std::nullopt;
-      std::get<List>(result[j].data)[i] = (*row)[j];
-    }
-  }
+  if (!is_square_matrix(value) || value.as<List>()->size() < 2) return std::nullopt;
+  List result = *value.as<List>();
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      std::swap(std::get<List>(result[i].data)[j], std::get<List>(result[j].data)[i]);
   return result;
+}
+
+/// Whether a number carries the mark of memory that was never set: gcc fills with 0xfe, clang with
+/// 0xaa, and with 0xff where that is NaN. (Eigen's own matrices get the NaN that computing gives as
+/// well.)
+bool is_marked(double x) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof bits);
+  constexpr std::uint64_t without_sign = ~std::uint64_t{0} >> 1;
+  constexpr double far_beyond =
+      1e290;  // 0xfefe… is −5.3e303; sums and products with it are as large
+  if (std::isfinite(x)) return std::abs(x) > far_beyond || bits == 0xaaaaaaaaaaaaaaaaull;
+  return (bits & without_sign) == without_sign;
+}
+
+bool contains_mark(const Value& value) {
+  if (const double* x = value.as<double>()) return is_marked(*x);
+  if (const std::int64_t* n = value.as<std::int64_t>())
+    return *n == static_cast<std::int32_t>(0xfefefefe) ||
+           *n == static_cast<std::int32_t>(0xaaaaaaaa);
+  const List* list = value.as<List>();
+  return list && std::any_of(list->begin(), list->end(), contains_mark);
 }
 
 /// How many numbers of a value are not zero: a name from one number alone would be a guess.
@@ -66,11 +96,21 @@ bool is_argument(const Finding& finding) {
 std::vector<Misconception> general_misconceptions(const Finding& finding) {
   if (finding.outcome != Outcome::wrong || !finding.answer) return {};
   const Value& answer = *finding.answer;
+  const bool is_due = (finding.demanded && contains_mark(*finding.demanded)) ||
+                      (finding.question && contains_mark(finding.question->arguments));
+  if (contains_mark(answer) && !is_due)
+    return {{"never set",
+             "Part of your answer comes from a variable that was never set. In C++ it holds "
+             "whatever was "
+             "in its memory before; here that is a mark, so that it shows.",
+             ""}};
   if (contains(answer, [](double x) { return std::isnan(x); }))
     return {{"not a number",
-             "Your answer contains NaN: somewhere 0 is divided by 0, or a root or an arc cosine is "
-             "taken "
-             "of what it is not defined for. Look for a divisor that these arguments make zero.",
+             "Your answer contains NaN: 0 was divided by 0, or a root or an arc cosine was taken "
+             "of what "
+             "it is not defined for, or a matrix was never set. Look for a divisor that these "
+             "arguments "
+             "make zero.",
              ""}};
   if (contains(answer, [](double x) { return std::isinf(x); }))
     return {{"infinite",

@@ -8,8 +8,9 @@
 
 namespace tumble::judge {
 
-/// What the numbers of a wrong answer show: "not a number", "infinite", "the opposite sign", "rows for columns", "the
-/// argument as it came". Empty if they show nothing. They have no section of a page.
+/// What the numbers of a wrong answer show: "never set", "not a number", "infinite", "the opposite sign", "rows
+/// for columns", "the argument as it came". Empty if they show nothing. They have no section of a
+/// page.
 std::vector<Misconception> general_misconceptions(const Finding& finding);
 
 }  // namespace tumble::judge

@@ -13,7 +13,7 @@
 namespace tumble::judge {
 
 /// Tolerances are written as k·eps, k the number of roundings.
-inline constexpr double eps = unit_roundoff;
+inline constexpr double eps = detail::unit_roundoff;
 
 /// The random numbers of the test case that runs.
 inline support::Random& inputs() { return Session::current().random(); }

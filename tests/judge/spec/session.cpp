@@ -208,7 +208,7 @@ bool Session::gives_the_same(std::size_t misconception) const {
     try {
       const Value other = call.misconception(misconception, call.functions);
       // The student's arithmetic may take another way to the same wrong number.
-      const double rounding = 64 * unit_roundoff * largest_magnitude(other);
+      const double rounding = 64 * detail::unit_roundoff * largest_magnitude(other);
       return call.metric(call.answer, other) <= std::fmax(call.tolerance, rounding);
     } catch (const std::exception&) {
       return false;  // it has no answer here, and the student has one

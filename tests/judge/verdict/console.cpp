@@ -11,6 +11,7 @@
 #include "judge/course/contract.hpp"
 #include "judge/spec/demand.hpp"
 #include "judge/verdict/number_text.hpp"
+#include "judge/verdict/typed_text.hpp"
 #include "support/wrapped.hpp"
 
 namespace tumble::judge {
@@ -66,7 +67,8 @@ class Printer {
         course_(course),
         result_(result),
         style_(style),
-        declaration_(read_declaration(course, result.unit)) {}
+        declaration_(read_declaration(course, result.unit)),
+        types_(course, result.unit) {}
 
   void print() {
     print_line(out_, result_, style_);
@@ -180,16 +182,28 @@ class Printer {
     else
       out_ << sentence_about(finding) << "\n";
     if (!finding.place.empty())
-      out_ << label("It happens at") << paint(one_line(finding.place), Colour::bold) << "\n";
+      out_ << label(finding.outcome == Outcome::wrong ? "A sanitizer stops at" : "It happens at")
+           << paint(one_line(finding.place), Colour::bold) << "\n";
     for (const Misconception& misconception : finding.misconceptions)
       explain_misconception(misconception);
-    if (!finding.printed.empty())
-      out_ << "\n      It printed:\n" << indented(finding.printed, "        | ", 12);
-    out_ << "\n      Again, this case alone:  "
+    if (const std::string printed = printed_by_student(finding); !printed.empty())
+      out_ << "\n      It printed:\n" << indented(printed, "        | ", 12);
+    out_ << "\n      To run only this case:  "
          << paint("./tumble check " + result_.unit.number + "." + std::to_string(result.number) +
                       " --seed " + std::to_string(result_.seed),
                   Colour::bold)
          << "\n\n";
+  }
+
+  /// Without the assertion that ended the program, which is told already.
+  static std::string printed_by_student(const Finding& finding) {
+    if (finding.outcome != Outcome::crashed) return finding.printed;
+    std::istringstream in(finding.printed);
+    std::string kept;
+    for (std::string line; std::getline(in, line);)
+      if (line.find("Assertion ") == std::string::npos || !line.ends_with("failed."))
+        kept += line + "\n";
+    return kept;
   }
 
   static constexpr std::size_t label_width = 24;
@@ -202,12 +216,13 @@ class Printer {
     std::string names;
     for (const std::string& name : declaration_.parameters)
       names += (names.empty() ? "" : ", ") + name;
-    out_ << "      Asked was " << result_.unit.name << "(" << names << ") with\n";
+    out_ << "      " << result_.unit.name << "(" << names << ") was called with\n";
     for (std::size_t i = 0; i < question.arguments.size(); ++i) {
       const std::string name =
           i < declaration_.parameters.size() ? declaration_.parameters[i] : "argument";
-      out_ << "        " << name << " = " << text_of(question.arguments[i], 17, name.size() + 11)
-           << "\n";
+      const std::string type = i < declaration_.types.size() ? declaration_.types[i] : "";
+      out_ << "        " << name << " = "
+           << TypedText{types_, type, 17, name.size() + 11, {}}.of(question.arguments[i]) << "\n";
     }
     if (question.evaluations > 0)
       out_ << "      Calls of the functions that it was given: " << question.evaluations << "\n";
@@ -229,20 +244,32 @@ class Printer {
     int digits = 9;
     if (finding.demanded && text_of(*finding.answer, 9) == text_of(*finding.demanded, 9))
       digits = 17;
-    out_ << label("Your answer") << text_of(*finding.answer, digits, label_width) << "\n";
+    TypedText text{types_, declaration_.result, digits, label_width, {}};
+    if (finding.demanded)
+      text.marked =
+          furthest_member(types_, declaration_.result, *finding.answer, *finding.demanded);
+    out_ << label("Your answer") << text.of(*finding.answer) << "\n";
+    text.marked.clear();
     if (finding.demanded) {
-      out_ << label("Demanded") << text_of(*finding.demanded, digits, label_width) << "\n";
+      out_ << label("Demanded") << text.of(*finding.demanded) << "\n";
       if (const std::string sizes = difference_in_size(*finding.answer, *finding.demanded);
           !sizes.empty())
         out_ << std::string(label_width, ' ') << sizes << "\n";
-      const double apart = largest_difference(*finding.answer, *finding.demanded);
-      if (apart >= 0)
-        out_ << label("Furthest apart by") << short_number(apart) << ", where "
-             << (finding.tolerance > 0 ? short_number(finding.tolerance) + " is allowed"
-                                       : "no rounding is needed")
-             << "\n";
+      print_difference(finding);
     }
     if (!finding.detail.empty()) out_ << label("Demanded") << one_line(finding.detail) << "\n";
+  }
+
+  void print_difference(const Finding& finding) {
+    const double apart = largest_difference(*finding.answer, *finding.demanded);
+    const bool is_word = finding.answer->as<std::int64_t>() &&
+                         text_of(*finding.answer, 9) !=
+                             TypedText{types_, declaration_.result, 9, 0, {}}.of(*finding.answer);
+    if (!(apart >= 0) || is_word) return;
+    out_ << label("Largest difference") << short_number(apart)
+         << (finding.tolerance > 0 ? " (allowed: " + short_number(finding.tolerance) + ")"
+                                   : " (it must be exact)")
+         << "\n";
   }
 
   static std::string sentence_about(const Finding& finding) {
@@ -271,7 +298,7 @@ class Printer {
                "      " +
                detail + ".";
       case Outcome::malformed:
-        return "      What came back is no answer: " + detail +
+        return "      What came back is not an answer: " + detail +
                ".\n      Only the value that your function returns counts.";
       case Outcome::not_run:
         return "      Not tried: " + detail + ".";
@@ -283,7 +310,11 @@ class Printer {
   }
 
   void explain_misconception(const Misconception& misconception) {
-    out_ << "\n      " << paint("This is what “" + misconception.name + "” gives.", Colour::yellow)
+    out_ << "\n      "
+         << paint((misconception.section.empty() ? "What it shows: “"
+                                                 : "These are the numbers of a known mistake: “") +
+                      misconception.name + "”.",
+                  Colour::yellow)
          << "\n      " << wrapped(misconception.sentence, 6) << "\n";
     const fs::path page = course_.page(result_.unit);
     if (!misconception.section.empty() && fs::exists(page))
@@ -300,6 +331,7 @@ class Printer {
   const UnitResult& result_;
   const ConsoleStyle& style_;
   Declaration declaration_;
+  ContractTypes types_;
 };
 
 }  // namespace

@@ -73,6 +73,15 @@ std::string resolve_addresses(const std::string& report, const WorkerProgram& wo
 
 }  // namespace
 
+std::string place_in_report(const std::string& report, const std::string& file,
+                            const WorkerProgram& worker) {
+  std::string line = line_in(report, file);
+  if (line.empty()) line = line_in(resolve_addresses(report, worker), file);
+  if (line.empty()) return {};
+  const std::string name = name_in(report);
+  return file + ":" + line + (name.empty() ? "" : ": " + name);
+}
+
 std::string crash_place(const Job& job, const SpecRun& run) {
   Job again_with_sanitizers = job;
   again_with_sanitizers.folder /= "sanitized";
@@ -81,13 +90,10 @@ std::string crash_place(const Job& job, const SpecRun& run) {
   StudentWorker worker(build.worker);
   const std::vector<CaseResult> again = run_spec(run, worker);
   if (again.empty() || again.front().passed()) return {};
-  const std::string& report = again.front().finding->printed;
-  const std::string file = job.source.filename().string();
-  std::string line = line_in(report, file);
-  if (line.empty()) line = line_in(resolve_addresses(report, build.worker), file);
-  if (line.empty()) return {};
-  const std::string name = name_in(report);
-  return file + ":" + line + (name.empty() ? "" : ": " + name);
+  const Finding& finding = *again.front().finding;
+  // A wrong answer is as wrong with sanitizers: then what was printed is the student's own.
+  if (finding.outcome == Outcome::wrong) return {};
+  return place_in_report(finding.printed, job.source.filename().string(), build.worker);
 }
 
 }  // namespace tumble::judge

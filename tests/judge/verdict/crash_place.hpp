@@ -1,15 +1,24 @@
 #pragma once
 /// @file
-/// Where a unit crashes: the same case again, with sanitizers.
+/// Where a case goes wrong: it runs again with sanitizers, which name the line. Runs only for those
+/// who judge their own work: behind these walls a program may do more (it reads about itself in
+/// /proc).
 
 #include <string>
 
 #include "judge/build/job.hpp"
+#include "judge/sandbox/worker_program.hpp"
 #include "judge/spec/run.hpp"
 
 namespace tumble::judge {
 
-/// "product.cpp:12: heap-buffer-overflow", or empty if the sanitizers do not see it.
+/// "product.cpp:7: division by zero" for the one case of `run`, empty if the run with sanitizers
+/// finds nothing. For a loop without end, the line where its time was up.
 std::string crash_place(const Job& job, const SpecRun& run);
+
+/// The same from what a worker with sanitizers has printed.
+/// @param file name of the student's file
+std::string place_in_report(const std::string& report, const std::string& file,
+                            const WorkerProgram& worker);
 
 }  // namespace tumble::judge

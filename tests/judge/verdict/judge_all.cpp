@@ -15,9 +15,6 @@ namespace tumble::judge {
 
 namespace {
 
-/// What a judging process may use; the largest honest one needs a tenth of it.
-constexpr std::size_t memory_of_judging = 3ull << 30;
-
 UnitResult build_and_judge(const Job& job, const Judgement& judgement) {
   const auto start = Clock::now();
   const auto instrumentation =
@@ -67,17 +64,18 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
   ProcessPool pool;
   pool.at_once = judgement.builds_at_once > 0 ? judgement.builds_at_once
                                               : std::max(1u, std::thread::hardware_concurrency());
-  pool.memory_bytes = memory_of_judging;
   pool.received = [&](std::size_t i, const std::string& bytes) { messages[i] += bytes; };
   pool.finished = [&](const FinishedJob& ended) {
     const std::size_t i = ended.number;
+    const bool not_begun = messages[i].empty() && ended.failure.empty();
+    if (not_begun && Clock::now() >= judgement.deadline) return;
     results[i] = result_of(jobs[i], judgement, messages[i], ended.failure);
     std::error_code ignored;
     fs::remove_all(jobs[i].folder, ignored);  // a class of students would fill the disk
     for (; told < results.size() && results[told]; ++told) done(*results[told]);
   };
   run_in_processes(jobs.size(), pool, [&](std::size_t i, const SendBytes& send) {
-    send(encode_result(build_and_judge(jobs[i], judgement)));
+    if (Clock::now() < judgement.deadline) send(encode_result(build_and_judge(jobs[i], judgement)));
   });
 }
 

@@ -5,8 +5,47 @@
 #include "judge/conversation/student_worker.hpp"
 #include "judge/spec/run.hpp"
 #include "judge/verdict/crash_place.hpp"
+#include "judge/verdict/names_from_source.hpp"
+#include "support/text_file.hpp"
 
 namespace tumble::judge {
+
+namespace {
+
+/// With sanitizers a program ends with a report: a crash, and no text that the student has printed.
+void read_report(Finding& finding, const Job& job, const WorkerBuild& build) {
+  const bool reported = finding.printed.find("AddressSanitizer") != std::string::npos ||
+                        finding.printed.find("runtime error: ") != std::string::npos;
+  if (!reported) return;
+  finding.place = place_in_report(finding.printed, job.source.filename().string(), build.worker);
+  finding.outcome = Outcome::crashed;
+  finding.detail = "a sanitizer stopped it";
+  if (!finding.place.empty()) finding.printed.clear();
+}
+
+/// Whether a run with sanitizers may tell more than is known: of a crash and of a loop without end
+/// the line; of a wrong answer without a name, or of one whose name may be chance, because an auto
+/// may hold an expression of Eigen whose operands are gone.
+bool is_worth_another_run(const Finding& finding, const std::string& source) {
+  if (finding.outcome == Outcome::crashed || finding.outcome == Outcome::hung) return true;
+  return finding.outcome == Outcome::wrong && finding.answer &&
+         (finding.misconceptions.empty() || mentions(source, "auto"));
+}
+
+/// Says of the first case that fails where and why, as far as that can be found out.
+void look_closer(UnitResult& result, const Job& job, const Judgement& judgement) {
+  const auto failed = std::find_if(result.cases.begin(), result.cases.end(),
+                                   [](const CaseResult& each) { return !each.passed(); });
+  if (failed == result.cases.end() || result.untouched()) return;
+  Finding& finding = *failed->finding;
+  const std::string source = support::read_text(job.source);
+  name_from_source(finding, source);
+  if (!judgement.locate_crashes || !is_worth_another_run(finding, source)) return;
+  finding.place = crash_place(job, {job.unit.id(), result.seed, failed->number});
+  if (!finding.place.empty() && finding.outcome == Outcome::wrong) finding.misconceptions.clear();
+}
+
+}  // namespace
 
 UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerBuild& build) {
   UnitResult result;
@@ -23,12 +62,12 @@ UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerB
     result.seed = judgement.seed + static_cast<std::uint64_t>(i);
     result.cases = run_spec({job.unit.id(), result.seed, judgement.only_case}, worker);
   }
-  if (!judgement.locate_crashes) return result;
-  const auto crashed = std::find_if(
-      result.cases.begin(), result.cases.end(),
-      [](const CaseResult& c) { return c.finding && c.finding->outcome == Outcome::crashed; });
-  if (crashed != result.cases.end())
-    crashed->finding->place = crash_place(job, {job.unit.id(), result.seed, crashed->number});
+  if (judgement.only_sanitized) {
+    for (CaseResult& each : result.cases)
+      if (each.finding) read_report(*each.finding, job, build);
+  } else {
+    look_closer(result, job, judgement);
+  }
   return result;
 }
 

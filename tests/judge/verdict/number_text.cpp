@@ -17,7 +17,7 @@ std::string number_text(double x, int digits) {
   return text;
 }
 
-constexpr std::size_t most_entries = 24;  // of a list that are shown
+constexpr std::size_t most_entries = 12;  // of a list that are shown
 constexpr std::size_t most_text = 60;     // bytes of a text inside a value
 constexpr int most_nesting = 3;
 
@@ -26,9 +26,10 @@ std::string entry_text(const Value& value, int digits, int nesting);
 std::string list_text(const List& list, int digits, int nesting) {
   if (nesting >= most_nesting) return "(…)";
   std::string text = "(";
-  for (std::size_t i = 0; i < std::min(list.size(), most_entries); ++i)
+  const std::size_t shown = list.size() <= most_entries + 1 ? list.size() : most_entries;
+  for (std::size_t i = 0; i < shown; ++i)
     text += (i > 0 ? ", " : "") + entry_text(list[i], digits, nesting + 1);
-  if (list.size() > most_entries) text += ", … " + std::to_string(list.size()) + " entries in all";
+  if (list.size() > shown) text += ", … " + std::to_string(list.size()) + " entries in all";
   return text + ")";
 }
 

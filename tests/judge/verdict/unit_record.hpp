@@ -25,15 +25,17 @@ struct UnitRecord {
   std::string unit;    ///< "04_quaternions/product"
   std::string number;  ///< "4.1"
   bool passed = false;
-  std::string summary;     ///< in one or two words: "passed", "wrong", "does not compile", …
-  std::uint64_t seed = 1;  ///< of the inputs
+  std::string summary;      ///< in one or two words: "passed", "wrong", "does not compile", …
+  std::uint64_t seed = 1;   ///< of the inputs
+  std::uint64_t judge = 0;  ///< fingerprint of what else the verdict depends on, if it is kept
   std::size_t laws = 0, laws_that_hold = 0;
   int tries = 1;             ///< how many different files of this student were judged so far
   double seconds = 0;        ///< from the file to the verdict
   std::uint64_t source = 0;  ///< fingerprint of the file that was judged, 0 if there was none
   std::string detail;        ///< of a build that failed
-  std::string judge_failure;  ///< why there is no verdict, which is nobody's fault; empty if there is
-  std::string explanation;   ///< what a student reads
+  std::string
+      judge_failure;        ///< why there is no verdict, which is nobody's fault; empty if there is
+  std::string explanation;  ///< what a student reads
   std::vector<CaseRecord> cases;
 };
 

@@ -22,7 +22,7 @@ struct UnitResult {
   std::vector<CaseResult> cases;  ///< empty if it was not built
   /// Why there is no verdict: the judge itself failed, or this machine. Empty if it did not.
   std::string judge_failure;
-  double seconds = 0;             ///< from the file to the verdict
+  double seconds = 0;  ///< from the file to the verdict
 
   std::size_t passed_cases() const;
   /// Built, and every law of the spec holds.

@@ -1,6 +1,9 @@
 #include "judge/worker/serve.hpp"
 
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <cerrno>
 #include <csignal>
@@ -13,9 +16,15 @@
 #include "judge/worker/descriptors.hpp"
 #include "not_implemented.hpp"
 
+#if TUMBLE_LINUX_WALLS
+extern "C" void __sanitizer_print_stack_trace() __attribute__((weak));  // where there are sanitizers
+#endif
+
 namespace tumble::judge {
 
 namespace {
+
+constexpr unsigned char mark_of_never_set = 0xfe;  // as gcc's -ftrivial-auto-var-init=pattern
 
 /// The judge has hung up: nobody is left who waits for an answer.
 struct HungUp {};
@@ -91,6 +100,12 @@ void report_refused_call(int, siginfo_t* info, void*) {
   ::_exit(1);
 }
 
+/// With sanitizers, where the time was used up: the judge looks for the line.
+void report_endless_loop(int) {
+  __sanitizer_print_stack_trace();
+  ::_exit(1);
+}
+
 /// Before any constructor of the student's file runs, and before main.
 void install_report() {
   struct sigaction action = {};
@@ -102,6 +117,11 @@ void install_report() {
 
 }  // namespace
 
+void mark_stack() {
+  volatile unsigned char stack[1 << 14];
+  for (volatile unsigned char& byte : stack) byte = mark_of_never_set;
+}
+
 Value call_back(FunctionId id, const List& arguments) {
   send(Kind::call_back, {id, arguments});
   Message result = receive();
@@ -111,6 +131,12 @@ Value call_back(FunctionId id, const List& arguments) {
 }
 
 int serve_questions(const std::function<Value(const List&)>& answer) {
+#ifdef __GLIBC__
+  mallopt(M_PERTURB, 0xff & ~mark_of_never_set);  // new memory gets the complement
+#endif
+#if TUMBLE_LINUX_WALLS
+  if (__sanitizer_print_stack_trace) std::signal(SIGXCPU, report_endless_loop);
+#endif
   try {
     while (true) answer_one(receive(), answer);
   } catch (const HungUp&) {

@@ -36,11 +36,23 @@ struct Argument<std::function<Result(Arguments...)>> {
   }
 };
 
+/// Fills the stack that the next call will use with the mark of what is never set. A result that is
+/// built where the caller wants it has no other one: the compiler fills a function's own variables only.
+void mark_stack();
+
 template <class Result, class... Arguments, std::size_t... i>
-Value answer_with(Result (*function)(Arguments...), const List& list, std::index_sequence<i...>) {
-  require_size(list.size(), sizeof...(Arguments));
+[[gnu::noinline]] Value answer_of_marked(Result (*function)(Arguments...), const List& list,
+                                         std::index_sequence<i...>) {
   return to_value<std::decay_t<Result>>(
       function(Argument<std::decay_t<Arguments>>::of(list[i])...));
+}
+
+template <class Result, class... Arguments, std::size_t... i>
+Value answer_with(Result (*function)(Arguments...), const List& list,
+                  std::index_sequence<i...> places) {
+  require_size(list.size(), sizeof...(Arguments));
+  mark_stack();
+  return answer_of_marked(function, list, places);
 }
 
 template <class Result, class... Arguments>

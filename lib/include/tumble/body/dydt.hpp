@@ -36,7 +36,7 @@ class RigidBodyRhs {
   RigidBodyState<T> rate(T t, const RigidBodyState<T>& state) const {
     const Derived<T> now = derived(body_, state);
     const Wrench<T> wrench = net(t, now);
-    return {now.v, quaternion_dot(state.q, now.omega), wrench.force, wrench.torque};
+    return {now.v, rotation::quaternion_dot(state.q, now.omega), wrench.force, wrench.torque};
   }
 
   /// What all forces do to the body in a motion, or in a state.

@@ -22,6 +22,8 @@ namespace tumble {
 /// @addtogroup body
 /// @{
 
+namespace detail {
+
 template <class T>
 using PackedScene = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
@@ -30,31 +32,35 @@ template <class F, class T>
 concept SceneForce = std::invocable<const F&, T, std::span<const RigidBody<T>>,
                                     std::span<const Derived<T>>, std::span<Wrench<T>>>;
 
+}  // namespace detail
+
 /// All states one after the other, 13 numbers each.
 template <class T>
-PackedScene<T> pack(const std::vector<RigidBodyState<T>>& states) {
-  PackedScene<T> y(rigid_body_state_size * static_cast<Eigen::Index>(states.size()));
+detail::PackedScene<T> pack(const std::vector<RigidBodyState<T>>& states) {
+  detail::PackedScene<T> y(detail::rigid_body_state_size *
+                           static_cast<Eigen::Index>(states.size()));
   for (std::size_t i = 0; i < states.size(); ++i)
-    y.template segment<rigid_body_state_size>(rigid_body_state_size *
-                                              static_cast<Eigen::Index>(i)) = pack(states[i]);
+    y.template segment<detail::rigid_body_state_size>(
+        detail::rigid_body_state_size * static_cast<Eigen::Index>(i)) = pack(states[i]);
   return y;
 }
 
 /// The inverse of pack().
 /// @throws std::invalid_argument if the length is not a multiple of 13
 template <class T>
-std::vector<RigidBodyState<T>> unpack(const PackedScene<T>& y) {
-  require(y.size() % rigid_body_state_size == 0, "a scene of rigid bodies has ",
-          rigid_body_state_size, " numbers each; ", y.size(), " is not a multiple");
+std::vector<RigidBodyState<T>> unpack(const detail::PackedScene<T>& y) {
+  require(y.size() % detail::rigid_body_state_size == 0, "a scene of rigid bodies has ",
+          detail::rigid_body_state_size, " numbers each; ", y.size(), " is not a multiple");
   std::vector<RigidBodyState<T>> states;
-  for (Eigen::Index i = 0; i < y.size(); i += rigid_body_state_size)
-    states.push_back(unpack<T>(PackedState<T>(y.template segment<rigid_body_state_size>(i))));
+  for (Eigen::Index i = 0; i < y.size(); i += detail::rigid_body_state_size)
+    states.push_back(
+        unpack<T>(PackedState<T>(y.template segment<detail::rigid_body_state_size>(i))));
   return states;
 }
 
 /// Bodies and the forces on and between them, as a right-hand side for the solvers in ode/.
 template <class T, class... Forces>
-requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneRhs {
+requires((BodyForce<Forces, T> || detail::SceneForce<Forces, T>)&&...) class SceneRhs {
  public:
   /// @throws std::invalid_argument if a force refuses what it was made of
   explicit SceneRhs(std::vector<RigidBody<T>> bodies, const Forces&... forces)
@@ -64,7 +70,7 @@ requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneRhs {
 
   /// dy/dt of all packed states at time t [s].
   /// @throws std::invalid_argument if y does not hold 13 numbers for each body
-  PackedScene<T> operator()(T t, const PackedScene<T>& y) const {
+  detail::PackedScene<T> operator()(T t, const detail::PackedScene<T>& y) const {
     std::vector<RigidBodyState<T>> states = unpack<T>(y);
     require(states.size() == bodies_.size(), "the scene has ", bodies_.size(),
             " bodies, the state ", states.size());
@@ -72,7 +78,7 @@ requires((BodyForce<Forces, T> || SceneForce<Forces, T>)&&...) class SceneRhs {
     for (std::size_t i = 0; i < bodies_.size(); ++i) now.push_back(derived(bodies_[i], states[i]));
     const std::vector<Wrench<T>> net = net_wrenches(t, now);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
-      states[i] = {now[i].v, quaternion_dot(states[i].q, now[i].omega), net[i].force,
+      states[i] = {now[i].v, rotation::quaternion_dot(states[i].q, now[i].omega), net[i].force,
                    net[i].torque};
     return pack(states);
   }

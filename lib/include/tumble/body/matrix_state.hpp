@@ -12,7 +12,7 @@
 #include "tumble/body/forces.hpp"
 #include "tumble/rotation/rotation_dot.hpp"
 
-namespace tumble {
+namespace tumble::rotation {
 
 /// @addtogroup body
 /// @{
@@ -70,4 +70,4 @@ MatrixStateRhs(const RigidBody<T>&, const Forces&...) -> MatrixStateRhs<T, Force
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::rotation

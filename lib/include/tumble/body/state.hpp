@@ -22,12 +22,16 @@ struct RigidBodyState {
   Vector3<T> L = Vector3<T>::Zero();  ///< angular momentum about the centre [kg m²/s]
 };
 
+namespace detail {
+
 /// How many numbers a packed state has.
 inline constexpr int rigid_body_state_size = 13;
 
+}  // namespace detail
+
 /// x, q as (w, x, y, z), P, L, one after the other.
 template <class T>
-using PackedState = Eigen::Matrix<T, rigid_body_state_size, 1>;
+using PackedState = Eigen::Matrix<T, detail::rigid_body_state_size, 1>;
 
 template <class T>
 PackedState<T> pack(const RigidBodyState<T>& state) {

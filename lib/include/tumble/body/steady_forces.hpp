@@ -48,13 +48,13 @@ struct SteadyForces {
   }
 };
 
+namespace detail {
+
 /// A force that says what it amounts to: `force.steady(body)`.
 template <class F>
 concept SteadyForce = requires(const F& force, const RigidBody<>& body) {
   { force.steady(body) } -> std::convertible_to<SteadyForces>;
 };
-
-namespace detail {
 
 /// What all of them amount to.
 template <SteadyForce... Forces>

@@ -6,7 +6,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::solids {
 
 /// @addtogroup core
 /// @{
@@ -20,4 +20,4 @@ concept Solid = requires(const S& solid, const Vec3& point) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::solids

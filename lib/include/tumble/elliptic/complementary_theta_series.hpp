@@ -13,7 +13,7 @@
 
 #include "tumble/elliptic/theta_series.hpp"
 
-namespace tumble {
+namespace tumble::elliptic {
 
 /// @addtogroup elliptic
 /// @{
@@ -94,4 +94,4 @@ class ComplementaryThetaSeries {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::elliptic

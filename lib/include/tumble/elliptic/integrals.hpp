@@ -14,12 +14,7 @@
 #include <limits>
 #include <numbers>
 
-namespace tumble {
-
-/// @addtogroup elliptic
-/// @{
-
-namespace detail {
+namespace tumble::detail {
 
 /// Carlson's R_F, to a few units in the last place.
 /// @param x, y, z not negative, at most one of them 0; ∞ if two are
@@ -44,7 +39,12 @@ inline double carlson_rf(double x, double y, double z) {
   return (1 + E2 * (-1.0 / 10 + E2 / 24 - E3 * 3 / 44) + E3 / 14) / std::sqrt(mean);
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::elliptic {
+
+/// @addtogroup elliptic
+/// @{
 
 /// The complete integral K for the complementary modulus k' = √(1 − k²), which says more near
 /// k = 1 than k does: K = π / (2 agm(1, k')).
@@ -62,4 +62,4 @@ inline double complete_elliptic_k(double kc) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::elliptic

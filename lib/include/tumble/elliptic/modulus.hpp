@@ -2,7 +2,7 @@
 /// @file
 /// What Jacobi's functions are given, and what they give.
 
-namespace tumble {
+namespace tumble::elliptic {
 
 /// @addtogroup elliptic
 /// @{
@@ -28,4 +28,4 @@ struct ThetaValues {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::elliptic

@@ -16,21 +16,21 @@
 #include "tumble/elliptic/integrals.hpp"
 #include "tumble/elliptic/modulus.hpp"
 
-namespace tumble {
-
-/// @addtogroup elliptic
-/// @{
-
-namespace detail {
+namespace tumble::detail {
 
 /// The direction of a complex number to the right of 0, halved: cos and sin of ½ atan(im/re).
-inline void halve_direction(double re, double im, ThetaValues& values) {
+inline void halve_direction(double re, double im, elliptic::ThetaValues& values) {
   const double cosine = re / std::sqrt(re * re + im * im);
   values.cos_half = std::sqrt((1 + cosine) / 2);
   values.sin_half = im / re * cosine / (2 * values.cos_half);
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::elliptic {
+
+/// @addtogroup elliptic
+/// @{
 
 /// sn, cn, dn of any u and arg Θ(u + iη) for one modulus and one η.
 class ThetaSeries {
@@ -101,4 +101,4 @@ class ThetaSeries {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::elliptic

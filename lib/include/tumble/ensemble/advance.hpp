@@ -17,14 +17,14 @@ namespace tumble {
 /// @addtogroup ensemble
 /// @{
 
-namespace detail::ensemble {
+namespace detail::ensembles {
 
 /// The method for these forces if nobody asks for another one.
 template <class... Forces>
 using DefaultMethod =
     std::conditional_t<ForceKernelsOf<simd::FourDoubles, Forces...>::steady, TaylorMagnus<4>, Rk4>;
 
-}  // namespace detail::ensemble
+}  // namespace detail::ensembles
 
 /// Takes the steps with every body. A centre of mass that is pushed steadily (by anything but a
 /// user's own force) takes none: it goes where it is at the end, exactly.
@@ -40,15 +40,15 @@ template <class Method = void, class... Forces>
 [[nodiscard]] LostBodies advance(Ensemble& bodies, const FixedSteps& steps,
                                  const Forces&... forces) {
   using Chosen = std::conditional_t<std::is_void_v<Method>,
-                                    detail::ensemble::DefaultMethod<Forces...>, Method>;
-  detail::ensemble::require_valid_steps(bodies.size(), steps, forces...);
+                                    detail::ensembles::DefaultMethod<Forces...>, Method>;
+  detail::ensembles::require_valid_steps(bodies.size(), steps, forces...);
   FixedSteps all = steps;
   if (steps.h == 0) {  // h divides
     all.h = 1;
     all.count = 0;
   }
-  const detail::ensemble::PacksInTurn<Chosen, Forces...> take_steps(bodies, all, forces...);
-  constexpr std::size_t chunk = 4 * detail::ensemble::in_turn;
+  const detail::ensembles::PacksInTurn<Chosen, Forces...> take_steps(bodies, all, forces...);
+  constexpr std::size_t chunk = 4 * detail::ensembles::in_turn;
   const std::size_t eights = bodies.bodies().size(), chunks = (eights + chunk - 1) / chunk;
   LostBodies lost;
   detail::OneAtATime losing;

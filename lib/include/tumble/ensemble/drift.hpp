@@ -12,7 +12,7 @@
 
 #include "tumble/simd/point.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 /// What pushes a centre of mass: a − κ v.
 template <class P>
@@ -73,4 +73,4 @@ TUMBLE_INLINE void drift(simd::Point<P>& x, simd::Point<P>& v, const Push<P>& pu
   }
 }
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

@@ -7,7 +7,7 @@
 
 #include "tumble/simd/quaternion.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 inline constexpr int eight = 8;  ///< bodies in a structure: the lanes of the widest Pack
 
@@ -64,4 +64,4 @@ TUMBLE_INLINE void store(const simd::Quaternion<P>& q, Row (&rows)[4], int lane)
   store(q.z, rows[3], lane);
 }
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

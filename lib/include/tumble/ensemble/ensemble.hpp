@@ -30,7 +30,7 @@ class Ensemble {
     require(bodies.size() == states.size(), "an ensemble of ", bodies.size(), " bodies has ",
             states.size(), " states");
     for (std::size_t i = 0; i < size_; ++i) set(i, bodies[i], states[i]);
-    for (std::size_t i = size_; i < detail::ensemble::eight * bodies_.size(); ++i)
+    for (std::size_t i = size_; i < detail::ensembles::eight * bodies_.size(); ++i)
       set(i, RigidBody<>(1, Mat3::Identity()), {});  // lanes without a body
   }
 
@@ -40,8 +40,8 @@ class Ensemble {
   /// @throws std::invalid_argument if there is no body i
   TUMBLE_ONE_COPY RigidBodyState<> state(std::size_t i) const {
     require(i < size_, "there is no body ", i, " in an ensemble of ", size_);
-    const auto& [x, v, q, omega] = kinematics_[i / detail::ensemble::eight];
-    const auto& [mass, moments, asymmetry, axes] = bodies_[i / detail::ensemble::eight];
+    const auto& [x, v, q, omega] = kinematics_[i / detail::ensembles::eight];
+    const auto& [mass, moments, asymmetry, axes] = bodies_[i / detail::ensembles::eight];
     const int lane = lane_of(i);
     const Quat turn = quaternion(q, lane);
     const Vec3 L_principal = vector(moments, lane).cwiseProduct(vector(omega, lane));
@@ -50,24 +50,24 @@ class Ensemble {
   }
 
   /// The structures of eight, for kernels.
-  std::span<const detail::ensemble::EightBodies> bodies() const { return bodies_; }
-  std::span<detail::ensemble::EightKinematics> kinematics() { return kinematics_; }
+  std::span<const detail::ensembles::EightBodies> bodies() const { return bodies_; }
+  std::span<detail::ensembles::EightKinematics> kinematics() { return kinematics_; }
 
  private:
   static std::size_t eights(std::size_t n) {
-    return (n + detail::ensemble::eight - 1) / detail::ensemble::eight;
+    return (n + detail::ensembles::eight - 1) / detail::ensembles::eight;
   }
-  static int lane_of(std::size_t i) { return static_cast<int>(i % detail::ensemble::eight); }
+  static int lane_of(std::size_t i) { return static_cast<int>(i % detail::ensembles::eight); }
 
-  static Vec3 vector(const detail::ensemble::Row (&rows)[3], int lane) {
+  static Vec3 vector(const detail::ensembles::Row (&rows)[3], int lane) {
     return {rows[0][lane], rows[1][lane], rows[2][lane]};
   }
-  static Quat quaternion(const detail::ensemble::Row (&rows)[4], int lane) {
+  static Quat quaternion(const detail::ensembles::Row (&rows)[4], int lane) {
     return {rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane]};
   }
   template <std::size_t n>
-  static void put(const Eigen::Matrix<double, int{n}, 1>& numbers, detail::ensemble::Row (&rows)[n],
-                  int lane) {
+  static void put(const Eigen::Matrix<double, int{n}, 1>& numbers,
+                  detail::ensembles::Row (&rows)[n], int lane) {
     for (std::size_t k = 0; k < n; ++k) rows[k][lane] = numbers[static_cast<int>(k)];
   }
 
@@ -79,8 +79,8 @@ class Ensemble {
     require(state.x.allFinite() && v.allFinite() && omega.allFinite(), "body ", i, " of an ",
             "ensemble: x = (", state.x.transpose(), "), v = (", v.transpose(), "), omega = (",
             omega.transpose(), ") about its principal axes is not finite");
-    auto& constants = bodies_[i / detail::ensemble::eight];
-    auto& kinematics = kinematics_[i / detail::ensemble::eight];
+    auto& constants = bodies_[i / detail::ensembles::eight];
+    auto& kinematics = kinematics_[i / detail::ensembles::eight];
     const int lane = lane_of(i);
     constants.mass[lane] = body.mass();
     put(I, constants.moments, lane);
@@ -97,12 +97,12 @@ class Ensemble {
     const double norm = q.coeffs().stableNorm();
     require(norm > 0 && std::isfinite(norm), "body ", i, " of an ensemble: no rotation has the ",
             "quaternion (w x y z) = (", q.w(), ' ', q.x(), ' ', q.y(), ' ', q.z(), ")");
-    return normalize(q);
+    return rotation::normalize(q);
   }
 
   std::size_t size_;
-  std::vector<detail::ensemble::EightBodies> bodies_;
-  std::vector<detail::ensemble::EightKinematics> kinematics_;
+  std::vector<detail::ensembles::EightBodies> bodies_;
+  std::vector<detail::ensembles::EightKinematics> kinematics_;
 };
 
 /// @}

@@ -15,13 +15,13 @@ namespace tumble {
 
 /// Which steps, and how they are taken.
 struct FixedSteps {
-  double h;               ///< length [s], negative to go back in time
-  int count;              ///< at least 0
-  double t0 = 0;          ///< the time before the first [s], for forces that depend on it
-  LoopOptions loop = {};  ///< starting a thread takes the time of some 10⁴ steps of a body
+  double h;                     ///< length [s], negative to go back in time
+  int count;                    ///< at least 0
+  double t0 = 0;                ///< the time before the first [s], for forces that depend on it
+  simd::LoopOptions loop = {};  ///< starting a thread takes the time of some 10⁴ steps of a body
 };
 
-namespace detail::ensemble {
+namespace detail::ensembles {
 
 /// @throws std::invalid_argument as advance() does
 template <class... Forces>
@@ -36,7 +36,7 @@ void require_valid_steps([[maybe_unused]] std::size_t bodies, const FixedSteps& 
   (require_valid_forces(forces, bodies), ...);
 }
 
-}  // namespace detail::ensemble
+}  // namespace detail::ensembles
 
 /// @}
 

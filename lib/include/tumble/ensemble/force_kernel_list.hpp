@@ -8,7 +8,7 @@
 
 #include "tumble/ensemble/force_kernels.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 /// One of several, some of which may be of the same type.
 template <std::size_t i, class T>
@@ -27,7 +27,7 @@ struct ForceKernelList<std::index_sequence<i...>, Kernels...> : Numbered<i, Kern
   struct Series : Numbered<i, typename Kernels::template Series<N>>... {};
 
   template <class Forces, class P>
-  TUMBLE_INLINE void prepare(const Forces& forces, const PackBody<P>& body,
+  TUMBLE_INLINE void prepare(const Forces& forces, const ensemble::PackBody<P>& body,
                              [[maybe_unused]] double h) {
     (kernel<i>().prepare(std::get<i>(forces), body, h), ...);
   }
@@ -40,8 +40,9 @@ struct ForceKernelList<std::index_sequence<i...>, Kernels...> : Numbered<i, Kern
     (kernel<i>().add_spin(q, b, sum), ...);
   }
   template <class P>
-  TUMBLE_INLINE void add_wrench([[maybe_unused]] double t, const PackBody<P>& body,
-                                const PackKinematics<P>& now, PackWrench<P>& sum) const {
+  TUMBLE_INLINE void add_wrench([[maybe_unused]] double t, const ensemble::PackBody<P>& body,
+                                const ensemble::PackKinematics<P>& now,
+                                ensemble::PackWrench<P>& sum) const {
     (kernel<i>().add_wrench(t, body, now, sum), ...);
   }
   template <int N, class P>
@@ -78,7 +79,7 @@ struct ForceType {
 };
 /// Forces that differ from body to body.
 template <class Force>
-struct ForceType<PerBody<Force>> {
+struct ForceType<ensemble::PerBody<Force>> {
   using type = Force;
 };
 
@@ -87,4 +88,4 @@ template <class P, class... Forces>
 using ForceKernelsOf = ForceKernelList<std::index_sequence_for<Forces...>,
                                        ForceKernel<typename ForceType<Forces>::type, P>...>;
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

@@ -12,18 +12,18 @@
 #include "tumble/ensemble/pack_force.hpp"
 #include "tumble/ensemble/spin.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 /// number(body.first), number(body.first + 1), … in the lanes.
 template <class P, class Number>
-TUMBLE_INLINE P gather(const PackBody<P>& body, const Number& number) {
+TUMBLE_INLINE P gather(const ensemble::PackBody<P>& body, const Number& number) {
   P all{};
   for (int i = 0; i < simd::lanes<P>; ++i)
     all[i] = number(body.first + static_cast<std::size_t>(i));
   return all;
 }
 template <class P, class Vector>
-TUMBLE_INLINE Point<P> gather_point(const PackBody<P>& body, const Vector& vector) {
+TUMBLE_INLINE Point<P> gather_point(const ensemble::PackBody<P>& body, const Vector& vector) {
   return {gather(body, [&](std::size_t i) { return vector(i).x(); }),
           gather(body, [&](std::size_t i) { return vector(i).y(); }),
           gather(body, [&](std::size_t i) { return vector(i).z(); })};
@@ -47,8 +47,9 @@ struct SilentKernel {
   TUMBLE_INLINE void add_spin(const Quaternion<P>&, const Point<P>&, Point<P>&) const {}
 
   /// Adds the wrench of a force that may depend on the whole motion.
-  TUMBLE_INLINE void add_wrench(double, const PackBody<P>&, const PackKinematics<P>&,
-                                PackWrench<P>&) const {}
+  TUMBLE_INLINE void add_wrench(double, const ensemble::PackBody<P>&,
+                                const ensemble::PackKinematics<P>&,
+                                ensemble::PackWrench<P>&) const {}
 
   /// Of h² I⁻¹ τ over a step that begins with the orientation q.
   template <int N>
@@ -62,7 +63,7 @@ struct SilentKernel {
 /// The kernel of a Force on the bodies of a Pack. @tparam Force one of those below, or a PackForce
 template <class Force, class P>
 struct ForceKernel {
-  static_assert(PackForce<Force>,
+  static_assert(ensemble::PackForce<Force>,
                 "an ensemble knows Weight, BodyDrag and ForceAtBodyPoint, each "
                 "also as PerBody, and any PackForce");
 };
@@ -73,7 +74,7 @@ struct ForceKernel<Weight, P> : SilentKernel<P> {
   Point<P> g;
 
   template <class Forces>
-  TUMBLE_INLINE void prepare(const Forces& forces, const PackBody<P>& body, double) {
+  TUMBLE_INLINE void prepare(const Forces& forces, const ensemble::PackBody<P>& body, double) {
     g = gather_point(body, [&](std::size_t i) { return force_of(forces, i).g; });
   }
   TUMBLE_INLINE void add_push(Push<P>& push) const { push.acceleration = push.acceleration + g; }
@@ -87,7 +88,7 @@ struct ForceKernel<BodyDrag, P> : SilentKernel<P> {
   Point<P> angular_drag;  // h angular / I
 
   template <class Forces>
-  TUMBLE_INLINE void prepare(const Forces& forces, const PackBody<P>& body, double h) {
+  TUMBLE_INLINE void prepare(const Forces& forces, const ensemble::PackBody<P>& body, double h) {
     const P k = gather(body, [&](std::size_t i) { return force_of(forces, i).linear; });
     const P spin = gather(body, [&](std::size_t i) { return force_of(forces, i).angular; });
     drag = k / body.mass;
@@ -114,7 +115,7 @@ struct ForceKernel<ForceAtBodyPoint, P> : SilentKernel<P> {
   Point<P> plus, minus;  // h² I⁻¹ (p_y, p_z, p_x) and h² I⁻¹ (p_z, p_x, p_y)
 
   template <class Forces>
-  TUMBLE_INLINE void prepare(const Forces& forces, const PackBody<P>& body, double h) {
+  TUMBLE_INLINE void prepare(const Forces& forces, const ensemble::PackBody<P>& body, double h) {
     force = gather_point(body, [&](std::size_t i) { return force_of(forces, i).force; });
     acceleration = 1 / body.mass * force;
     const Point<P> p_body =
@@ -154,17 +155,20 @@ struct ForceKernel<ForceAtBodyPoint, P> : SilentKernel<P> {
 };
 
 /// A user's own.
-template <PackForce Force, class P>
+template <ensemble::PackForce Force, class P>
 struct ForceKernel<Force, P> : SilentKernel<P> {
   static constexpr bool steady = false;
   const Force* force;
 
-  TUMBLE_INLINE void prepare(const Force& all, const PackBody<P>&, double) { force = &all; }
-  TUMBLE_INLINE void add_wrench(double t, const PackBody<P>& body, const PackKinematics<P>& now,
-                                PackWrench<P>& sum) const {
-    const PackWrench<P> wrench = (*force)(t, body, now);
+  TUMBLE_INLINE void prepare(const Force& all, const ensemble::PackBody<P>&, double) {
+    force = &all;
+  }
+  TUMBLE_INLINE void add_wrench(double t, const ensemble::PackBody<P>& body,
+                                const ensemble::PackKinematics<P>& now,
+                                ensemble::PackWrench<P>& sum) const {
+    const ensemble::PackWrench<P> wrench = (*force)(t, body, now);
     sum = {sum.force + wrench.force, sum.torque + wrench.torque};
   }
 };
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

@@ -8,7 +8,7 @@
 #include "tumble/body/forces.hpp"
 #include "tumble/core/require.hpp"
 
-namespace tumble {
+namespace tumble::ensemble {
 
 /// @addtogroup ensemble
 /// @{
@@ -21,11 +21,15 @@ struct PerBody {
 template <class Range>
 PerBody(const Range&) -> PerBody<typename Range::value_type>;
 
-namespace detail::ensemble {
+/// @}
+
+}  // namespace tumble::ensemble
+
+namespace tumble::detail::ensembles {
 
 /// Force i of a PerBody; lanes behind the last body have the last one.
 template <class Force>
-const Force& force_of(const PerBody<Force>& each, std::size_t i) {
+const Force& force_of(const ensemble::PerBody<Force>& each, std::size_t i) {
   return each.forces[std::min(i, each.forces.size() - 1)];
 }
 template <class Force>
@@ -42,7 +46,7 @@ void require_valid_force_on(std::size_t body, const Force& force) {
 /// @throws std::invalid_argument if a force refuses what it is made of, or there is not one for
 ///         each body
 template <class Force>
-void require_valid_forces(const PerBody<Force>& each, std::size_t bodies) {
+void require_valid_forces(const ensemble::PerBody<Force>& each, std::size_t bodies) {
   require(each.forces.size() == bodies, "there are ", each.forces.size(), " forces for ", bodies,
           " bodies");
   for (std::size_t i = 0; i < bodies; ++i) require_valid_force_on(i, each.forces[i]);
@@ -52,8 +56,4 @@ void require_valid_forces(const Force& all, std::size_t) {
   require_valid_force(all);
 }
 
-}  // namespace detail::ensemble
-
-/// @}
-
-}  // namespace tumble
+}  // namespace tumble::detail::ensembles

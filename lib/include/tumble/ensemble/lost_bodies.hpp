@@ -28,6 +28,8 @@ struct LostBodies {
   }
 };
 
+namespace detail {
+
 /// @throws std::runtime_error if there are any, naming the first
 inline void require_none(const LostBodies& lost) {
   if (lost.count == 0) return;
@@ -36,6 +38,8 @@ inline void require_none(const LostBodies& lost) {
        << lost.first << ": smaller steps, or a force that stays finite where it goes, may keep it";
   detail::throw_error<std::runtime_error>(text.str());
 }
+
+}  // namespace detail
 
 /// @}
 

@@ -13,7 +13,7 @@
 
 #include "tumble/simd/point.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 /// b[0] + w[0] b[1] + w[1] b[2] + …
 template <std::size_t n, class P>
@@ -69,4 +69,4 @@ TUMBLE_INLINE simd::Point<P> rotation_vector(const simd::Point<P> (&b)[9]) {
   return add_cross(add_scaled(M, -7. / 120, s2), right, 1. / 360 * left);
 }
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

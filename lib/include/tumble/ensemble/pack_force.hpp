@@ -19,7 +19,7 @@
 
 #include "tumble/ensemble/eights.hpp"
 
-namespace tumble {
+namespace tumble::ensemble {
 
 /// @addtogroup ensemble
 /// @{
@@ -60,4 +60,4 @@ concept PackForce = requires(const F& force, double t, const PackBody<simd::Four
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::ensemble

@@ -13,7 +13,7 @@
 #include "tumble/ensemble/lost_bodies.hpp"
 #include "tumble/ensemble/stepper.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 /// Structures of eight whose steps are taken in turn.
 inline constexpr std::size_t in_turn = 4;
@@ -94,8 +94,9 @@ class PacksInTurn {
     with_pack<P>([&]() __attribute__((always_inline)) {
       const auto& [at, lane] = place;
       const EightBodies& from = bodies_.bodies()[at];
-      const PackBody<P> body{place.body(), load<P>(from.mass, lane), load<P>(from.moments, lane),
-                             load<P>(from.asymmetry, lane), load<P>(from.axes, lane)};
+      const ensemble::PackBody<P> body{place.body(), load<P>(from.mass, lane),
+                                       load<P>(from.moments, lane), load<P>(from.asymmetry, lane),
+                                       load<P>(from.axes, lane)};
       stepper.begin(bodies_.kinematics()[at], lane, body, forces_, steps_.h);
     });
   }
@@ -124,4 +125,4 @@ class PacksInTurn {
   std::tuple<const Forces&...> forces_;
 };
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

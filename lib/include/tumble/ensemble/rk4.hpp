@@ -11,7 +11,7 @@
 #include "tumble/ensemble/stepper.hpp"
 #include "tumble/ode/rk4.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 /// The turning and the path of some bodies.
 template <class P>
@@ -48,7 +48,7 @@ template <class P, class Kernels>
 class Stepper<Rk4, P, Kernels> {
  public:
   template <class Forces>
-  TUMBLE_INLINE void begin(const EightKinematics& from, int lane, const PackBody<P>& body,
+  TUMBLE_INLINE void begin(const EightKinematics& from, int lane, const ensemble::PackBody<P>& body,
                            const Forces& forces, double h) {
     body_ = body;
     kernels_.prepare(forces, body, h);
@@ -101,16 +101,16 @@ class Stepper<Rk4, P, Kernels> {
 
   TUMBLE_INLINE SpinAndPath<P> whole_rate(double t, const SpinAndPath<P>& y) const {
     const Quaternion<P> q = nearly_normalised(y.spin.q);
-    const PackKinematics<P> now{y.x, q * conjugate(body_.axes), 1 / h_ * y.u,
-                                1 / h_ * rotate(q, y.spin.b)};
-    PackWrench<P> wrench{};
+    const ensemble::PackKinematics<P> now{y.x, q * conjugate(body_.axes), 1 / h_ * y.u,
+                                          1 / h_ * rotate(q, y.spin.b)};
+    ensemble::PackWrench<P> wrench{};
     kernels_.add_wrench(t, body_, now, wrench);
     Spin<P> spin = spin_rate(y.spin);
     spin.b = spin.b + scaled_axes(per_moments_, rotate(conjugate(q), wrench.torque));
     return {spin, y.u, push_.acceleration - push_.drag * y.u + per_mass_ * wrench.force};
   }
 
-  PackBody<P> body_;
+  ensemble::PackBody<P> body_;
   Kernels kernels_;
   SpinAndPath<P> begin_, now_;  // without a path where the forces push steadily, as what follows:
   double h_;
@@ -119,4 +119,4 @@ class Stepper<Rk4, P, Kernels> {
   Push<P> push_;          // times h², drag times h
 };
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

@@ -9,7 +9,7 @@
 
 #include "tumble/ensemble/eights.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 using simd::Point;
 using simd::Quaternion;
@@ -47,4 +47,4 @@ TUMBLE_INLINE void store_spin(const Spin<P>& spin, const Point<P>& begin, EightK
   store(changed(load<P>(to.omega, lane), begin, spin.b, h), to.omega, lane);
 }
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

@@ -6,7 +6,7 @@
 #include "tumble/ensemble/force_kernel_list.hpp"
 #include "tumble/ensemble/spin.hpp"
 
-namespace tumble::detail::ensemble {
+namespace tumble::detail::ensembles {
 
 /// The motion of a Pack of bodies between memory and memory: begin(), then a step() for each step,
 /// then end(). Specialised for each method.
@@ -24,4 +24,4 @@ TUMBLE_INLINE void store_drift(const Kernels& kernels, EightKinematics& to, int 
   store(v, to.v, lane);
 }
 
-}  // namespace tumble::detail::ensemble
+}  // namespace tumble::detail::ensembles

@@ -25,7 +25,7 @@ struct TaylorMagnus {
   static constexpr int order = N;
 };
 
-namespace detail::ensemble {
+namespace detail::ensembles {
 
 /// By the series of ω and the turn that it makes.
 template <int N, class P, class Kernels>
@@ -35,7 +35,7 @@ class Stepper<TaylorMagnus<N>, P, Kernels> {
   static_assert(Kernels::steady, "TaylorMagnus: a force of your own has no series here; use Rk4");
 
   template <class Forces>
-  TUMBLE_INLINE void begin(const EightKinematics& from, int lane, const PackBody<P>& body,
+  TUMBLE_INLINE void begin(const EightKinematics& from, int lane, const ensemble::PackBody<P>& body,
                            const Forces& forces, double h) {
     kernels_.prepare(forces, body, h);
     spin_ = load_spin<P>(from, lane, h);
@@ -85,7 +85,7 @@ class Stepper<TaylorMagnus<N>, P, Kernels> {
   Point<P> asymmetry_over_[std::size_t{N}];  // 1, 2, … N
 };
 
-}  // namespace detail::ensemble
+}  // namespace detail::ensembles
 
 /// @}
 

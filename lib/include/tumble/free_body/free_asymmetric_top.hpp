@@ -35,7 +35,7 @@ namespace tumble::detail {
 class FreeAsymmetricTop {
  public:
   /// @param polhode from polhode_of(body, q, L)
-  FreeAsymmetricTop(const Polhode& polhode, const Quat& q)
+  FreeAsymmetricTop(const elliptic::Polhode& polhode, const Quat& q)
       : polhode_(polhode), theta_(series_for(polhode)) {
     const double zeta = std::visit([](const auto& theta) { return theta.zeta(); }, theta_);
     const double drift = polhode_.lambda * zeta;
@@ -48,17 +48,17 @@ class FreeAsymmetricTop {
   Quat at(double t) const { return start_ * turned(t); }
 
  private:
-  using Theta = std::variant<ThetaSeries, ComplementaryThetaSeries>;
+  using Theta = std::variant<elliptic::ThetaSeries, elliptic::ComplementaryThetaSeries>;
 
-  static Theta series_for(const Polhode& p) {
-    if (p.modulus.k2 <= p.modulus.kc2) return ThetaSeries(p.modulus, p.eta);
-    return ComplementaryThetaSeries(p.modulus, p.eta);
+  static Theta series_for(const elliptic::Polhode& p) {
+    if (p.modulus.k2 <= p.modulus.kc2) return elliptic::ThetaSeries(p.modulus, p.eta);
+    return elliptic::ComplementaryThetaSeries(p.modulus, p.eta);
   }
 
   /// Body coordinates → coordinates with L along z.
   Quat turned(double t) const {
     const double u = polhode_.lambda * t + polhode_.u0;
-    const ThetaValues v = std::visit([u](const auto& theta) { return theta(u); }, theta_);
+    const elliptic::ThetaValues v = std::visit([u](const auto& theta) { return theta(u); }, theta_);
     const Vec3& m = polhode_.amplitudes;
     const Vec3 direction(m[0] * v.cn, m[1] * v.sn, m[2] * v.dn);
     const double sign = polhode_.pole_is_axis ? 1 : -1;
@@ -81,7 +81,7 @@ class FreeAsymmetricTop {
     return {cos_theta * c, sin_theta * c, -sin_theta * s, cos_theta * s};
   }
 
-  Polhode polhode_;
+  elliptic::Polhode polhode_;
   Theta theta_;
   double rate_;  ///< of the angle about L, on average [rad/s]
   Quat start_;

@@ -32,7 +32,8 @@ class FreeFlow {
   FreeRotation from(const Quat& q, const Vec3& L) const {
     if (kind_ == Model::ball) return UniformRotation(q, L / axes_.moments[0]);
     if (kind_ == Model::symmetric_top) return FreeSymmetricTop(top_, q, L);
-    if (const auto polhode = polhode_of(axes_, q, L)) return FreeAsymmetricTop(*polhode, q);
+    if (const auto polhode = elliptic::polhode_of(axes_, q, L))
+      return FreeAsymmetricTop(*polhode, q);
     return UniformRotation(q, omega(q.normalized(), L));
   }
 

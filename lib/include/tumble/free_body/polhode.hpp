@@ -23,7 +23,7 @@
 #include "tumble/quaternion/convert.hpp"
 #include "tumble/simd/double_double.hpp"
 
-namespace tumble {
+namespace tumble::elliptic {
 
 /// @addtogroup free_body
 /// @{
@@ -42,13 +42,17 @@ struct Polhode {
   Quat frame;         ///< body → principal axes, the pole last
 };
 
-namespace detail {
+/// @}
 
-using Vec3dd = Vector3<DoubleDouble>;
+}  // namespace tumble::elliptic
+
+namespace tumble::detail {
+
+using Vec3dd = Vector3<simd::DoubleDouble>;
 
 /// Rᵀ(q) L with twice the digits, q of any length but zero.
 inline Vec3dd into_body(const Quat& q, const Vec3& L) {
-  using T = DoubleDouble;
+  using T = simd::DoubleDouble;
   const T w = q.w();
   const Vec3dd v = q.vec().cast<T>(), l = L.cast<T>();
   const T vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -71,8 +75,8 @@ inline Vec3dd principal_momentum(const PrincipalAxes& p, const Quat& q, const Ve
 }
 
 /// G² − 2 T J₂, positive if the body turns about the axis of the largest moment.
-inline DoubleDouble separation(const Vec3& moments, const Vec3dd& m) {
-  using T = DoubleDouble;
+inline simd::DoubleDouble separation(const Vec3& moments, const Vec3dd& m) {
+  using T = simd::DoubleDouble;
   const T low(moments[0]), middle(moments[1]), high(moments[2]);
   return m[2] * m[2] * ((high - middle) / high) - m[0] * m[0] * ((middle - low) / low);
 }
@@ -112,13 +116,14 @@ inline Quat frame_of(const Mat3& R, const SignedAxes& axes, bool pole_is_axis) {
 /// The polhode through the direction of L.
 /// @param s          squares of the direction's components
 /// @param separation |G² − 2 T J₂| / G²
-inline Polhode polhode_through(const Vec3& J, const Vec3& s, double separation, double G) {
+inline elliptic::Polhode polhode_through(const Vec3& J, const Vec3& s, double separation,
+                                         double G) {
   const double d31 = J[2] - J[0], d32 = J[2] - J[1], d21 = J[1] - J[0];  // all of one sign
   const double from_largest = s[0] * d31 / J[0] + s[1] * d32 / J[1];     // (2 T J₃ − G²)/G²
   const double from_smallest = s[1] * d21 / J[1] + s[2] * d31 / J[2];    // (G² − 2 T J₁)/G²
   const double span = d32 * from_smallest;
   const double share1 = J[0] * d32 / (J[1] * d31), share3 = J[2] * d21 / (J[1] * d31);
-  Polhode p;
+  elliptic::Polhode p;
   p.G = G;
   p.J = J;
   p.modulus = {d21 * from_largest / span, std::abs(d31 / span) * separation};
@@ -126,17 +131,22 @@ inline Polhode polhode_through(const Vec3& J, const Vec3& s, double separation, 
   p.amplitudes = Vec3(s[0] + s[1] * share1, s[1] + s[0] / share1, s[2] + s[1] * share3);
   p.pole_is_axis = p.amplitudes[2] <= 0.5;
   p.amplitudes = p.amplitudes.cwiseSqrt();
-  p.eta = p.pole_is_axis ? Amplitude{p.amplitudes[2], p.amplitudes[0]}
-                         : Amplitude{std::sqrt(share1), std::sqrt(share3)};
+  p.eta = p.pole_is_axis ? elliptic::Amplitude{p.amplitudes[2], p.amplitudes[0]}
+                         : elliptic::Amplitude{std::sqrt(share1), std::sqrt(share3)};
   return p;
 }
 
 /// u where (cn u, sn u) are these, −K … K.
-inline double start_of(const Modulus& k, double cn, double sn) {
+inline double start_of(const elliptic::Modulus& k, double cn, double sn) {
   return sn * carlson_rf(cn * cn, k.kc2 + k.k2 * cn * cn, 1);
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::elliptic {
+
+/// @addtogroup free_body
+/// @{
 
 /// The polhode of a free body, or nothing if L is 0 or along a principal axis, so that the body
 /// turns uniformly. (Parts of L below 1e-150 of it count as none.)
@@ -150,8 +160,8 @@ inline std::optional<Polhode> polhode_of(const PrincipalAxes& axes, const Quat& 
   const auto counts = [&](int i) { return std::abs(m[i].hi) > 1e-150; };
   if (counts(0) + counts(1) + counts(2) < 2) return {};
 
-  const DoubleDouble separation = detail::separation(axes.moments, m);
-  const detail::SignedAxes sorted = detail::signed_axes(m, !(separation < DoubleDouble(0)));
+  const simd::DoubleDouble separation = detail::separation(axes.moments, m);
+  const detail::SignedAxes sorted = detail::signed_axes(m, !(separation < simd::DoubleDouble(0)));
   const Vec3 rounded(m[0].hi, m[1].hi, m[2].hi), direction = sorted.of(rounded) / rounded.norm();
   Polhode p = detail::polhode_through(sorted.of(axes.moments), direction.cwiseAbs2(),
                                       std::abs(double(separation)) / rounded.squaredNorm(),
@@ -164,4 +174,4 @@ inline std::optional<Polhode> polhode_of(const PrincipalAxes& axes, const Quat& 
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::elliptic

@@ -12,7 +12,7 @@
 #include <array>
 #include <cstddef>
 
-namespace tumble {
+namespace tumble::geometric {
 
 /// @addtogroup geometric
 /// @{
@@ -24,14 +24,18 @@ struct Composition {
   bool kick_first;
 };
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::geometric
+
+namespace tumble::detail {
 
 /// Completes the first half of a symmetric scheme whose parts of each kind add up to 1.
 template <std::size_t half>
-constexpr Composition<2 * half + 3> symmetric_composition(const std::array<double, half>& first,
-                                                          bool kick_first) {
+constexpr geometric::Composition<2 * half + 3> symmetric_composition(
+    const std::array<double, half>& first, bool kick_first) {
   constexpr std::size_t n = 2 * half + 3;
-  Composition<n> all{{}, kick_first};
+  geometric::Composition<n> all{{}, kick_first};
   double sums[2] = {};
   for (std::size_t i = 0; i < half; ++i) {
     all.parts[i] = all.parts[n - 1 - i] = first[i];
@@ -44,7 +48,12 @@ constexpr Composition<2 * half + 3> symmetric_composition(const std::array<doubl
   return all;
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::geometric {
+
+/// @addtogroup geometric
+/// @{
 
 /// Strang's scheme of order 2: half a kick, a flow, half a kick.
 struct Strang {
@@ -72,12 +81,16 @@ struct BlanesMoan6 {
       false);
 };
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::geometric
+
+namespace tumble::detail {
 
 /// Strang's scheme taken 2n − 1 times, γ₁ … γₙ … γ₁.
 template <std::size_t n>
-constexpr Composition<4 * n - 1> repeated_strang(const std::array<double, n>& gamma) {
-  Composition<4 * n - 1> all{{}, true};
+constexpr geometric::Composition<4 * n - 1> repeated_strang(const std::array<double, n>& gamma) {
+  geometric::Composition<4 * n - 1> all{{}, true};
   double before = 0;
   for (std::size_t i = 0; i < 2 * n - 1; ++i) {
     const double g = gamma[i < n ? i : 2 * n - 2 - i];
@@ -89,7 +102,12 @@ constexpr Composition<4 * n - 1> repeated_strang(const std::array<double, n>& ga
   return all;
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::geometric {
+
+/// @addtogroup geometric
+/// @{
 
 /// Order 8: Strang's scheme seventeen times.
 struct KahanLi8 {
@@ -102,4 +120,4 @@ struct KahanLi8 {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::geometric

@@ -13,7 +13,7 @@
 #include "tumble/body/dydt.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 
-namespace tumble {
+namespace tumble::geometric {
 
 /// @addtogroup geometric
 /// @{
@@ -76,4 +76,4 @@ struct LieGroupRk4 {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::geometric

@@ -15,7 +15,7 @@
 #include "tumble/free_body/free_flow.hpp"
 #include "tumble/geometric/composition.hpp"
 
-namespace tumble {
+namespace tumble::geometric {
 
 /// @addtogroup geometric
 /// @{
@@ -65,4 +65,4 @@ class Splitting {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::geometric

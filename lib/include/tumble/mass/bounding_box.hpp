@@ -14,7 +14,7 @@
 #include "tumble/mass/oriented_box.hpp"
 #include "tumble/mass/principal_axes.hpp"
 
-namespace tumble {
+namespace tumble::boxes {
 
 /// @addtogroup mass
 /// @{
@@ -34,24 +34,33 @@ inline OrientedBox principal_box(std::span<const Vec3> points) {
   return box_around(points, principal_axes(spread).R);
 }
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::boxes
+
+namespace tumble::detail {
 
 /// The box turned by one of the six steps ±angle about its edges that makes it smallest; itself if
 /// none makes it smaller by a millionth.
-inline OrientedBox turned_smaller(std::span<const Vec3> points, const OrientedBox& box,
-                                  double angle) {
-  OrientedBox best = box;
+inline boxes::OrientedBox turned_smaller(std::span<const Vec3> points,
+                                         const boxes::OrientedBox& box, double angle) {
+  boxes::OrientedBox best = box;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double step : {angle, -angle}) {
       const Mat3 R = box.R * Eigen::AngleAxisd(step, Vec3::Unit(axis)).toRotationMatrix();
-      const OrientedBox turned = box_around(points, R);
+      const boxes::OrientedBox turned = boxes::box_around(points, R);
       if (turned.volume() < best.volume() * (1 - 1e-6)) best = turned;
     }
   }
   return best;
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::boxes {
+
+/// @addtogroup mass
+/// @{
 
 /// A box that no small turn makes smaller, from a given one.
 /// @param points at least one [m]
@@ -80,4 +89,4 @@ inline OrientedBox fit_oriented_box(std::span<const Vec3> points) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::boxes

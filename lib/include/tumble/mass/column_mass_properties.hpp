@@ -24,7 +24,7 @@
 #include "tumble/mesh/line_lattice.hpp"
 #include "tumble/mesh/orientation.hpp"
 
-namespace tumble {
+namespace tumble::sampling {
 
 /// @addtogroup mass
 /// @{
@@ -35,7 +35,11 @@ struct ColumnMassProperties : MassProperties {
   std::int64_t crossings = 0;  ///< how often they met the surface
 };
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::sampling
+
+namespace tumble::detail {
 
 /// ∫ {1, x, y, z, …} dz from height 0 to z on the line through (x, y), times `sign`.
 inline Moments<double> moments_below(double x, double y, double z, double sign) {
@@ -52,7 +56,8 @@ inline Eigen::AlignedBox3d centred(const Eigen::AlignedBox3d& box) {
 /// Mass properties from where lines meet the surface; nothing is checked.
 /// @param lines a LineLattice or JitteredLines over centred(bounds(mesh))
 template <class Lines>
-ColumnMassProperties sum_of_columns(const PolygonMesh& mesh, double density, const Lines& lines) {
+sampling::ColumnMassProperties sum_of_columns(const PolygonMesh& mesh, double density,
+                                              const Lines& lines) {
   const Eigen::AlignedBox3d box = bounds(mesh);
   const Vec3 middle = box.center();
   BlockedMoments sum;
@@ -83,8 +88,8 @@ inline void require_columns(const PolygonMesh& mesh, double density, int columns
 
 /// Passes on what the surface confirms: columns miss a thin body, or meet all of it at once, and
 /// nothing in their own numbers tells.
-inline ColumnMassProperties require_resolved(const PolygonMesh& mesh, double density,
-                                             const ColumnMassProperties& body) {
+inline sampling::ColumnMassProperties require_resolved(const PolygonMesh& mesh, double density,
+                                                       const sampling::ColumnMassProperties& body) {
   require(body.crossings > 0, "none of ", body.columns, " columns met the mesh: take more");
   const double mass = density * enclosed_volume(mesh);
   require(mass > 0, "the mesh is inside out, or encloses no volume: mass ", mass, " kg");
@@ -94,7 +99,12 @@ inline ColumnMassProperties require_resolved(const PolygonMesh& mesh, double den
   return body;
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::sampling {
+
+/// @addtogroup mass
+/// @{
 
 /// Mass properties of a mesh by columns in a regular grid, each in the middle of its cell.
 /// @param mesh    closed, faces counter-clockwise seen from outside; parts that overlap count twice
@@ -124,4 +134,4 @@ inline ColumnMassProperties jittered_column_mass_properties(const PolygonMesh& m
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::sampling

@@ -57,20 +57,20 @@ struct RoundingSums {
 };
 
 /// Half the trace of the inertia tensor, for density 1: what its errors are measured by [m⁵].
-inline double inertia_size(const Moments<DoubleDouble>& m) {
+inline double inertia_size(const Moments<simd::DoubleDouble>& m) {
   return double(m.xx + m.yy + m.zz - (m.x * m.x + m.y * m.y + m.z * m.z) / m.one);
 }
 
 /// The mass properties with their error bounds: the rounding of the result (2 eps), and a few units
 /// u of the arithmetic times the sums.
 /// @param u 2⁻⁵³ when all was done in double, 2⁻¹⁰⁴ for pairs of doubles
-inline BoundedMassProperties bounded(const Moments<DoubleDouble>& m, const Vec3& reference,
+inline BoundedMassProperties bounded(const Moments<simd::DoubleDouble>& m, const Vec3& reference,
                                      double density, double u, const RoundingSums<double>& sums) {
   const double volume = std::abs(double(m.one));
   BoundedMassProperties body{mass_properties(m, reference, density)};
-  const Vector3<DoubleDouble> offset = centre_from_reference(m);
-  const Vector3<DoubleDouble> rest =
-      offset + reference.cast<DoubleDouble>() - body.centre.cast<DoubleDouble>();
+  const Vector3<simd::DoubleDouble> offset = centre_from_reference(m);
+  const Vector3<simd::DoubleDouble> rest =
+      offset + reference.cast<simd::DoubleDouble>() - body.centre.cast<simd::DoubleDouble>();
   body.centre_rest = to_double(rest);
   // What rounding may have done to ∫ dV, ∫ r dV and ∫ r rᵀ dV; and then to ∫ r dV / V and to
   // ∫ r rᵀ dV − c ∫ rᵀ dV.

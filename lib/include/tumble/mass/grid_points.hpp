@@ -5,7 +5,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
 
-namespace tumble {
+namespace tumble::sampling {
 
 /// @addtogroup mass
 /// @{
@@ -41,4 +41,4 @@ class GridPoints {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::sampling

@@ -15,7 +15,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
 
-namespace tumble {
+namespace tumble::sampling {
 
 /// @addtogroup mass
 /// @{
@@ -61,4 +61,4 @@ class R3Points {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::sampling

@@ -30,7 +30,7 @@ enum class Accuracy {
 struct MassOptions {
   Accuracy accuracy = Accuracy::tight;
   Policy policy = Policy::refuse;
-  LoopOptions loop = {};
+  simd::LoopOptions loop = {};
 };
 
 /// Mass properties of a mesh that is known to be closed; nothing is checked. A face that is not
@@ -39,14 +39,14 @@ struct MassOptions {
 /// @param density [kg/m³]
 inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, double density,
                                                        Accuracy accuracy = Accuracy::tight,
-                                                       const LoopOptions& loop = {}) {
+                                                       const simd::LoopOptions& loop = {}) {
   if (accuracy == Accuracy::textbook) return detail::unchecked_mirtich(mesh, density);
   const bool fast = accuracy == Accuracy::fast;
   const Vec3 p = detail::reference_point(mesh);
   const detail::TetrahedronSums sums =
       fast ? detail::sum_in_doubles(mesh, p, loop) : detail::sum_in_pairs(mesh, p, loop);
   return detail::bounded(detail::with_factors(sums.raw), p, density,
-                         fast ? unit_roundoff : 0x1p-104, sums.rounding);
+                         fast ? detail::unit_roundoff : 0x1p-104, sums.rounding);
 }
 
 /// Mass properties of a mesh, and everything that was found about it.

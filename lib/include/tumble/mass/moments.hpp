@@ -46,12 +46,12 @@ inline Moments<double> unit_moments(const Vec3& r) {
 }
 
 /// Each number rounded to a double.
-inline Vec3 to_double(const Vector3<DoubleDouble>& v) {
+inline Vec3 to_double(const Vector3<simd::DoubleDouble>& v) {
   return {double(v.x()), double(v.y()), double(v.z())};
 }
 
 /// Where the centre of mass is, from the point that the moments are about [m].
-inline Vector3<DoubleDouble> centre_from_reference(const Moments<DoubleDouble>& m) {
+inline Vector3<simd::DoubleDouble> centre_from_reference(const Moments<simd::DoubleDouble>& m) {
   return {m.x / m.one, m.y / m.one, m.z / m.one};
 }
 
@@ -60,9 +60,9 @@ inline Vector3<DoubleDouble> centre_from_reference(const Moments<DoubleDouble>& 
 /// Mass properties from moments about `reference`.
 /// @param reference the point p that the moments are about [m]
 /// @param density   [kg/m³], or 1 for moments that have masses in them already
-inline MassProperties mass_properties(const Moments<DoubleDouble>& m, const Vec3& reference,
+inline MassProperties mass_properties(const Moments<simd::DoubleDouble>& m, const Vec3& reference,
                                       double density) {
-  using T = DoubleDouble;
+  using T = simd::DoubleDouble;
   const Vector3<T> c = detail::centre_from_reference(m);
   // ∫ (r − c)(r − c)ᵀ = ∫ r rᵀ − c ∫ rᵀ
   const T xx = m.xx - c.x() * m.x, yy = m.yy - c.y() * m.y, zz = m.zz - c.z() * m.z;
@@ -91,8 +91,8 @@ class BlockedMoments {
     if (++in_block_ == block_size) close_block();
   }
   /// The sum of everything added so far.
-  Moments<DoubleDouble> total() const {
-    Moments<DoubleDouble> sum = closed_;
+  Moments<simd::DoubleDouble> total() const {
+    Moments<simd::DoubleDouble> sum = closed_;
     return sum += block_;
   }
 
@@ -103,7 +103,7 @@ class BlockedMoments {
     block_ = {};
     in_block_ = 0;
   }
-  Moments<DoubleDouble> closed_;
+  Moments<simd::DoubleDouble> closed_;
   Moments<double> block_;
   int in_block_ = 0;
 };

@@ -10,7 +10,7 @@
 #include "tumble/mass/transform.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
-namespace tumble {
+namespace tumble::boxes {
 
 /// @addtogroup mass
 /// @{
@@ -75,4 +75,4 @@ inline OrientedBox shrunk_to(const OrientedBox& box, double volume) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::boxes

@@ -21,7 +21,7 @@
 #include "tumble/mass/require_density.hpp"
 #include "tumble/mass/sample_points.hpp"
 
-namespace tumble {
+namespace tumble::sampling {
 
 /// @addtogroup mass
 /// @{
@@ -35,7 +35,11 @@ struct SampledMassProperties : MassProperties {
   double inertia_standard_error = 0;  ///< of the Frobenius norm of its error [kg m²]
 };
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::sampling
+
+namespace tumble::detail {
 
 /// The sums over the points inside, r from the middle of the box.
 struct SampleSums {
@@ -52,7 +56,8 @@ struct SampleSums {
 };
 
 /// Σ |r − c|⁴ over the points, from sums about another point than c.
-inline double fourth_moment(const SampleSums& sums, const Moments<DoubleDouble>& m, const Vec3& c) {
+inline double fourth_moment(const SampleSums& sums, const Moments<simd::DoubleDouble>& m,
+                            const Vec3& c) {
   const Vec3 first = {double(m.x), double(m.y), double(m.z)};
   const double q = double(m.xx + m.yy + m.zz), cc = c.squaredNorm();
   const double cr2 = c.x() * c.x() * double(m.xx) + c.y() * c.y() * double(m.yy) +
@@ -65,10 +70,10 @@ inline double fourth_moment(const SampleSums& sums, const Moments<DoubleDouble>&
 
 /// Mass properties and standard errors from the sums.
 /// @param weight the mass that each point stands for: density · box volume / n [kg]
-inline SampledMassProperties from_samples(const SampleSums& sums, std::int64_t n,
-                                          const Vec3& middle, double weight) {
-  const Moments<DoubleDouble> m = sums.moments.total();
-  SampledMassProperties result{mass_properties(m, middle, weight)};
+inline sampling::SampledMassProperties from_samples(const SampleSums& sums, std::int64_t n,
+                                                    const Vec3& middle, double weight) {
+  const Moments<simd::DoubleDouble> m = sums.moments.total();
+  sampling::SampledMassProperties result{mass_properties(m, middle, weight)};
   const double inside = double(m.one), total = static_cast<double>(n);
   result.points = n;
   result.inside = static_cast<std::int64_t>(inside);
@@ -82,7 +87,12 @@ inline SampledMassProperties from_samples(const SampleSums& sums, std::int64_t n
   return result;
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::sampling {
+
+/// @addtogroup mass
+/// @{
 
 /// Mass properties of a solid from points that are tried whether they are inside.
 /// @param solid   anything with contains() and bounds()
@@ -90,7 +100,7 @@ inline SampledMassProperties from_samples(const SampleSums& sums, std::int64_t n
 /// @param points  GridPoints, RandomPoints, StratifiedPoints or R3Points
 /// @throws std::invalid_argument if the density is not positive and finite, the bounds are empty or
 ///         not finite, or no point fell inside
-template <Solid S, SamplePoints P>
+template <solids::Solid S, SamplePoints P>
 SampledMassProperties sample_mass_properties(const S& solid, double density, P points) {
   require_density(density);
   const Eigen::AlignedBox3d box = solid.bounds();
@@ -114,4 +124,4 @@ SampledMassProperties sample_mass_properties(const S& solid, double density, P p
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::sampling

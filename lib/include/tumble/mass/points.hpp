@@ -29,7 +29,7 @@ struct PointMass {
 inline Vec3 centre_of_mass(std::span<const PointMass> points) {
   require(!points.empty(), "no point masses were given");
   const Vec3 first = points.front().position;
-  DoubleDouble mass, x, y, z;
+  simd::DoubleDouble mass, x, y, z;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointMass& p = points[i];
     require(p.mass >= 0 && std::isfinite(p.mass) && p.position.allFinite(), "point mass ", i,
@@ -52,14 +52,14 @@ inline Vec3 centre_of_mass(std::span<const PointMass> points) {
 inline MassProperties mass_properties(std::span<const PointMass> points) {
   MassProperties result;
   result.centre = centre_of_mass(points);
-  DoubleDouble mass;
-  Matrix3<DoubleDouble> sum = Matrix3<DoubleDouble>::Constant(0.0);
+  simd::DoubleDouble mass;
+  Matrix3<simd::DoubleDouble> sum = Matrix3<simd::DoubleDouble>::Constant(0.0);
   for (const PointMass& p : points) {
     mass += p.mass;
-    sum += point_inertia(p.mass, p.position - result.centre).cast<DoubleDouble>();
+    sum += point_inertia(p.mass, p.position - result.centre).cast<simd::DoubleDouble>();
   }
   result.mass = double(mass);
-  result.inertia = sum.unaryExpr([](const DoubleDouble& x) { return double(x); });
+  result.inertia = sum.unaryExpr([](const simd::DoubleDouble& x) { return double(x); });
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
 
-namespace tumble {
+namespace tumble::sampling {
 
 /// @addtogroup mass
 /// @{
@@ -34,4 +34,4 @@ class RandomPoints {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::sampling

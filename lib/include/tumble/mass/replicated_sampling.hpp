@@ -13,26 +13,28 @@
 #include "tumble/mass/point_sampling.hpp"
 #include "tumble/mass/transform.hpp"
 
-namespace tumble {
-
-/// @addtogroup mass
-/// @{
-
-namespace detail {
+namespace tumble::detail {
 
 /// Σ |value(set) − mean|²/(k (k − 1)), square-rooted: the standard error of the mean of k sets.
 template <class Value>
-double standard_error_of_mean(const std::vector<SampledMassProperties>& sets, const Value& value) {
+double standard_error_of_mean(const std::vector<sampling::SampledMassProperties>& sets,
+                              const Value& value) {
   const auto k = static_cast<double>(sets.size());
   auto mean = value(sets.front());
   mean.setZero();
-  for (const SampledMassProperties& set : sets) mean += value(set) / k;
+  for (const sampling::SampledMassProperties& set : sets) mean += value(set) / k;
   double squares = 0;
-  for (const SampledMassProperties& set : sets) squares += (value(set) - mean).squaredNorm();
+  for (const sampling::SampledMassProperties& set : sets)
+    squares += (value(set) - mean).squaredNorm();
   return std::sqrt(squares / (k * (k - 1)));
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::sampling {
+
+/// @addtogroup mass
+/// @{
 
 /// Mass properties of a solid from all points of several sets together; the standard errors are
 /// those of the differences between the sets.
@@ -40,9 +42,9 @@ double standard_error_of_mean(const std::vector<SampledMassProperties>& sets, co
 /// @param density [kg/m³]
 /// @param sets    how many: 8 tell the error to a quarter
 /// @param points  points(seed) gives one set, for seeds 1, 2, …, `sets`; as many points in each:
-///                `[](std::uint64_t seed) { return StratifiedPoints(20, seed); }`
+///                `[](std::uint64_t seed) { return sampling::StratifiedPoints(20, seed); }`
 /// @throws std::invalid_argument if sets < 2, and as sample_mass_properties()
-template <Solid S, class MakePoints>
+template <solids::Solid S, class MakePoints>
 SampledMassProperties replicated_mass_properties(const S& solid, double density, int sets,
                                                  MakePoints&& points) {
   require(sets >= 2, "the number of sets of points is ", sets, ", less than 2");
@@ -70,4 +72,4 @@ SampledMassProperties replicated_mass_properties(const S& solid, double density,
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::sampling

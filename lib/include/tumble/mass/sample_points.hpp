@@ -14,7 +14,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::sampling {
 
 /// @addtogroup mass
 /// @{
@@ -28,4 +28,4 @@ concept SamplePoints = std::copy_constructible<P> && requires(P points, const P&
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::sampling

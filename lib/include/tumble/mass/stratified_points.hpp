@@ -11,7 +11,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/mass/sample_points.hpp"
 
-namespace tumble {
+namespace tumble::sampling {
 
 /// @addtogroup mass
 /// @{
@@ -51,4 +51,4 @@ class StratifiedPoints {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::sampling

@@ -17,8 +17,8 @@ namespace tumble::detail {
 
 /// What the triangles of a mesh add up to.
 struct TetrahedronSums {
-  Moments<DoubleDouble> raw;      ///< without their factors: see raw_moments()
-  RoundingSums<double> rounding;  ///< what their rounding is bounded by
+  Moments<simd::DoubleDouble> raw;  ///< without their factors: see raw_moments()
+  RoundingSums<double> rounding;    ///< what their rounding is bounded by
 
   TetrahedronSums& operator+=(const TetrahedronSums& other) {
     raw += other.raw;
@@ -48,18 +48,18 @@ TUMBLE_INLINE simd::Point<Number> difference(const simd::Point<P>& x, const simd
 }
 
 template <class P>
-DoubleDouble total(const P& lanes) {
+simd::DoubleDouble total(const P& lanes) {
   return simd::sum_of_lanes(lanes);
 }
 template <class P, Fma fma>
-DoubleDouble total(const Pair<P, fma>& lanes) {
-  DoubleDouble sum;
+simd::DoubleDouble total(const Pair<P, fma>& lanes) {
+  simd::DoubleDouble sum;
   for (int i = 0; i < simd::lanes<P>; ++i)
-    sum += DoubleDouble(Pair<double>{lanes.hi[i], lanes.lo[i]});
+    sum += simd::DoubleDouble(Pair<double>{lanes.hi[i], lanes.lo[i]});
   return sum;
 }
 template <class T>
-Moments<DoubleDouble> total(const Moments<T>& m) {
+Moments<simd::DoubleDouble> total(const Moments<T>& m) {
   return {total(m.one), total(m.x),  total(m.y),  total(m.z),  total(m.xx),
           total(m.yy),  total(m.zz), total(m.xy), total(m.yz), total(m.zx)};
 }
@@ -103,7 +103,7 @@ using InPairs = Pair<P, fma>;
 
 template <template <class, Fma> class Numbers>
 TetrahedronSums sum_tetrahedra(const PolygonMesh& mesh, const Vec3& reference,
-                               const LoopOptions& options) {
+                               const simd::LoopOptions& options) {
   const auto add = [&](const TriangleBlock& block, TetrahedronSums& sum) {
     dispatch(options.instructions, BlockSum<Numbers>{block, reference, sum});
   };
@@ -115,13 +115,13 @@ TetrahedronSums sum_tetrahedra(const PolygonMesh& mesh, const Vec3& reference,
 /// @param mesh      indices in range
 /// @param reference the point that the moments are about; near the body nothing cancels [m]
 inline TetrahedronSums sum_in_doubles(const PolygonMesh& mesh, const Vec3& reference,
-                                      const LoopOptions& options = {}) {
+                                      const simd::LoopOptions& options = {}) {
   return detail::sum_tetrahedra<detail::InDoubles>(mesh, reference, options);
 }
 
 /// The sums in pairs of doubles, about 30 digits: of what a double can show all, on every shape.
 inline TetrahedronSums sum_in_pairs(const PolygonMesh& mesh, const Vec3& reference,
-                                    const LoopOptions& options = {}) {
+                                    const simd::LoopOptions& options = {}) {
   return detail::sum_tetrahedra<detail::InPairs>(mesh, reference, options);
 }
 

@@ -27,8 +27,6 @@ namespace detail {
 /// rotation up to 4 eps adds 8 eps, finding the principal moments about 6 eps; together 32 eps.
 inline constexpr double inertia_rounding = 32 * 0x1p-53;
 
-}  // namespace detail
-
 /// What is wrong with an inertia tensor, in words and numbers; empty if nothing is.
 /// @param I 3×3 [kg m²]
 inline std::string inertia_defect(const Mat3& I) {
@@ -63,6 +61,8 @@ inline void require_valid_inertia(const Mat3& I) {
   require(defect.empty(), "the inertia tensor ", defect);
 }
 
+}  // namespace detail
+
 /// Refuses mass properties that no body has.
 /// @throws std::invalid_argument if the mass is not a positive finite number, the centre is not
 ///         finite, or the inertia tensor is one that no body has
@@ -71,7 +71,7 @@ inline void require_valid(const MassProperties& body) {
           " kg is not a positive finite number");
   require(body.centre.allFinite(), "the centre of mass ", detail::AsPoint{body.centre},
           " is not finite");
-  require_valid_inertia(body.inertia);
+  detail::require_valid_inertia(body.inertia);
 }
 
 /// @}

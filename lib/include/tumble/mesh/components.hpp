@@ -101,7 +101,7 @@ inline std::vector<EnclosedVolume> enclosed_by_parts(const PolygonMesh& mesh,
 /// Measures the parts again that double cannot tell from flat ones, with twice the digits: needles
 /// and plates that lie askew enclose something after all.
 inline void measure_thin_parts(const PolygonMesh& mesh, Components& surface) {
-  std::vector<DoubleDouble> six_volume(surface.parts.size());
+  std::vector<simd::DoubleDouble> six_volume(surface.parts.size());
   const auto is_thin = [](const Component& part) { return std::abs(part.volume) <= part.rounding; };
   if (std::none_of(surface.parts.begin(), surface.parts.end(), is_thin)) return;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& t) {

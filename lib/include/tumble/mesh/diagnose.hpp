@@ -49,7 +49,7 @@ struct Survey {
 /// Goes over all triangles once.
 /// @param mesh indices in range, positions finite
 inline Survey survey(const PolygonMesh& mesh, const LatticeFilter& filter,
-                     const LoopOptions& options) {
+                     const simd::LoopOptions& options) {
   const Vec3 origin = mesh.corners.empty() ? Vec3(0, 0, 0) : mesh.vertex(mesh.corners[0]);
   const auto add = [&](const TriangleBlock& block, Survey& sum) {
     dispatch(options.instructions, BlockBalance{block, sum.balance});
@@ -63,7 +63,8 @@ inline Survey survey(const PolygonMesh& mesh, const LatticeFilter& filter,
 
 /// Everything that is wrong with the mesh; empty when it bounds a body. At most a few findings of
 /// each kind are listed, and the last one says how many more there are.
-inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh, const LoopOptions& options = {}) {
+inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh,
+                                        const simd::LoopOptions& options = {}) {
   std::vector<MeshDefect> findings = detail::find_bad_indices(mesh);
   if (!findings.empty()) return findings;
   if (mesh.face_count() == 0)

@@ -64,7 +64,7 @@ struct BlockBalance {
 /// Whether every edge is used equally often in both directions. Parts that touch at a vertex, an
 /// edge or a face are closed; a corner that is repeated makes no edge.
 /// @param mesh indices in range
-inline bool is_closed(const PolygonMesh& mesh, const LoopOptions& options = {}) {
+inline bool is_closed(const PolygonMesh& mesh, const simd::LoopOptions& options = {}) {
   const auto add = [&](const TriangleBlock& block, std::uint64_t& sum) {
     dispatch(options.instructions, BlockBalance{block, sum});
   };

@@ -67,7 +67,7 @@ struct BlockVolume {
 
 /// The volume that a surface encloses, negative when its faces look inwards [m³].
 /// @param mesh closed, indices in range, positions finite, at least one face
-inline double enclosed_volume(const PolygonMesh& mesh, const LoopOptions& options = {}) {
+inline double enclosed_volume(const PolygonMesh& mesh, const simd::LoopOptions& options = {}) {
   const Vec3 origin = mesh.vertex(mesh.corners[0]);
   const auto add = [&](const TriangleBlock& block, EnclosedVolume& sum) {
     dispatch(options.instructions, BlockVolume{block, origin, sum});
@@ -77,7 +77,8 @@ inline double enclosed_volume(const PolygonMesh& mesh, const LoopOptions& option
 
 /// 6V of the tetrahedron on the triangle a, b, c with apex o, to about 2⁻¹⁰⁴ |b − a|₁ |c − a|₁
 /// |a − o|₁ [m³]: so thin a one that doubles cancel has a volume too.
-inline DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& o) {
+inline simd::DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3& c,
+                                             const Vec3& o) {
   const auto exact = [](const Vec3& p, const Vec3& q) -> simd::Point<Pair<double>> {
     return {two_diff(p.x(), q.x()), two_diff(p.y(), q.y()), two_diff(p.z(), q.z())};
   };

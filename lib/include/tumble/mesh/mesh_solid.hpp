@@ -142,7 +142,7 @@ class MeshSolid {
   std::shared_ptr<const Surface> surface_;
 };
 
-static_assert(Solid<MeshSolid>);
+static_assert(solids::Solid<MeshSolid>);
 
 /// @}
 

@@ -15,6 +15,8 @@ namespace tumble {
 /// @addtogroup mesh
 /// @{
 
+namespace detail {
+
 /// Reads a mesh from an STL file.
 /// @throws std::runtime_error when the file cannot be read
 /// @throws std::invalid_argument as parse_stl() does
@@ -29,6 +31,8 @@ inline PolygonMesh read_ply(const std::string& path) {
   return detail::parse_ply(detail::read_file(path), path);
 }
 
+}  // namespace detail
+
 /// Reads a mesh from an OBJ, STL or PLY file, whichever it is by its content.
 /// @param path its ending counts only where the content says nothing
 /// @throws std::runtime_error when the file cannot be read
@@ -42,7 +46,7 @@ inline PolygonMesh read_mesh(const std::string& path) {
   file.clear();
   if (size > 0 && detail::format_of(head, size, path) == detail::MeshFormat::obj) {
     file.seekg(0);
-    return read_obj(file, path);
+    return detail::read_obj(file, path);
   }
   // A pipe cannot go back to its beginning.
   return parse_mesh(head + detail::read_all(file, size, path), path);

@@ -13,10 +13,7 @@
 #include "tumble/mesh/parse_obj.hpp"
 #include "tumble/mesh/read_file.hpp"
 
-namespace tumble {
-
-/// @addtogroup mesh
-/// @{
+namespace tumble::detail {
 
 /// Reads a mesh from a stream with an OBJ text.
 /// @param name what the text is called in messages
@@ -43,6 +40,4 @@ inline PolygonMesh read_obj(const std::string& path) {
   return read_obj(file, path);
 }
 
-/// @}
-
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -15,7 +15,7 @@ namespace tumble::detail {
 /// @param add  add(block, sum) adds a TriangleBlock
 /// @param mesh indices in range
 template <class Sum, class Add>
-Sum sum_over_blocks(const PolygonMesh& mesh, const LoopOptions& options, const Add& add) {
+Sum sum_over_blocks(const PolygonMesh& mesh, const simd::LoopOptions& options, const Add& add) {
   constexpr int chunk = 1 << 14;  // faces: some 0.1 ms of work
   const int faces = mesh.face_count(), chunks = (faces + chunk - 1) / chunk;
   std::vector<Sum> sums(static_cast<std::size_t>(chunks));

@@ -9,7 +9,7 @@
 
 #include "tumble/ode/tolerances.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -37,4 +37,4 @@ concept AdaptiveMethod = OdeRhs<F, State> &&
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

@@ -16,7 +16,7 @@
 #include "tumble/ode/jacobian.hpp"
 #include "tumble/ode/linear_solver.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -53,7 +53,7 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
   detail::throw_error<std::runtime_error>(text.str());
 }
 
-/// Backward Euler as a type, for integrate_fixed<BackwardEuler>.
+/// Backward Euler as a type, for integrate_fixed<runge_kutta::BackwardEuler>.
 struct BackwardEuler {
   static constexpr int order = 1;
 
@@ -65,4 +65,4 @@ struct BackwardEuler {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

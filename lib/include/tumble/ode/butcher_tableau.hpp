@@ -15,7 +15,7 @@
 
 #include "tumble/ode/rhs.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -34,16 +34,20 @@ concept ButcherTableau = requires {
   { T::b } -> std::convertible_to<Weights<T::stages>>;
 };
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::runge_kutta
+
+namespace tumble::detail {
 
 /// Row i of a as a type of its own.
-template <ButcherTableau Tableau, std::size_t i>
+template <runge_kutta::ButcherTableau Tableau, std::size_t i>
 struct StageWeights {
   static constexpr auto weights = Tableau::a[i];
 };
 
 /// b as a type of its own.
-template <ButcherTableau Tableau>
+template <runge_kutta::ButcherTableau Tableau>
 struct StepWeights {
   static constexpr auto weights = Tableau::b;
 };
@@ -84,8 +88,4 @@ State weighted_difference(ScalarOf<State> h, const std::array<State, n>& k) {
   return result;
 }
 
-}  // namespace detail
-
-/// @}
-
-}  // namespace tumble
+}  // namespace tumble::detail

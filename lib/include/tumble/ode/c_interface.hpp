@@ -27,11 +27,11 @@ namespace tumble {
 /// @addtogroup ode
 /// @{
 
+namespace detail {
+
 /// A callable dydt(t, y, ydot) on arrays.
 template <class F>
 concept CDydt = std::invocable<const F&, double, double*, double*>;
-
-namespace detail {
 
 /// A C function as an OdeRhs of any state of doubles; made by rhs_from_c().
 template <CDydt F>
@@ -55,7 +55,7 @@ class CRhs {
 }  // namespace detail
 
 /// dydt(t, y, ydot) for the typed solvers: integrate_adaptive<Dop853>(rhs_from_c(dydt), y0, …).
-template <CDydt F>
+template <detail::CDydt F>
 detail::CRhs<F> rhs_from_c(F dydt) {
   return detail::CRhs<F>(std::move(dydt));
 }
@@ -64,7 +64,7 @@ detail::CRhs<F> rhs_from_c(F dydt) {
 /// @param y0 an array, std::vector, std::array or std::span, whose length it knows. Write t0 with a
 ///           point (0.0): an array followed by a whole number is the form with a length
 /// @throws as integrate_adaptive()
-template <CDydt F>
+template <detail::CDydt F>
 std::vector<double> ode(std::span<const double> y0, double t0, double tf, F dydt,
                         const Tolerances& tolerances = {}) {
   const Eigen::VectorXd start =
@@ -79,21 +79,21 @@ std::vector<double> ode(std::span<const double> y0, double t0, double tf, F dydt
 /// @param h   step, negative to go back in time
 /// @param t   the time that dydt is told
 /// @throws std::invalid_argument if len < 1, or h, t or a number in Y is not finite
-template <std::integral Length, CDydt F>
+template <std::integral Length, detail::CDydt F>
 void ode(double Y[], Length len, double h, F dydt, double t = 0) {
   require(len >= 1, "ode: a state of len = ", len, " numbers; for a time write ", len, ".0");
   require(std::isfinite(h), "ode: the step h = ", h, " is not finite");
   require(std::isfinite(t), "ode: the time t = ", t, " is not finite");
   Eigen::Map<Eigen::VectorXd> y(Y, static_cast<Eigen::Index>(len));
   require(y.allFinite(), "ode: Y = (", y.transpose(), ") is not finite");
-  y = rk4_step(rhs_from_c(dydt), t, Eigen::VectorXd(y), h);
+  y = runge_kutta::rk4_step(rhs_from_c(dydt), t, Eigen::VectorXd(y), h);
 }
 
 /// The state at t1 in xEnd, from x0 at t0 (Baraff's form).
 /// @param x0   `len` numbers
 /// @param xEnd room for as many; may be x0 itself
 /// @throws as integrate_adaptive(), and std::invalid_argument if len < 1
-template <std::integral Length, CDydt F>
+template <std::integral Length, detail::CDydt F>
 void ode(const double x0[], double xEnd[], Length len, double t0, double t1, F dxdt,
          const Tolerances& tolerances = {}) {
   require(len >= 1, "ode: a state of len = ", len, " numbers");

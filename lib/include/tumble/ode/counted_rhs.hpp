@@ -4,7 +4,7 @@
 
 #include "tumble/ode/jacobian.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -36,4 +36,4 @@ class CountedRhs {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

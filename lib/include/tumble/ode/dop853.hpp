@@ -26,11 +26,11 @@ struct Dop853Tableau {
   static constexpr bool error_needs_end = false;
 
   // clang-format off
-  static constexpr Weights<12> c = {
+  static constexpr runge_kutta::Weights<12> c = {
       0, 0.0526001519587677318785587544488L, 0.0789002279381515978178381316732L,
       0.11835034190722739672675719751L, 0.28164965809277260327324280249L, 1.L / 3, 0.25L,
       4.L / 13, 0.651282051282051282051282051282L, 0.6L, 6.L / 7, 1};
-  static constexpr std::array<Weights<12>, 12> a = {{
+  static constexpr std::array<runge_kutta::Weights<12>, 12> a = {{
       {},
       {0.0526001519587677318785587544488L},
       {0.0197250569845378994544595329183L, 0.0591751709536136983633785987549L},
@@ -60,7 +60,7 @@ struct Dop853Tableau {
        27.9488845294199600508499808837L, -2.85899827713502369474065508674L,
        -8.87285693353062954433549289258L, 12.3605671757943030647266201528L,
        0.643392746015763530355970484046L}}};
-  static constexpr Weights<12> b = {
+  static constexpr runge_kutta::Weights<12> b = {
       0.0542937341165687622380535766363L, 0, 0, 0, 0, 4.45031289275240888144113950566L,
       1.89151789931450038304281599044L, -5.8012039600105847814672114227L,
       0.31116436695781989440891606237L, -0.152160949662516078556178806805L,
@@ -68,7 +68,7 @@ struct Dop853Tableau {
 
   /// b less the weights of the embedded result of order 5.
   struct ErrorWeights5 {
-    static constexpr Weights<12> weights = {
+    static constexpr runge_kutta::Weights<12> weights = {
         0.01312004499419488073250102996L, 0, 0, 0, 0, -1.225156446376204440720569753L,
         -0.4957589496572501915214079952L, 1.664377182454986536961530415L,
         -0.350328848749973681688648729L, 0.3341791187130174790297318841L,
@@ -78,8 +78,8 @@ struct Dop853Tableau {
 
   /// b less the weights of the embedded result of order 3, which needs three stages.
   struct ErrorWeights3 {
-    static constexpr Weights<12> weights = [] {
-      Weights<12> e = b;
+    static constexpr runge_kutta::Weights<12> weights = [] {
+      runge_kutta::Weights<12> e = b;
       e[0] -= 0.244094488188976377952755905512L;
       e[8] -= 0.733846688281611857341361741547L;
       e[11] -= 0.0220588235294117647058823529412L;
@@ -92,8 +92,10 @@ struct Dop853Tableau {
   static ScalarOf<State> error(ScalarOf<State> h, const std::array<State, 13>& k, const State& y0,
                                const State& y1, const Tolerances& tolerances) {
     using Scalar = ScalarOf<State>;
-    const Scalar e5 = error_norm(weighted_difference<ErrorWeights5>(h, k), y0, y1, tolerances);
-    const Scalar e3 = error_norm(weighted_difference<ErrorWeights3>(h, k), y0, y1, tolerances);
+    const Scalar e5 =
+        runge_kutta::error_norm(weighted_difference<ErrorWeights5>(h, k), y0, y1, tolerances);
+    const Scalar e3 =
+        runge_kutta::error_norm(weighted_difference<ErrorWeights3>(h, k), y0, y1, tolerances);
     if (e5 == 0) return Scalar(0);
     return e5 * (e5 / std::hypot(e5, Scalar(0.1) * e3));
   }
@@ -102,7 +104,7 @@ struct Dop853Tableau {
 }  // namespace detail
 
 /// The method for tight tolerances, 1e-7 to 1e-13, of problems that are not stiff.
-using Dop853 = EmbeddedRungeKutta<detail::Dop853Tableau>;
+using Dop853 = runge_kutta::EmbeddedRungeKutta<detail::Dop853Tableau>;
 
 /// @}
 

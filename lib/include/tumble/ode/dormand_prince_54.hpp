@@ -25,21 +25,21 @@ struct DormandPrince54Tableau {
   static constexpr bool error_needs_end = true;
 
   // clang-format off
-  static constexpr Weights<6> c = {0, 1.L / 5, 3.L / 10, 4.L / 5, 8.L / 9, 1};
-  static constexpr std::array<Weights<6>, 6> a = {{
+  static constexpr runge_kutta::Weights<6> c = {0, 1.L / 5, 3.L / 10, 4.L / 5, 8.L / 9, 1};
+  static constexpr std::array<runge_kutta::Weights<6>, 6> a = {{
       {},
       {1.L / 5},
       {3.L / 40, 9.L / 40},
       {44.L / 45, -56.L / 15, 32.L / 9},
       {19372.L / 6561, -25360.L / 2187, 64448.L / 6561, -212.L / 729},
       {9017.L / 3168, -355.L / 33, 46732.L / 5247, 49.L / 176, -5103.L / 18656}}};
-  static constexpr Weights<6> b = {
+  static constexpr runge_kutta::Weights<6> b = {
       35.L / 384, 0, 500.L / 1113, 125.L / 192, -2187.L / 6784, 11.L / 84};
   // clang-format on
 
   /// b − b̂ with the b̂ of order 4, the last weight for f at the end.
   struct ErrorWeights {
-    static constexpr Weights<7> weights = {
+    static constexpr runge_kutta::Weights<7> weights = {
         71.L / 57600, 0, -71.L / 16695, 71.L / 1920, -17253.L / 339200, 22.L / 525, -1.L / 40};
   };
 
@@ -47,14 +47,14 @@ struct DormandPrince54Tableau {
   template <OdeState State>
   static ScalarOf<State> error(ScalarOf<State> h, const std::array<State, 7>& k, const State& y0,
                                const State& y1, const Tolerances& tolerances) {
-    return error_norm(weighted_difference<ErrorWeights>(h, k), y0, y1, tolerances);
+    return runge_kutta::error_norm(weighted_difference<ErrorWeights>(h, k), y0, y1, tolerances);
   }
 };
 
 }  // namespace detail
 
 /// The method for everyday tolerances, 1e-3 to 1e-8, of problems that are not stiff.
-using DormandPrince54 = EmbeddedRungeKutta<detail::DormandPrince54Tableau>;
+using DormandPrince54 = runge_kutta::EmbeddedRungeKutta<detail::DormandPrince54Tableau>;
 
 /// @}
 

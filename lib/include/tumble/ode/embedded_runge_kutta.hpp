@@ -10,18 +10,18 @@
 #include "tumble/ode/explicit_runge_kutta.hpp"
 #include "tumble/ode/step_size.hpp"
 
-namespace tumble {
-
-/// @addtogroup ode
-/// @{
-
-namespace detail {
+namespace tumble::detail {
 
 /// The stages of a step and, last, f at its end.
 template <class Tableau, OdeState State>
 using EmbeddedStages = std::array<State, Tableau::stages + 1>;
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::runge_kutta {
+
+/// @addtogroup ode
+/// @{
 
 /// A tableau with an error estimate of order error_order from the stages and, if
 /// error_needs_end, f at the end of the step.
@@ -82,4 +82,4 @@ struct EmbeddedRungeKutta : ExplicitRungeKutta<Tableau> {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

@@ -9,7 +9,7 @@
 
 #include "tumble/ode/rhs.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -23,7 +23,7 @@ State euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
   return y + h * k;
 }
 
-/// Euler's method as a type, for integrate_fixed<Euler>.
+/// Euler's method as a type, for integrate_fixed<runge_kutta::Euler>.
 struct Euler {
   static constexpr int order = 1;
 
@@ -35,4 +35,4 @@ struct Euler {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

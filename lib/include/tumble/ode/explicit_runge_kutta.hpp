@@ -9,7 +9,7 @@
 
 #include "tumble/ode/butcher_tableau.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -55,4 +55,4 @@ struct ExplicitRungeKutta {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

@@ -46,8 +46,8 @@ template <class Scalar>
 
 /// The refusals that keep an integration from going on for ever.
 template <OdeState State>
-void require_progress(const Attempt<State>& attempt, ScalarOf<State> t, ScalarOf<State> h,
-                      ScalarOf<State> shortest, int attempts) {
+void require_progress(const runge_kutta::Attempt<State>& attempt, ScalarOf<State> t,
+                      ScalarOf<State> h, ScalarOf<State> shortest, int attempts) {
   if (!attempt.accepted() && std::abs(h) <= shortest) {
     if (attempt.error != attempt.error)
       stop_integration("dydt is not finite", t, h,
@@ -70,11 +70,11 @@ void require_progress(const Attempt<State>& attempt, ScalarOf<State> t, ScalarOf
 /// @throws std::runtime_error if f is not finite where the solution goes, if no step is short
 ///         enough, or after max_attempts
 template <class Method, OdeState State, OdeRhs<State> F,
-          OdeObserver<State> Observer = detail::IgnoreSteps>
+          runge_kutta::OdeObserver<State> Observer = detail::IgnoreSteps>
 OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0,
                                       ScalarOf<State> t1, const Tolerances& tolerances = {},
                                       Observer&& observe = {}) {
-  static_assert(AdaptiveMethod<Method, CountedRhs<F>, State>,
+  static_assert(runge_kutta::AdaptiveMethod<Method, runge_kutta::CountedRhs<F>, State>,
                 "integrate_adaptive<Method>: a method like DormandPrince54");
   using Scalar = ScalarOf<State>;
   require_valid<Scalar>(tolerances);
@@ -82,7 +82,7 @@ OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0
 
   OdeSolution<State> solution{y0};
   if (t0 == t1) return solution;
-  CountedRhs<F> counted(f, solution.evaluations);
+  runge_kutta::CountedRhs<F> counted(f, solution.evaluations);
   const State dydt0 = counted(t0, y0);
   if (!dydt0.allFinite())
     detail::stop_integration("dydt is not finite", t0, t1 - t0, "it has no value at the start");
@@ -99,7 +99,7 @@ OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0
     const bool last = std::abs(t1 - t) <= Scalar(1.01) * std::abs(h);
     if (last) h = t1 - t;
 
-    const Attempt<State> attempt = stepper.attempt(counted, t, solution.y, h);
+    const runge_kutta::Attempt<State> attempt = stepper.attempt(counted, t, solution.y, h);
     attempt.accepted() ? ++solution.steps : ++solution.rejected;
     detail::require_progress(attempt, t, h, shortest, solution.steps + solution.rejected);
     if (attempt.accepted()) {

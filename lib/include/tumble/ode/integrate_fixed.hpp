@@ -6,7 +6,7 @@
 
 #include "tumble/ode/rhs.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -20,15 +20,25 @@ concept StepMethod = OdeRhs<F, State> &&
   { Method::step(f, t, y, h) } -> std::convertible_to<State>;
 };
 
+/// @}
+
+}  // namespace tumble::runge_kutta
+
+namespace tumble {
+
+/// @addtogroup ode
+/// @{
+
 /// The state at t1, after `steps` steps of size h = (t1 − t0) / steps.
 /// @param f       right-hand side of y' = f(t, y)
 /// @param observe called as observe(t, y) after each step
 /// @throws std::invalid_argument if steps < 1 or y0, t0 or t1 is not finite
 template <class Method, OdeState State, OdeRhs<State> F,
-          OdeObserver<State> Observer = detail::IgnoreSteps>
+          runge_kutta::OdeObserver<State> Observer = detail::IgnoreSteps>
 State integrate_fixed(F&& f, const State& y0, ScalarOf<State> t0, ScalarOf<State> t1, int steps,
                       Observer&& observe = {}) {
-  static_assert(StepMethod<Method, F, State>, "integrate_fixed<Method>: a method like Rk4");
+  static_assert(runge_kutta::StepMethod<Method, F, State>,
+                "integrate_fixed<Method>: a method like Rk4");
   using Scalar = ScalarOf<State>;
   require(steps >= 1, "integrate_fixed: steps = ", steps, ", but at least one is needed");
   detail::require_finite("integrate_fixed", y0, t0, t1);

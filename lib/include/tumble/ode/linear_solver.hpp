@@ -60,7 +60,7 @@ class SmallLu {
   }
 
   Matrix lu_;
-  int pivot_[n];
+  Eigen::Matrix<int, n, 1> pivot_;
 };
 
 /// The solver for a matrix type: small where its size is fixed, else in blocks.

@@ -9,7 +9,7 @@
 
 #include "tumble/ode/rhs.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -24,7 +24,7 @@ State midpoint_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h)
   return y + h * k2;
 }
 
-/// The midpoint method as a type, for integrate_fixed<Midpoint>.
+/// The midpoint method as a type, for integrate_fixed<runge_kutta::Midpoint>.
 struct Midpoint {
   static constexpr int order = 2;
 
@@ -36,4 +36,4 @@ struct Midpoint {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

@@ -13,7 +13,7 @@
 
 #include "tumble/core/require.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -49,4 +49,4 @@ inline double observed_order(std::span<const double> h, std::span<const double> 
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

@@ -43,7 +43,7 @@ class Radau5::Stepper {
 
   /// Tries the step from y at t.
   template <OdeRhs<State> F>
-  Attempt<State> attempt(F&& f, Scalar t, const State& y, Scalar h) {
+  runge_kutta::Attempt<State> attempt(F&& f, Scalar t, const State& y, Scalar h) {
     if (jacobian_is_needed_) update_jacobian(f, t, y, h);
     detail::NewtonResult<State> newton = solve(f, t, y, h);
     if (!newton.converged && !jacobian_is_fresh_) {
@@ -79,9 +79,9 @@ class Radau5::Stepper {
     if (h != factorised_h_) matrices_ = detail::Radau5Matrices<State>(h, J_);
     factorised_h_ = h;
     const auto norm = [&](const detail::Radau5Stages<State>& W) {
-      const Vector3<Scalar> norms(error_norm(State(W.col(0)), y, y, tolerances_),
-                                  error_norm(State(W.col(1)), y, y, tolerances_),
-                                  error_norm(State(W.col(2)), y, y, tolerances_));
+      const Vector3<Scalar> norms(runge_kutta::error_norm(State(W.col(0)), y, y, tolerances_),
+                                  runge_kutta::error_norm(State(W.col(1)), y, y, tolerances_),
+                                  runge_kutta::error_norm(State(W.col(2)), y, y, tolerances_));
       return static_cast<double>(norms.norm()) / std::sqrt(3);
     };
     constexpr auto epsilon = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
@@ -104,7 +104,8 @@ class Radau5::Stepper {
   }
 
   /// Newton's method has failed although the Jacobian is of here and now: half the step.
-  Attempt<State> no_solution(const State& y, Scalar h, const detail::NewtonResult<State>& newton) {
+  runge_kutta::Attempt<State> no_solution(const State& y, Scalar h,
+                                          const detail::NewtonResult<State>& newton) {
     is_doubtful_ = true;
     const Scalar error = newton.finite ? std::numeric_limits<Scalar>::infinity()
                                        : std::numeric_limits<Scalar>::quiet_NaN();
@@ -118,18 +119,18 @@ class Radau5::Stepper {
                         const detail::Radau5Stages<State>& Z) const {
     const State difference = Z.lazyProduct(detail::Radau5Coefficients<Scalar>::e()) / h;
     State error = matrices_.solve_real(dydt_ + difference);
-    const Scalar norm = error_norm(error, y, y1, tolerances_);
+    const Scalar norm = runge_kutta::error_norm(error, y, y1, tolerances_);
     if (norm <= 1 || !is_doubtful_) return norm;
     const State dydt = f(t, State(y + error));
     error = matrices_.solve_real(dydt + difference);
-    return error_norm(error, y, y1, tolerances_);
+    return runge_kutta::error_norm(error, y, y1, tolerances_);
   }
 
   /// Shorter where Newton's method had to work, and where the error is seen to grow.
   Scalar next_step(Scalar h, Scalar error, const detail::NewtonResult<State>& newton) const {
     const Scalar effort = Scalar(2 * max_iterations + 1) /
                           static_cast<Scalar>(2 * max_iterations + newton.iterations);
-    const Scalar next_h = effort * adaptive_step_size(h, error, error_order);
+    const Scalar next_h = effort * runge_kutta::adaptive_step_size(h, error, error_order);
     if (!(error <= 1) || error == 0 || last_h_ == 0) return next_h;
 
     const Scalar trend = h / last_h_ * std::pow(last_error_ / error, Scalar(0.25));

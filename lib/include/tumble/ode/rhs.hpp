@@ -35,13 +35,26 @@ concept OdeRhs = OdeState<State> && requires(F& f, ScalarOf<State> t, const Stat
   { f(t, y) } -> std::convertible_to<State>;
 };
 
+/// @}
+
+}  // namespace tumble
+
+namespace tumble::runge_kutta {
+
+/// @addtogroup ode
+/// @{
+
 /// A callable observe(t, y) that is told of every step.
 template <class F, class State>
 concept OdeObserver = OdeState<State> && requires(F& observe, ScalarOf<State> t, const State& y) {
   observe(t, y);
 };
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::runge_kutta
+
+namespace tumble::detail {
 
 /// Refuses a start or a span of time that is no number.
 /// @param who the function that asks, for the message
@@ -59,8 +72,4 @@ struct IgnoreSteps {
   void operator()(const Time&, const State&) const {}
 };
 
-}  // namespace detail
-
-/// @}
-
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -9,7 +9,7 @@
 
 #include "tumble/ode/rhs.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -26,13 +26,22 @@ State rk4_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
   return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
 }
 
+/// @}
+
+}  // namespace tumble::runge_kutta
+
+namespace tumble {
+
+/// @addtogroup ode
+/// @{
+
 /// The classical Runge–Kutta method as a type, for integrate_fixed<Rk4>.
 struct Rk4 {
   static constexpr int order = 4;
 
   template <OdeState State, OdeRhs<State> F>
   static State step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
-    return rk4_step(f, t, y, h);
+    return runge_kutta::rk4_step(f, t, y, h);
   }
 };
 

@@ -16,7 +16,7 @@
 
 #include "tumble/ode/tolerances.hpp"
 
-namespace tumble {
+namespace tumble::runge_kutta {
 
 /// @addtogroup ode
 /// @{
@@ -35,7 +35,11 @@ Scalar adaptive_step_size(Scalar h, std::type_identity_t<Scalar> error, int orde
   return h * std::clamp(factor, min_factor, max_factor);
 }
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::runge_kutta
+
+namespace tumble::detail {
 
 /// A first step, from the sizes of y, y' and y'' at the start: what a step of Euler's method that
 /// moves y by 1 % of its scale says about the second derivative.
@@ -47,7 +51,7 @@ ScalarOf<State> initial_step_size(F&& f, ScalarOf<State> t0, const State& y0, co
                                   ScalarOf<State> span, int order, const Tolerances& tolerances) {
   using std::abs, std::copysign, std::max, std::min, std::pow;
   using Scalar = ScalarOf<State>;
-  const auto norm = [&](const State& v) { return error_norm(v, y0, y0, tolerances); };
+  const auto norm = [&](const State& v) { return runge_kutta::error_norm(v, y0, y0, tolerances); };
   const Scalar d0 = norm(y0), d1 = norm(dydt0);
   constexpr auto tiny = Scalar(1e-5), guess = Scalar(1e-6), small_part = Scalar(0.01);
   const Scalar h0 = min(d0 < tiny || d1 < tiny ? guess : small_part * d0 / d1, abs(span));
@@ -64,8 +68,4 @@ ScalarOf<State> initial_step_size(F&& f, ScalarOf<State> t0, const State& y0, co
   return copysign(min(min(100 * h0, h1), abs(span)), span);
 }
 
-}  // namespace detail
-
-/// @}
-
-}  // namespace tumble
+}  // namespace tumble::detail

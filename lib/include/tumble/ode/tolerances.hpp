@@ -38,6 +38,15 @@ void require_valid(const Tolerances& tolerances) {
           " is not positive and finite");
 }
 
+/// @}
+
+}  // namespace tumble
+
+namespace tumble::runge_kutta {
+
+/// @addtogroup ode
+/// @{
+
 /// The error of a step from y0 to y1 in units of what is allowed: root mean square over the
 /// components, at most 1 if the step may be kept.
 /// @return dimensionless; 0 for a state without components
@@ -60,4 +69,4 @@ ScalarOf<State> error_norm(const State& error, const State& y0, const State& y1,
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::runge_kutta

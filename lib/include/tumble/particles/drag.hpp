@@ -12,7 +12,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/particles/particle.hpp"
 
-namespace tumble {
+namespace tumble::particles {
 
 /// @addtogroup particles
 /// @{
@@ -51,4 +51,4 @@ struct QuadraticDrag {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::particles

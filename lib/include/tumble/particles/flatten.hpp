@@ -14,7 +14,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/particles/particle.hpp"
 
-namespace tumble {
+namespace tumble::particles {
 
 /// @addtogroup particles
 /// @{
@@ -69,4 +69,4 @@ Particles unflatten(const Eigen::MatrixBase<Derived>& y, Particles particles) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::particles

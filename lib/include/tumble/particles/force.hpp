@@ -12,7 +12,7 @@
 
 #include "tumble/particles/particle.hpp"
 
-namespace tumble {
+namespace tumble::particles {
 
 /// @addtogroup particles
 /// @{
@@ -71,7 +71,11 @@ concept SystemForce = requires(const F& force, T t, const ParticlesView<T>& part
 template <class F, class T>
 concept Force = ParticleForce<F, T> || SystemForce<F, T>;
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::particles
+
+namespace tumble::detail {
 
 /// A force with a method require_valid(n) that refuses what makes no sense for n particles.
 template <class F>
@@ -79,8 +83,4 @@ concept ValidatedForce = requires(const F& force, int n) {
   force.require_valid(n);
 };
 
-}  // namespace detail
-
-/// @}
-
-}  // namespace tumble
+}  // namespace tumble::detail

@@ -9,7 +9,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::particles {
 
 /// @addtogroup particles
 /// @{
@@ -24,4 +24,4 @@ struct Particle {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::particles

@@ -17,7 +17,7 @@
 #include "tumble/particles/flatten.hpp"
 #include "tumble/particles/force.hpp"
 
-namespace tumble {
+namespace tumble::particles {
 
 /// @addtogroup particles
 /// @{
@@ -104,4 +104,4 @@ ParticleSystem(const std::array<Particle<T>, n>&, Forces...)
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::particles

@@ -12,7 +12,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/particles/force.hpp"
 
-namespace tumble {
+namespace tumble::particles {
 
 /// @addtogroup particles
 /// @{
@@ -57,4 +57,4 @@ struct Spring {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::particles

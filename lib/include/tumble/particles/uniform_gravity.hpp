@@ -7,7 +7,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/particles/particle.hpp"
 
-namespace tumble {
+namespace tumble::particles {
 
 /// @addtogroup particles
 /// @{
@@ -30,4 +30,4 @@ struct UniformGravity {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::particles

@@ -50,8 +50,9 @@ Matrix3<T> to_matrix(const Quaternion<T>& q) {
 /// @param R a rotation matrix, body → world, or one that has drifted a little
 /// @throws std::invalid_argument if R is no rotation even roughly: a reflection, a scaling, NaN
 inline Quat from_matrix(const Mat3& R) {
-  require(is_rotation(R, 0.1), "from_matrix: not a rotation matrix (orthonormality error ",
-          orthonormality_error(R), ", determinant ", R.determinant(), "):\n", R);
+  require(rotation::is_rotation(R, 0.1),
+          "from_matrix: not a rotation matrix (orthonormality error ",
+          rotation::orthonormality_error(R), ", determinant ", R.determinant(), "):\n", R);
   // 4w², 4x², 4y², 4z²: at least one is ≥ 1, and dividing by its root loses nothing.
   const Eigen::Vector4d squares(1 + R(0, 0) + R(1, 1) + R(2, 2), 1 + R(0, 0) - R(1, 1) - R(2, 2),
                                 1 - R(0, 0) + R(1, 1) - R(2, 2), 1 - R(0, 0) - R(1, 1) + R(2, 2));

@@ -7,7 +7,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::rotation {
 
 /// @addtogroup quaternion
 /// @{
@@ -29,4 +29,4 @@ inline Quat normalize(const Quat& q) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::rotation

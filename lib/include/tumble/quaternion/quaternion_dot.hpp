@@ -6,7 +6,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::rotation {
 
 /// @addtogroup quaternion
 /// @{
@@ -27,4 +27,4 @@ Quaternion<T> quaternion_dot_body(const Quaternion<T>& q, const Vector3<T>& omeg
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::rotation

@@ -22,7 +22,7 @@ template <class T>
 Matrix3<T> exp_rotation(const Vector3<T>& w) {
   const T theta = w.norm();
   const T half = detail::sinc(theta / T(2));
-  const Matrix3<T> W = skew(w);
+  const Matrix3<T> W = rotation::skew(w);
   return Matrix3<T>::Identity() + detail::sinc(theta) * W + (half * half / T(2)) * (W * W);
 }
 

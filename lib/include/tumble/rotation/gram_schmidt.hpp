@@ -6,7 +6,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::rotation {
 
 /// @addtogroup rotation
 /// @{
@@ -28,4 +28,4 @@ inline Mat3 gram_schmidt(const Mat3& M) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::rotation

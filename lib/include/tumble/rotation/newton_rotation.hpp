@@ -13,12 +13,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/core/types.hpp"
 
-namespace tumble {
-
-/// @addtogroup rotation
-/// @{
-
-namespace detail {
+namespace tumble::detail {
 
 /// X⁻ᵀ from cross products: its columns are x₂ × x₃, x₃ × x₁, x₁ × x₂ over det X.
 /// @throws std::invalid_argument unless det X is positive and finite
@@ -31,7 +26,12 @@ inline Mat3 inverse_transpose(const Mat3& X) {
   return C / det;
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::rotation {
+
+/// @addtogroup rotation
+/// @{
 
 /// One Newton step towards the nearest rotation: an orthonormality error e becomes about e²/4.
 /// @throws std::invalid_argument unless det M is positive and finite
@@ -59,4 +59,4 @@ inline Mat3 newton_rotation(const Mat3& M) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::rotation

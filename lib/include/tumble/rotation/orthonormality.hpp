@@ -5,7 +5,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::rotation {
 
 /// @addtogroup rotation
 /// @{
@@ -23,4 +23,4 @@ inline bool is_rotation(const Mat3& M, double tolerance) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::rotation

@@ -8,7 +8,7 @@
 #include "tumble/core/types.hpp"
 #include "tumble/rotation/skew.hpp"
 
-namespace tumble {
+namespace tumble::rotation {
 
 /// @addtogroup rotation
 /// @{
@@ -35,4 +35,4 @@ Vector3<T> angular_velocity_of(const Matrix3<T>& R, const Matrix3<T>& R_dot) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::rotation

@@ -7,7 +7,7 @@
 
 #include "tumble/core/types.hpp"
 
-namespace tumble {
+namespace tumble::rotation {
 
 /// @addtogroup rotation
 /// @{
@@ -35,4 +35,4 @@ Vector3<T> unskew(const Matrix3<T>& M) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::rotation

@@ -12,6 +12,9 @@
 
 namespace tumble::simd {
 
+/// @addtogroup simd
+/// @{
+
 /// Where the coordinates of a vertex are, and the number behind them.
 TUMBLE_INLINE FourDoubles four_at(const double* coordinates, int vertex) {
   return load_four(coordinates + 3 * static_cast<std::ptrdiff_t>(vertex));
@@ -75,5 +78,7 @@ TUMBLE_INLINE CornerNumbers<P> load_numbers(const int* corners) {
             __builtin_shufflevector(ab2, c, 0, 1, 4, 7)};
   }
 }
+
+/// @}
 
 }  // namespace tumble::simd

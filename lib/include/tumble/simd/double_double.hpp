@@ -10,9 +10,9 @@
 #include "tumble/core/types.hpp"
 #include "tumble/simd/pair.hpp"
 
-namespace tumble {
+namespace tumble::simd {
 
-/// @addtogroup core
+/// @addtogroup simd
 /// @{
 
 /// hi + lo with |lo| at most half a unit in the last place of hi.
@@ -79,15 +79,15 @@ inline bool operator<(const DoubleDouble& x, const DoubleDouble& y) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::simd
 
 namespace Eigen {
 
 /// Lets Eigen's small vectors and matrices hold double-doubles.
 template <>
-struct NumTraits<tumble::DoubleDouble> : GenericNumTraits<tumble::DoubleDouble> {
-  static tumble::DoubleDouble epsilon() { return 0x1p-104; }
-  static tumble::DoubleDouble dummy_precision() { return 0x1p-96; }
+struct NumTraits<tumble::simd::DoubleDouble> : GenericNumTraits<tumble::simd::DoubleDouble> {
+  static tumble::simd::DoubleDouble epsilon() { return 0x1p-104; }
+  static tumble::simd::DoubleDouble dummy_precision() { return 0x1p-96; }
   static int digits10() { return 31; }
 };
 

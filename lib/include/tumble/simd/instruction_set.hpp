@@ -11,6 +11,9 @@
 
 namespace tumble::simd {
 
+/// @addtogroup simd
+/// @{
+
 /// Sets of instructions that kernels are compiled for, each containing those before it.
 enum class InstructionSet {
   baseline,  ///< what the whole program is compiled for
@@ -65,5 +68,7 @@ void dispatch(InstructionSet, const Kernel& kernel) {
   run_baseline(kernel);
 }
 #endif
+
+/// @}
 
 }  // namespace tumble::simd

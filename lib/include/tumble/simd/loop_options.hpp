@@ -4,9 +4,9 @@
 
 #include "tumble/simd/instruction_set.hpp"
 
-namespace tumble {
+namespace tumble::simd {
 
-/// @addtogroup core
+/// @addtogroup simd
 /// @{
 
 /// Threads and instructions of a loop. The result does not depend on the threads, and on the
@@ -18,4 +18,4 @@ struct LoopOptions {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::simd

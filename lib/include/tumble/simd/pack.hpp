@@ -28,6 +28,9 @@
 
 namespace tumble::simd {
 
+/// @addtogroup simd
+/// @{
+
 using FourDoubles = double __attribute__((vector_size(32)));
 using EightDoubles = double __attribute__((vector_size(64)));
 
@@ -123,5 +126,7 @@ TUMBLE_INLINE P fused_multiply_add(const P& a, const P& b, const P& c) {
   for (int i = 0; i < lanes<P>; ++i) result[i] = __builtin_fma(a[i], b[i], c[i]);
   return result;
 }
+
+/// @}
 
 }  // namespace tumble::simd

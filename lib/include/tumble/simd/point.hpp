@@ -6,6 +6,9 @@
 
 namespace tumble::simd {
 
+/// @addtogroup simd
+/// @{
+
 /// A point or vector.
 template <class T>
 struct Point {
@@ -78,5 +81,7 @@ template <Fma fma = baseline_fma, class T>
 TUMBLE_INLINE T six_volume(const Point<T>& a, const Point<T>& b, const Point<T>& c) {
   return dot<fma>(cross(b - a, c - a), a);
 }
+
+/// @}
 
 }  // namespace tumble::simd

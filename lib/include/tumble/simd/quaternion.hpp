@@ -6,6 +6,9 @@
 
 namespace tumble::simd {
 
+/// @addtogroup simd
+/// @{
+
 /// w + x i + y j + z k.
 template <class P>
 struct Quaternion {
@@ -68,5 +71,7 @@ TUMBLE_INLINE Quaternion<P> exp_small(const Point<P>& r) {
   for (int k = 4; k >= 0; --k) sine = sine * x + s[k];
   return {cosine, sine * r.x, sine * r.y, sine * r.z};
 }
+
+/// @}
 
 }  // namespace tumble::simd

@@ -18,11 +18,15 @@ namespace tumble {
 /// @addtogroup simulate
 /// @{
 
+namespace detail {
+
 /// A callable (t, state) → number, whose change of sign is the event.
 template <class G>
 concept EventFunction = requires(const G& g, double t, const RigidBodyState<>& state) {
   { g(t, state) } -> std::convertible_to<double>;
 };
+
+}  // namespace detail
 
 /// When it happened, and where the body was.
 struct Event {
@@ -78,7 +82,7 @@ void visit_events(const Trajectory& trajectory, const G& g, const Visit& visit) 
 /// The first moment at which g is no longer of the sign it had at the start, to the last digits of
 /// t. A g that is 0 at the start counts from where it leaves 0. Looked for at eight moments in each
 /// step: what changes sign and back in between is not seen.
-template <EventFunction G>
+template <detail::EventFunction G>
 std::optional<Event> first_event(const Trajectory& trajectory, const G& g) {
   std::optional<Event> first;
   detail::visit_events(trajectory, g, [&](const Event& event) {
@@ -89,7 +93,7 @@ std::optional<Event> first_event(const Trajectory& trajectory, const G& g) {
 }
 
 /// All such times, ascending, each found as first_event() finds the first.
-template <EventFunction G>
+template <detail::EventFunction G>
 std::vector<Event> every_event(const Trajectory& trajectory, const G& g) {
   std::vector<Event> all;
   detail::visit_events(trajectory, g, [&](const Event& event) {

@@ -53,7 +53,7 @@ class ScaledRhs {
     const Wrench<> net = rhs_.net(t, {scale_.length * y.head<3>(), R, v, R * omega_body});
     const Vec3 torque = per_angular_momentum_ * net.torque, torque_body = R.transpose() * torque;
     Numbers rate;
-    rate << per_length_ * v, coefficients(quaternion_dot_body(q, omega_body)),
+    rate << per_length_ * v, coefficients(rotation::quaternion_dot_body(q, omega_body)),
         per_momentum_ * net.force, torque_body + l.cross(omega_body);
     return rate;
   }

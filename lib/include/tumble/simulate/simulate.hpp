@@ -55,7 +55,7 @@ inline double closed_form_error(double omega, double t0, double t1) {
 }
 
 inline Trajectory free_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
-                                  const SteadyPath& path, const SimulationTask& task) {
+                                  const steady::SteadyPath& path, const SimulationTask& task) {
   const auto motion = std::make_shared<const FreeTrajectory>(body, start);
   const double omega = derived(body, start).omega.norm();
   const ModelChoice choice = choose_model(body);
@@ -71,7 +71,7 @@ inline Trajectory free_trajectory(const RigidBody<>& body, const RigidBodyState<
   return {at, times_of_turning(task.t0, task.t1, omega), report};
 }
 
-inline Trajectory particle_trajectory(const RigidBodyState<>& start, const SteadyPath& path,
+inline Trajectory particle_trajectory(const RigidBodyState<>& start, const steady::SteadyPath& path,
                                       const SimulationTask& task) {
   const SimulationReport report{
       .model = Model::particle,
@@ -85,8 +85,8 @@ inline Trajectory particle_trajectory(const RigidBodyState<>& start, const Stead
   return {at, times_of_turning(task.t0, task.t1, 0), report};
 }
 
-inline Trajectory top_trajectory(const LagrangeTop& top, const RigidBody<>& body,
-                                 const RigidBodyState<>& start, const SteadyPath& path,
+inline Trajectory top_trajectory(const steady::LagrangeTop& top, const RigidBody<>& body,
+                                 const RigidBodyState<>& start, const steady::SteadyPath& path,
                                  const SimulationTask& task) {
   const SimulationReport report{
       .model = Model::symmetric_top,
@@ -95,7 +95,7 @@ inline Trajectory top_trajectory(const LagrangeTop& top, const RigidBody<>& body
       .tolerance = task.tolerance,
       .error_estimate = top.error_bound(task.t1 - task.t0)};
   const auto at = [top, path, t0 = task.t0](double t) -> RigidBodyState<> {
-    const LagrangeTop::State turned = top.at(t - t0);
+    const steady::LagrangeTop::State turned = top.at(t - t0);
     return {path.x(t - t0), turned.q, path.P(t - t0), turned.L};
   };
   const double omega = derived(body, start).omega.norm() + top.rate();
@@ -103,7 +103,7 @@ inline Trajectory top_trajectory(const LagrangeTop& top, const RigidBody<>& body
 }
 
 template <int rank>
-Trajectory turning_trajectory(const SteadyTorque& torque, const SteadyPath& path,
+Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::SteadyPath& path,
                               const RigidBodyState<>& start, const SimulationTask& task) {
   const double span = task.t1 - task.t0, inertia = torque.axes().moments.mean();
   double turning = start.L.norm();
@@ -122,12 +122,12 @@ Trajectory turning_trajectory(const SteadyTorque& torque, const SteadyPath& path
 
 inline Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
                                     const SteadyForces& forces, const SimulationTask& task) {
-  const SteadyPath path(body, start, forces);
+  const steady::SteadyPath path(body, start, forces);
   if (task.wanted == Wanted::path_only) return particle_trajectory(start, path, task);
-  const SteadyTorque torque(body, forces);
+  const steady::SteadyTorque torque(body, forces);
   if (torque.is_free() || torque.is_idle(torque.turning(start.q, start.L)) || task.t0 == task.t1)
     return free_trajectory(body, start, path, task);
-  if (const auto top = LagrangeTop::from(torque, start.q, start.L))
+  if (const auto top = steady::LagrangeTop::from(torque, start.q, start.L))
     if (top->error_bound(task.t1 - task.t0) <= task.tolerance)
       return top_trajectory(*top, body, start, path, task);
   switch (torque.rank()) {
@@ -182,7 +182,7 @@ Trajectory simulate(const RigidBody<>& body, const RigidBodyState<>& start,
   (detail::require_valid_force(forces), ...);
   RigidBodyState<> from = start;
   from.q.normalize();
-  if constexpr ((SteadyForce<Forces> && ...))
+  if constexpr ((detail::SteadyForce<Forces> && ...))
     return detail::steady_trajectory(body, from, detail::steady_forces(body, forces...), task);
   else
     return detail::general_trajectory(body, from, task, forces...);

@@ -18,7 +18,7 @@ class SteadyTrajectory {
   static constexpr double error_exponent = 1, margin = 100, first_epsilon = 10;
 
   /// @throws std::runtime_error as TurningBySeries does
-  SteadyTrajectory(const SteadyTorque& torque, const SteadyPath& path,
+  SteadyTrajectory(const steady::SteadyTorque& torque, const steady::SteadyPath& path,
                    const RigidBodyState<>& start, double t0, double t1, double tolerance)
       : torque_(torque),
         path_(path),
@@ -35,7 +35,7 @@ class SteadyTrajectory {
   }
 
   RigidBodyState<> at(double t) const {
-    const TurningState s = turning_.at(t);
+    const steady::TurningState s = turning_.at(t);
     return {path_.x(t - t0_), torque_.orientation(s), path_.P(t - t0_), torque_.L(s)};
   }
 
@@ -46,10 +46,10 @@ class SteadyTrajectory {
   }
 
  private:
-  SteadyTorque torque_;
-  SteadyPath path_;
+  steady::SteadyTorque torque_;
+  steady::SteadyPath path_;
   double t0_;
-  TurningBySeries<rank> turning_;
+  steady::TurningBySeries<rank> turning_;
 };
 
 }  // namespace tumble::detail

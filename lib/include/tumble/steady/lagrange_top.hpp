@@ -30,7 +30,7 @@
 #include "tumble/steady/steady_torque.hpp"
 #include "tumble/steady/top_constants.hpp"
 
-namespace tumble {
+namespace tumble::steady {
 
 /// @addtogroup steady
 /// @{
@@ -63,7 +63,7 @@ class LagrangeTop {
   /// @param t [s], of any length and sign
   State at(double t) const {
     const double v = lambda_ * t + v0_;
-    const ThetaValues va = values(alpha_, v), vb = values(beta_, v + K_);
+    const elliptic::ThetaValues va = values(alpha_, v), vb = values(beta_, v + K_);
     const double w = motion_.w2 + motion_.spread * va.cn * va.cn,
                  up_to_2 = 2 - motion_.w1 + motion_.spread * va.sn * va.sn;  // 2 − w
     const std::complex<double> a =
@@ -75,15 +75,15 @@ class LagrangeTop {
   }
 
  private:
-  using Theta = std::variant<ThetaSeries, ComplementaryThetaSeries>;
+  using Theta = std::variant<elliptic::ThetaSeries, elliptic::ComplementaryThetaSeries>;
 
   LagrangeTop(const detail::TopConstants& motion, const Vec3& up, const Vec3& axis, double slip);
 
-  static Theta series_for(const Modulus& k, const Amplitude& eta) {
-    if (k.k2 <= k.kc2) return ThetaSeries(k, eta);
-    return ComplementaryThetaSeries(k, eta);
+  static Theta series_for(const elliptic::Modulus& k, const elliptic::Amplitude& eta) {
+    if (k.k2 <= k.kc2) return elliptic::ThetaSeries(k, eta);
+    return elliptic::ComplementaryThetaSeries(k, eta);
   }
-  static ThetaValues values(const Theta& theta, double v) {
+  static elliptic::ThetaValues values(const Theta& theta, double v) {
     return std::visit([v](const auto& series) { return series(v); }, theta);
   }
   static double zeta(const Theta& theta) {
@@ -91,8 +91,8 @@ class LagrangeTop {
   }
 
   /// e^(i angle) at time t, but for a constant.
-  static std::complex<double> turn(double sign, double rate, double slip, const ThetaValues& v,
-                                   double t) {
+  static std::complex<double> turn(double sign, double rate, double slip,
+                                   const elliptic::ThetaValues& v, double t) {
     const std::complex<double> half(v.cos_half, sign * v.sin_half);
     return std::polar(1.0, (sign * rate + slip) * t + sign * v.turned) * half * half;
   }
@@ -126,14 +126,14 @@ inline LagrangeTop::LagrangeTop(const detail::TopConstants& m, const Vec3& up, c
       slip_(slip / 2),
       alpha_(series_for(m.modulus(), m.eta_a())),
       beta_(series_for(m.modulus(), m.eta_b())) {
-  const Modulus k = m.modulus();
+  const elliptic::Modulus k = m.modulus();
   lambda_ = m.lambda();
   v0_ = detail::start_of(k, m.start.cn, m.start.sn);
-  K_ = complete_elliptic_k(std::sqrt(k.kc2));
+  K_ = elliptic::complete_elliptic_k(std::sqrt(k.kc2));
   sign_a_ = std::copysign(1, m.L_along + m.L_axis);
   sign_b_ = std::copysign(1, m.excess);
   loss_ = std::max((m.w2 - m.w3) / m.w2, (2 - m.w3) / (2 - m.w1));
-  const Amplitude a = m.eta_a(), b = m.eta_b();
+  const elliptic::Amplitude a = m.eta_a(), b = m.eta_b();
   const double dn_a = std::sqrt((2 - m.w2) / (2 - m.w3)), dn_b = std::sqrt(m.w1 / (m.w1 - m.w3));
   rate_a_ = lambda_ * (dn_a / (a.sn * a.cn) - zeta(alpha_));
   rate_b_ = lambda_ * (k.kc2 * b.sn * b.cn / dn_b - (zeta(beta_) - k.k2 * b.sn / (b.cn * dn_b)));
@@ -171,4 +171,4 @@ inline std::optional<LagrangeTop> LagrangeTop::from(const SteadyTorque& torque, 
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::steady

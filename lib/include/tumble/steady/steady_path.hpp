@@ -12,12 +12,7 @@
 #include "tumble/body/state.hpp"
 #include "tumble/body/steady_forces.hpp"
 
-namespace tumble {
-
-/// @addtogroup steady
-/// @{
-
-namespace detail {
+namespace tumble::detail {
 
 /// (e^y − 1)/y, 1 at y = 0.
 inline double phi1(double y) { return y == 0 ? 1 : std::expm1(y) / y; }
@@ -30,7 +25,12 @@ inline double phi2(double y) {
   return sum;
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::steady {
+
+/// @addtogroup steady
+/// @{
 
 /// Where the centre of mass is, and its momentum.
 class SteadyPath {
@@ -60,4 +60,4 @@ class SteadyPath {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::steady

@@ -13,7 +13,7 @@
 #include "tumble/body/steady_forces.hpp"
 #include "tumble/mass/principal_axes.hpp"
 
-namespace tumble {
+namespace tumble::steady {
 
 /// @addtogroup steady
 /// @{
@@ -94,4 +94,4 @@ class SteadyTorque {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::steady

@@ -25,27 +25,30 @@ struct TopConstants {
   double L_axis, L_along, excess;  ///< L_n, L_e and D = L_e − L_n [kg m²/s]
   double w1, w2, w3;               ///< of 1 − cos θ: w₃ ≤ 0 ≤ w₂ ≤ w ≤ w₁ ≤ 2
   double spread;                   ///< w₁ − w₂
-  Amplitude start;                 ///< sn v₀, cn v₀
+  elliptic::Amplitude start;       ///< sn v₀, cn v₀
 
   double lambda() const { return std::sqrt(mu * (w1 - w3) / (2 * A)); }  ///< dv/dt [1/s]
-  Modulus modulus() const { return {spread / (w1 - w3), (w2 - w3) / (w1 - w3)}; }
+  elliptic::Modulus modulus() const { return {spread / (w1 - w3), (w2 - w3) / (w1 - w3)}; }
   /// η of the angles α and β.
-  Amplitude eta_a() const {
+  elliptic::Amplitude eta_a() const {
     return {std::sqrt((w1 - w3) / (2 - w3)), std::sqrt((2 - w1) / (2 - w3))};
   }
-  Amplitude eta_b() const { return {std::sqrt(-w3 / (w2 - w3)), std::sqrt(w2 / (w2 - w3))}; }
+  elliptic::Amplitude eta_b() const {
+    return {std::sqrt(-w3 / (w2 - w3)), std::sqrt(w2 / (w2 - w3))};
+  }
 };
 
 /// √x with twice the digits, x ≥ 0.
-inline DoubleDouble square_root(const DoubleDouble& x) {
-  if (!(DoubleDouble(0) < x)) return 0;
+inline simd::DoubleDouble square_root(const simd::DoubleDouble& x) {
+  if (!(simd::DoubleDouble(0) < x)) return 0;
   const double root = std::sqrt(x.hi);
-  return DoubleDouble(root) + (x - DoubleDouble(root) * root) / DoubleDouble(2 * root);
+  return simd::DoubleDouble(root) +
+         (x - simd::DoubleDouble(root) * root) / simd::DoubleDouble(2 * root);
 }
 
 /// The least root of w³ + c₂ w² + c₁ w + c₀, whose roots are real: Newton from the left of it.
-inline DoubleDouble least_root(const DoubleDouble& c2, const DoubleDouble& c1,
-                               const DoubleDouble& c0) {
+inline simd::DoubleDouble least_root(const simd::DoubleDouble& c2, const simd::DoubleDouble& c1,
+                                     const simd::DoubleDouble& c0) {
   const double size =
       std::max({std::abs(c2.hi), std::sqrt(std::abs(c1.hi)), std::cbrt(std::abs(c0.hi))});
   double w = -2 * size, step = 1;
@@ -54,10 +57,10 @@ inline DoubleDouble least_root(const DoubleDouble& c2, const DoubleDouble& c1,
     step = slope == 0 ? 0 : (((w + c2.hi) * w + c1.hi) * w + c0.hi) / slope;
     w -= step;
   }
-  DoubleDouble root = w;
+  simd::DoubleDouble root = w;
   for (int i = 0; i < 3; ++i) {
-    const DoubleDouble slope = (root * 3 + c2 * 2) * root + c1;
-    if (slope == DoubleDouble(0)) break;
+    const simd::DoubleDouble slope = (root * 3 + c2 * 2) * root + c1;
+    if (slope == simd::DoubleDouble(0)) break;
     root -= (((root + c2) * root + c1) * root + c0) / slope;
   }
   return root;
@@ -65,7 +68,8 @@ inline DoubleDouble least_root(const DoubleDouble& c2, const DoubleDouble& c1,
 
 /// sn v₀ and cn v₀ where the axis is so far from its turning points and rises so fast.
 /// @param back, down w − w₂ and w₁ − w
-inline Amplitude starting_amplitude(const TopConstants& m, double back, double down, double rise) {
+inline elliptic::Amplitude starting_amplitude(const TopConstants& m, double back, double down,
+                                              double rise) {
   // Next to the separatrix it takes long to leave w₂: how long, only the digits of cn tell.
   if (m.modulus().k2 > 0.5) {
     const double sn = std::sqrt(std::max(0.0, down / m.spread));
@@ -81,7 +85,7 @@ inline Amplitude starting_amplitude(const TopConstants& m, double back, double d
 /// @param L, up in the top's coordinates, its axis along z
 inline std::optional<TopConstants> top_constants(double A, double mu, const Vec3dd& L,
                                                  const Vec3dd& up) {
-  using T = DoubleDouble;
+  using T = simd::DoubleDouble;
   // 1 − cos θ from the sine where the axis is nearly upright: of the cosine nothing is left there.
   const T sin2 = up[0] * up[0] + up[1] * up[1];
   const T w0 = up[2].hi > 0 ? sin2 / (T(1) + up[2]) : T(1) - up[2];

@@ -14,12 +14,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/steady/turning_series.hpp"
 
-namespace tumble {
-
-/// @addtogroup steady
-/// @{
-
-namespace detail {
+namespace tumble::detail {
 
 /// An even order that is good for steps with this tolerance: measured on free bodies and tops.
 inline int order_for(double tolerance) {
@@ -27,7 +22,12 @@ inline int order_for(double tolerance) {
   return std::clamp(order, 8, TurningSeries<0>::max_order);
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::steady {
+
+/// @addtogroup steady
+/// @{
 
 /// The steps of a turning, and what is between them.
 template <int rank>
@@ -91,4 +91,4 @@ class TurningBySeries {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::steady

@@ -34,7 +34,7 @@ class TurningSeries {
 
   /// @param torque with this rank
   /// @param order  even, 2 … max_order
-  TurningSeries(const SteadyTorque& torque, int order)
+  TurningSeries(const steady::SteadyTorque& torque, int order)
       : order_(order),
         instructions_(simd::best_instruction_set()),
         drag_(four_lanes(torque.drag())) {
@@ -51,7 +51,7 @@ class TurningSeries {
   int order() const { return order_; }
 
   /// Expands about a state; what was there before is forgotten.
-  void expand(const TurningState& state) {
+  void expand(const steady::TurningState& state) {
     const Quat& q = state.q;
     w_[0] = arranged_omega(four_lanes(state.omega));
     q_[0] = arranged_orientation(FourDoubles{q.w(), q.x(), q.y(), q.z()});
@@ -76,7 +76,7 @@ class TurningSeries {
   }
 
   /// The state a time h after the one expanded about.
-  TurningState at(double h) const {
+  steady::TurningState at(double h) const {
     FourDoubles q = q_[order_].q, w = w_[order_].xyz;
     for (int k = order_ - 1; k >= 0; --k) {
       q = q * h + q_[k].q;

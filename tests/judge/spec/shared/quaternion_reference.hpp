@@ -19,7 +19,9 @@ inline Quaternion product(const Quaternion& a, const Quaternion& b) {
   return coefficients(from_coefficients(a) * from_coefficients(b));
 }
 
-inline Quaternion conjugate(const Quaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }
+inline Quaternion conjugate(const Quaternion& q) {
+  return coefficients(from_coefficients(q).conjugate());
+}
 
 inline Quaternion inverse(const Quaternion& q) {
   return coefficients(from_coefficients(q).inverse());
@@ -40,7 +42,7 @@ inline Quaternion slerp(const Quaternion& a, const Quaternion& b, double t) {
 }
 
 inline Quaternion quaternion_dot(const Quaternion& q, const Vec3& omega) {
-  return coefficients(tumble::quaternion_dot(from_coefficients(q), omega));
+  return coefficients(tumble::rotation::quaternion_dot(from_coefficients(q), omega));
 }
 
 /// How a quaternion is read, and stored, by someone who believes that the scalar comes last.

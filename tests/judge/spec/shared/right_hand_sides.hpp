@@ -17,7 +17,9 @@ using Eigen::VectorXd;
 using particles::Rhs;
 using namespace tumble::judge;
 
-inline double size_of(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
+inline double size_of(const VectorXd& v) {
+  return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+}
 
 /// A state of `count` numbers, uniform in [−size, size).
 inline VectorXd any_state(int count, double size = 2) {
@@ -121,7 +123,7 @@ double missed_by(const Answer& answer, std::size_t n, const Place& place) {
   const auto& arguments = answer.evaluations()[n].arguments;
   const auto y = from_value<VectorXd>(arguments[1]);
   if (y.size() != place.y.size()) return std::numeric_limits<double>::infinity();
-  return std::fmax(std::abs(from_value<double>(arguments[0]) - place.t), size_of(y - place.y));
+  return worse(std::abs(from_value<double>(arguments[0]) - place.t), size_of(y - place.y));
 }
 
 /// 0 if f was evaluated that often.

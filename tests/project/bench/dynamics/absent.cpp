@@ -30,14 +30,15 @@ RigidBodyState<> thrown() {
 PackedState<double> free_by_hand(double, const PackedState<double>& y) {
   const RigidBodyState<> s = unpack<double>(y);
   const Derived<> now = derived(full_body(), s);
-  return pack<double>({now.v, quaternion_dot(s.q, now.omega), Vec3::Zero(), Vec3::Zero()});
+  return pack<double>(
+      {now.v, rotation::quaternion_dot(s.q, now.omega), Vec3::Zero(), Vec3::Zero()});
 }
 
 PackedState<double> falling_by_hand(double, const PackedState<double>& y) {
   const RigidBodyState<> s = unpack<double>(y);
   const Derived<> now = derived(full_body(), s);
   const Vec3 weight = full_body().mass() * Vec3(0, 0, -9.80665);
-  return pack<double>({now.v, quaternion_dot(s.q, now.omega), weight, Vec3::Zero()});
+  return pack<double>({now.v, rotation::quaternion_dot(s.q, now.omega), weight, Vec3::Zero()});
 }
 
 // ── Runs ──
@@ -99,9 +100,11 @@ Asked asked(const Vec3& moments) {
 Asked asked_for_path() {
   const RigidBody<>& body = full_body();
   return {[&body, start = thrown()] {
-            return SteadyPath(body, start, Weight{}.steady(body)).x(1.5).z();
+            return steady::SteadyPath(body, start, Weight{}.steady(body)).x(1.5).z();
           },
-          [path = SteadyPath(body, thrown(), Weight{}.steady(body))] { return path.x(1.5).z(); }};
+          [path = steady::SteadyPath(body, thrown(), Weight{}.steady(body))] {
+            return path.x(1.5).z();
+          }};
 }
 
 void add_rungs(Table& table, const Budget& budget) {

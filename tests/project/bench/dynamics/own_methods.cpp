@@ -127,12 +127,12 @@ struct TurnSteps {
   Rhs motion;
   explicit TurnSteps(const Rhs& m) : motion(m) {}
   RigidBodyState<> step(double t, const RigidBodyState<>& state, double h) const {
-    return LieGroupRk4::step(motion, t, state, h);
+    return geometric::LieGroupRk4::step(motion, t, state, h);
   }
 };
 
 template <class Scheme, class... Forces>
-Splitting<Scheme, Forces...> splitting_of(const RigidBodyRhs<double, Forces...>&);
+geometric::Splitting<Scheme, Forces...> splitting_of(const RigidBodyRhs<double, Forces...>&);
 template <class Scheme, class Rhs>
 using SplittingOf = decltype(splitting_of<Scheme>(std::declval<Rhs>()));
 
@@ -147,9 +147,9 @@ Stepper geometric_steps(const std::string& name, double roundings) {
   return {"tumble", name, make, roundings};
 }
 template <class Rhs>
-using Splitting4 = SplittingOf<BlanesMoan4, Rhs>;
+using Splitting4 = SplittingOf<geometric::BlanesMoan4, Rhs>;
 template <class Rhs>
-using Splitting6 = SplittingOf<BlanesMoan6, Rhs>;
+using Splitting6 = SplittingOf<geometric::BlanesMoan6, Rhs>;
 
 /// All bodies of a scene side by side in vector lanes.
 template <class EnsembleMethod>
@@ -231,24 +231,27 @@ Method top_closed_form() {
     const RigidBody<> body = rigid_body(problem.body());
     const RigidBodyState<> start = start_of(problem.body());
     const SteadyForces forces = held_forces(problem.scene);
-    if (!LagrangeTop::from(SteadyTorque(body, forces), start.q, start.L)) return {};
+    if (!steady::LagrangeTop::from(steady::SteadyTorque(body, forces), start.q, start.L)) return {};
     return [=, t = problem.duration] {
-      return LagrangeTop::from(SteadyTorque(body, forces), start.q, start.L)->at(t).q;
+      return steady::LagrangeTop::from(steady::SteadyTorque(body, forces), start.q, start.L)
+          ->at(t)
+          .q;
     };
   };
   return {"tumble", "closed form", Knob::tolerance, prepare, 1e3};
 }
 
 template <int rank>
-Quat end_of_series(const SteadyTorque& torque, const RigidBodyState<>& start, double t,
+Quat end_of_series(const steady::SteadyTorque& torque, const RigidBodyState<>& start, double t,
                    double tolerance) {
-  const TurningBySeries<rank> turning(torque, torque.turning(start.q, start.L), 0, t, tolerance);
+  const steady::TurningBySeries<rank> turning(torque, torque.turning(start.q, start.L), 0, t,
+                                              tolerance);
   return torque.orientation(turning.end());
 }
 
 Method taylor_series() {
   const auto prepare = [](const Problem& problem, double tolerance) -> Run {
-    const SteadyTorque torque(rigid_body(problem.body()), held_forces(problem.scene));
+    const steady::SteadyTorque torque(rigid_body(problem.body()), held_forces(problem.scene));
     return [=, start = start_of(problem.body()), t = problem.duration] {
       return torque.rank() == 0 ? end_of_series<0>(torque, start, t, tolerance)
                                 : end_of_series<1>(torque, start, t, tolerance);

@@ -27,7 +27,7 @@ std::vector<Body> bodies(int triangles) {
   const Mat3 askew = Quat(0.3, 0.5, -0.7, 0.2).normalized().toRotationMatrix();
   all.push_back(body("mug", mapped(objects::mug(4), askew, Vec3::Zero())));
   const std::filesystem::path spot = std::filesystem::path(TUMBLE_MESHES) / "spot.obj";
-  if (std::filesystem::exists(spot)) all.push_back(body("Spot", read_obj(spot.string())));
+  if (std::filesystem::exists(spot)) all.push_back(body("Spot", detail::read_obj(spot.string())));
   // Twice as many round the ring as round the tube, two triangles to a quad.
   const int tube = static_cast<int>(std::lround(std::sqrt(triangles / 4.0)));
   const PolygonMesh torus = test::triangulated(test::torus(2 * tube, tube));

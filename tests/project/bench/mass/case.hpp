@@ -16,7 +16,8 @@ struct Body {
   std::string name;
   PolygonMesh mesh;
   MassProperties truth;
-  Vector3<DoubleDouble> centre;  ///< the truth beyond what a double holds, for bodies far away
+  Vector3<simd::DoubleDouble>
+      centre;       ///< the truth beyond what a double holds, for bodies far away
   double diagonal;  ///< of the box along the axes: what errors of the centre are measured by
 };
 

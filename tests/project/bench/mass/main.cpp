@@ -39,7 +39,7 @@ double mass_error(const Result& r) { return std::abs(r.answer.mass / r.body->tru
 
 /// In diagonals of the box.
 double centre_error(const Result& r) {
-  using T = DoubleDouble;
+  using T = simd::DoubleDouble;
   const Vector3<T> found = r.answer.centre.cast<T>() + r.answer.centre_rest.cast<T>();
   return detail::to_double(found - r.body->centre).norm() / r.body->diagonal;
 }

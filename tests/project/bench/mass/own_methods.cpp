@@ -40,7 +40,7 @@ Answer plain_loop(const PolygonMesh& mesh, const Vec3& p) {
                 c = from_p(mesh.corners[i + 2]);
     sum += detail::raw_moments(simd::six_volume(a, b, c), a, b, c);
   }
-  Moments<DoubleDouble> all;
+  Moments<simd::DoubleDouble> all;
   return mass_properties(detail::with_factors(all += sum), p, 1);
 }
 
@@ -51,7 +51,7 @@ Method on_mesh(const std::string& name, F compute) {
           }};
 }
 
-Method integrals(const std::string& name, Accuracy accuracy, const LoopOptions& loop = {}) {
+Method integrals(const std::string& name, Accuracy accuracy, const simd::LoopOptions& loop = {}) {
   return on_mesh(name, [=](const PolygonMesh& mesh) {
     return unchecked_mass_properties(mesh, 1, accuracy, loop);
   });
@@ -91,7 +91,8 @@ void add_sampling(std::vector<Method>& methods, const std::string& curve) {
                        [n](const Body& body) -> Run {
                          const auto solid = std::make_shared<MeshSolid>(body.mesh);
                          return [n, solid]() -> Answer {
-                           return MassProperties(sample_mass_properties(*solid, 1, Points(n)));
+                           return MassProperties(
+                               sampling::sample_mass_properties(*solid, 1, Points(n)));
                          };
                        },
                        true, curve});
@@ -102,7 +103,7 @@ void add_columns(std::vector<Method>& methods) {
     methods.push_back({"columns, " + std::to_string(n),
                        [n](const Body& body) -> Run {
                          return [n, &body]() -> Answer {
-                           return MassProperties(column_mass_properties(body.mesh, 1, n));
+                           return MassProperties(sampling::column_mass_properties(body.mesh, 1, n));
                          };
                        },
                        true, "columns"});
@@ -128,12 +129,13 @@ std::vector<Method> own_methods() {
       diagnosed("tight, diagnosed", Accuracy::tight),
       {"box of the true mass", [](const Body& body) -> Run {
          return [&body]() -> Answer {
-           return box_mass_properties(aligned_box(body.mesh.vertices), body.truth.mass);
+           return boxes::box_mass_properties(boxes::aligned_box(body.mesh.vertices),
+                                             body.truth.mass);
          };
        }}};
   add_older_processors(methods);
-  add_sampling<RandomPoints>(methods, "random points");
-  add_sampling<R3Points>(methods, "R3 points");
+  add_sampling<sampling::RandomPoints>(methods, "random points");
+  add_sampling<sampling::R3Points>(methods, "R3 points");
   add_columns(methods);
   return methods;
 }

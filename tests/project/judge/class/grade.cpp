@@ -162,6 +162,19 @@ TEST_CASE("grade: killed in the middle, it goes on, and nothing is lost") {
   for (int i = 0; i < 20; ++i) CHECK(all.record("s" + std::to_string(i)).at("points") == 2);
 }
 
+TEST_CASE("grade: what no time was left for is said, and judged the next time") {
+  const Class all;
+  const CommandResult late = test::run_command(all.command("--deadline 1e-9"));
+  CHECK_MESSAGE(late.status == 1, late.output);
+  CHECK(contains(late.output, "no time was left for 3 of 4 submissions"));
+  CHECK(contains(test::text_of(all.out / "grades.csv"),
+                 "ann,0,2,0,0,2 not judged: no time left,,\n"));
+  const CommandResult again = test::run_command(all.command("--deadline 1000"));
+  CHECK_MESSAGE(again.status == 0, again.output);
+  CHECK(all.record("ann").at("points") == 2);
+  CHECK_FALSE(all.record("ann").contains("out_of_time"));
+}
+
 TEST_CASE("grade: course.json decides what counts") {
   const Class all;
   const fs::path settings = all.work.path() / "course.json";

@@ -44,9 +44,12 @@ TEST_CASE("a unit's file: in exercises/, in its chapter's folder, or by a name t
   CHECK(file_of(unit, {"old/04_quaternions/product.cpp", "04_quaternions/product.cpp"}) ==
         "04_quaternions/product.cpp");
   CHECK(file_of(unit, {"homework 4/product.cpp"}) == "homework 4/product.cpp");
-  for (const char* other : {"solutions/04_quaternions/product.cpp", "build/product.cpp",
-                            "tests/04_quaternions/product.cpp", "04_quaternions/product.cpp.bak"})
+  for (const char* other :
+       {"build/product.cpp", "tests/04_quaternions/product.cpp", "04_quaternions/product.cpp.bak"})
     CHECK(file_of(unit, {other}) == "");
+  const fs::path ours = "solutions/04_quaternions/product.cpp";
+  CHECK(file_of(unit, {ours}) == ours);
+  CHECK(file_of(unit, {ours, "exercises/04_quaternions/inverse.cpp"}) == "");
   CHECK(file_of("01_particles/dydt", {"dydt.cpp"}) == "");  // which of the two?
   CHECK(file_of("01_particles/dydt", {"01_particles/dydt.cpp", "09_rigid_body/dydt.cpp"}) ==
         "01_particles/dydt.cpp");

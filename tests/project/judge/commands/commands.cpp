@@ -107,15 +107,15 @@ TEST_CASE("check: what was asked, what came back, the misconception, and how to 
         "  return f(t, f(t, y));\n}\n}\n");
   const std::string output = judge("check 1.2 --seed 5").output;
   for (const char* part :
-       {"1.2 twice  wrong, 0 of 3 laws hold", "Asked was twice(f, t, y, h) with",
+       {"1.2 twice  wrong, 0 of 3 laws hold", "twice(f, t, y, h) was called with",
         "f = a function of the judge", "Calls of the functions that it was given: 2", "Your answer",
         "Demanded", "This is what “time stands still” gives.",
-        "Again, this case alone:  ./tumble check 1.2.1 --seed 5"})
+        "To run only this case:  ./tumble check 1.2.1 --seed 5"})
     CHECK_MESSAGE(contains(output, part), output);
 
   const std::string again = judge("check 1.2.1 --seed 5").output;
   const auto from_question = [](const std::string& text) {
-    return text.substr(text.find("Asked was"), text.find("Again") - text.find("Asked was"));
+    return text.substr(text.find("was called"), text.find("To run") - text.find("was called"));
   };
   CHECK(from_question(again) == from_question(output));
   CHECK(contains(again, "0 of 1 laws hold"));
@@ -237,20 +237,21 @@ TEST_CASE("completion knows every option of every command") {
 
 TEST_CASE("what a command line needs to be built, one target a line, and nothing else is done") {
   const FreshCourse fresh;
-  const std::string carry = "spec.01_crossing.carry\n", twice = "spec.01_crossing.twice\n";
-  CHECK(judge("--needs check").output == carry);
-  CHECK(judge("--needs check 1.2").output == twice);
-  CHECK(judge("--needs check 1.2.1 --from nowhere").output == twice);
-  CHECK(judge("--needs check 1 --solutions").output == carry + twice);
-  CHECK(judge("--needs matrix twice").output == twice);
+  const std::string needs_carry = "spec.01_crossing.carry\n",
+                    needs_twice = "spec.01_crossing.twice\n";
+  CHECK(judge("--needs check").output == needs_carry);
+  CHECK(judge("--needs check 1.2").output == needs_twice);
+  CHECK(judge("--needs check 1.2.1 --from nowhere").output == needs_twice);
+  CHECK(judge("--needs check 1 --solutions").output == needs_carry + needs_twice);
+  CHECK(judge("--needs matrix twice").output == needs_twice);
   for (const char* all : {"mine", "watch", "stubs", "grade .", "report"})
     CHECK(judge(std::string("--needs ") + all).output == "all_specs\n");
   const fs::path settings = fs::temp_directory_path() / "tumble-needs-test.json";
   write(settings, R"({"units": ["1.2"], "curve": false})");
   const std::string with_settings = " --course '" + settings.string() + "'";
   const std::string tools = "grading_tools\n";
-  CHECK(judge("--needs grade ." + with_settings).output == twice + tools);
-  CHECK(judge("--needs platform gradescope ." + with_settings).output == twice + tools);
+  CHECK(judge("--needs grade ." + with_settings).output == needs_twice + tools);
+  CHECK(judge("--needs platform gradescope ." + with_settings).output == needs_twice + tools);
   fs::remove(settings);
   for (const char* none :
        {"list", "hint 1.1", "reset 1.1", "solution 1.1", "sandbox", "handout --chapters 1 x",

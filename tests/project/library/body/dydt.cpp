@@ -14,6 +14,7 @@
 #include "tumble/rotation/orthonormality.hpp"
 
 using namespace tumble;
+using rotation::unpack;  // and that of tumble
 using test::body, test::eps, test::random_state;
 
 namespace {
@@ -107,9 +108,9 @@ TEST_CASE("dydt: quaternion and matrix state tell the same motion") {
   for (int i = 0; i < 5; ++i) {
     const RigidBodyState<> start = random_state(rng);
     const RigidBodyState<> end = end_state(RigidBodyRhs(body, push), start, 5);
-    const MatrixState<> other =
-        end_state(MatrixStateRhs(body, push),
-                  MatrixState<>{start.x, to_matrix(start.q), start.P, start.L}, 5);
+    const rotation::MatrixState<> other =
+        end_state(rotation::MatrixStateRhs(body, push),
+                  rotation::MatrixState<>{start.x, to_matrix(start.q), start.P, start.L}, 5);
     CHECK((to_matrix(end.q) - other.R).norm() <= 1e-11);
     CHECK((end.x - other.x).norm() <= 1e-11);
     CHECK((end.L - other.L).norm() <= 1e-11);
@@ -119,14 +120,14 @@ TEST_CASE("dydt: quaternion and matrix state tell the same motion") {
 TEST_CASE("dydt: with RK4, the length of q and the shape of R drift off at the method's order") {
   test::Random rng(144);
   const RigidBodyState<> start = random_state(rng);
-  const MatrixState<> matrix_start{start.x, to_matrix(start.q), start.P, start.L};
+  const rotation::MatrixState<> matrix_start{start.x, to_matrix(start.q), start.P, start.L};
   const auto drifts = [&](int steps) {
     const PackedState<double> y =
         integrate_fixed<Rk4>(RigidBodyRhs(body), pack(start), 0.0, 10.0, steps);
-    const PackedMatrixState<double> z =
-        integrate_fixed<Rk4>(MatrixStateRhs(body), pack(matrix_start), 0.0, 10.0, steps);
+    const rotation::PackedMatrixState<double> z =
+        integrate_fixed<Rk4>(rotation::MatrixStateRhs(body), pack(matrix_start), 0.0, 10.0, steps);
     return std::pair{std::abs(unpack<double>(y).q.norm() - 1),
-                     orthonormality_error(unpack<double>(z).R)};
+                     rotation::orthonormality_error(unpack<double>(z).R)};
   };
   const auto [q_coarse, R_coarse] = drifts(100);
   const auto [q_fine, R_fine] = drifts(200);

@@ -43,14 +43,14 @@ struct SpringBetween {
 
 }  // namespace
 
-static_assert(SceneForce<SpringBetween, double> && !BodyForce<SpringBetween, double>);
-static_assert(OdeRhs<SceneRhs<double, Weight, SpringBetween>, PackedScene<double>>);
+static_assert(detail::SceneForce<SpringBetween, double> && !BodyForce<SpringBetween, double>);
+static_assert(OdeRhs<SceneRhs<double, Weight, SpringBetween>, detail::PackedScene<double>>);
 
 TEST_CASE("SceneRhs: bodies that do not meet move as if alone, bit for bit") {
   test::Random rng(151);
   const std::vector<RigidBodyState<>> states = two_states(rng);
   const SceneRhs scene(two_bodies(), Weight{});
-  const PackedScene<double> rate = scene(0, pack(states));
+  const detail::PackedScene<double> rate = scene(0, pack(states));
   REQUIRE(rate.size() == 26);
   for (std::size_t i = 0; i < 2; ++i) {
     const PackedState<double> alone = RigidBodyRhs(scene.bodies()[i], Weight{})(0, pack(states[i]));
@@ -63,7 +63,7 @@ TEST_CASE(
   test::Random rng(152);
   const std::vector<RigidBodyState<>> start = two_states(rng);
   const SceneRhs scene(two_bodies(), SpringBetween{});
-  const PackedScene<double> y =
+  const detail::PackedScene<double> y =
       integrate_adaptive<Dop853>(scene, pack(start), 0.0, 10.0, {1e-13, 1e-13}).y;
   const std::vector<RigidBodyState<>> end = unpack<double>(y);
   const auto total = [&](const std::vector<RigidBodyState<>>& s) {
@@ -83,10 +83,10 @@ TEST_CASE(
 
 TEST_CASE("SceneRhs: a state that does not fit is refused") {
   const SceneRhs scene(two_bodies());
-  CHECK_REFUSED(scene(0, PackedScene<double>::Zero(25)), "13", "25");
-  CHECK_REFUSED(scene(0, PackedScene<double>::Zero(39)), "2 bodies", "3");
+  CHECK_REFUSED(scene(0, detail::PackedScene<double>::Zero(25)), "13", "25");
+  CHECK_REFUSED(scene(0, detail::PackedScene<double>::Zero(39)), "2 bodies", "3");
 }
 
 TEST_CASE("SceneRhs: an empty scene has an empty rate") {
-  CHECK(SceneRhs(std::vector<RigidBody<double>>{})(0, PackedScene<double>(0)).size() == 0);
+  CHECK(SceneRhs(std::vector<RigidBody<double>>{})(0, detail::PackedScene<double>(0)).size() == 0);
 }

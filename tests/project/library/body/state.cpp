@@ -36,10 +36,10 @@ TEST_CASE("RigidBodyState: at rest in the origin, not turned, unless said otherw
 }
 
 TEST_CASE("pack: eighteen numbers with a matrix, R column by column") {
-  MatrixState<> state{Vec3(1, 2, 3), Mat3::Zero(), Vec3(13, 14, 15), Vec3(16, 17, 18)};
+  rotation::MatrixState<> state{Vec3(1, 2, 3), Mat3::Zero(), Vec3(13, 14, 15), Vec3(16, 17, 18)};
   state.R << 4, 7, 10, 5, 8, 11, 6, 9, 12;
-  const PackedMatrixState<double> y = pack(state);
+  const rotation::PackedMatrixState<double> y = pack(state);
   for (int i = 0; i < 18; ++i) CHECK(y[i] == i + 1);
-  CHECK(unpack<double>(y).R == state.R);
-  CHECK(pack(unpack<double>(y)) == y);
+  CHECK(rotation::unpack<double>(y).R == state.R);
+  CHECK(pack(rotation::unpack<double>(y)) == y);
 }

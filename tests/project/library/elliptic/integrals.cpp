@@ -20,10 +20,11 @@ TEST_CASE("carlson_rf: the values of Carlson's paper, and its symmetry and scale
 }
 
 TEST_CASE("complete_elliptic_k: at both ends and between") {
-  CHECK(complete_elliptic_k(1) == doctest::Approx(std::numbers::pi / 2).epsilon(eps));
-  CHECK(complete_elliptic_k(std::sqrt(0.5)) ==
+  CHECK(elliptic::complete_elliptic_k(1) == doctest::Approx(std::numbers::pi / 2).epsilon(eps));
+  CHECK(elliptic::complete_elliptic_k(std::sqrt(0.5)) ==
         doctest::Approx(1.8540746773013719184).epsilon(4 * eps));
-  CHECK(complete_elliptic_k(1e-12) == doctest::Approx(std::log(4e12)).epsilon(4 * eps));
-  CHECK(complete_elliptic_k(0.3) == doctest::Approx(carlson_rf(0, 0.09, 1)).epsilon(8 * eps));
-  CHECK(std::isinf(complete_elliptic_k(0)));
+  CHECK(elliptic::complete_elliptic_k(1e-12) == doctest::Approx(std::log(4e12)).epsilon(4 * eps));
+  CHECK(elliptic::complete_elliptic_k(0.3) ==
+        doctest::Approx(carlson_rf(0, 0.09, 1)).epsilon(8 * eps));
+  CHECK(std::isinf(elliptic::complete_elliptic_k(0)));
 }

@@ -70,7 +70,8 @@ void check_order(const std::string& name, int fewest, const Forces&... forces) {
     angles.push_back(e.angle);
     momenta.push_back(e.L);
   }
-  const double of_angle = observed_order(h, angles), of_L = observed_order(h, momenta);
+  const double of_angle = runge_kutta::observed_order(h, angles),
+               of_L = runge_kutta::observed_order(h, momenta);
   MESSAGE(name << ": order " << Method::order << ", seen " << of_angle << " in the angle, " << of_L
                << " in L; errors " << angles.back() << ", " << momenta.back());
   // The terms of the next orders bend the line a little.
@@ -138,8 +139,8 @@ TEST_CASE("advance: forces may differ from body to body") {
     drags.push_back({k, rng.uniform(0, 1)});
     ends.push_back(truth({{all.bodies[i]}, {all.states[i]}}, pulls[i], drags[i])[0]);
   }
-  const Errors e = errors_after<TaylorMagnus<8>>(40, all, ends, PerBody{pulls}, PerBody{drags},
-                                                 Weight{{0, 0, 0}});
+  const Errors e = errors_after<TaylorMagnus<8>>(40, all, ends, ensemble::PerBody{pulls},
+                                                 ensemble::PerBody{drags}, Weight{{0, 0, 0}});
   CHECK(e.angle <= 1e-12);  // (0.05)⁹ · 40 and the truth's own error
   CHECK(e.L <= 1e-12);
   CHECK(e.path <= 1e-12);
@@ -176,15 +177,16 @@ TEST_CASE("advance: Rk4 begins every step with a q of length 1") {
   const test::Bodies all = test::random_bodies(4, 3, 608);
   constexpr double h = 0.1;
   double worst = 0;
-  const auto look = [&]<class P>(double t, const PackBody<P>&, const PackKinematics<P>& now)
+  const auto look = [&]<class P>(double t, const ensemble::PackBody<P>&,
+                                 const ensemble::PackKinematics<P>& now)
       __attribute__((always_inline)) {
     const P squares = now.q.w * now.q.w + now.q.x * now.q.x + now.q.y * now.q.y + now.q.z * now.q.z;
     if (std::abs(t / h - std::round(t / h)) < 0.25)
       for (int i = 0; i < 4; ++i) worst = std::max(worst, std::abs(squares[i] - 1));
-    return PackWrench<P>{};
+    return ensemble::PackWrench<P>{};
   };
   Ensemble ensemble = all.ensemble();
-  const LoopOptions four_lanes{1, simd::InstructionSet::baseline};
+  const simd::LoopOptions four_lanes{1, simd::InstructionSet::baseline};
   CHECK(advance(ensemble, {h, 100'000, 0, four_lanes}, look).count == 0);
   CHECK(worst > 0);
   // A step changes |q|² by less than 1e-4, and Newton's method leaves ⅜ of the square of that; 1e5

@@ -50,8 +50,8 @@ TEST_CASE("advance: no heap, whatever the method and the forces") {
   };
   CHECK(uses(Rk4{}) == 0);
   CHECK(uses(TaylorMagnus<4>{}, Weight{}, pull) == 0);
-  CHECK(uses(TaylorMagnus<8>{}, Weight{}, pull, PerBody{drags}) == 0);
-  CHECK(uses(Rk4{}, test::Tether{}, PerBody{drags}) == 0);
+  CHECK(uses(TaylorMagnus<8>{}, Weight{}, pull, ensemble::PerBody{drags}) == 0);
+  CHECK(uses(Rk4{}, test::Tether{}, ensemble::PerBody{drags}) == 0);
 }
 
 TEST_CASE("the counter sees an ensemble being made") {

@@ -23,7 +23,7 @@ template <class Method, class... Forces>
 struct Scene {
   std::tuple<Forces...> forces;
 
-  Ensemble after(Ensemble ensemble, const LoopOptions& loop) const {
+  Ensemble after(Ensemble ensemble, const simd::LoopOptions& loop) const {
     const auto go = [&](const Forces&... force) {
       return advance<Method>(ensemble, {0.01, steps, 0, loop}, force...);
     };
@@ -38,7 +38,7 @@ Scene<Method, Forces...> scene(const Forces&... forces) {
 }
 
 /// Every number of bodies up to three Packs' worth, each body against itself alone.
-void check_alone(const auto& scene, const LoopOptions& loop) {
+void check_alone(const auto& scene, const simd::LoopOptions& loop) {
   const test::Bodies all = test::random_bodies(19, 3, 611);
   std::vector<RigidBodyState<>> alone;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -93,7 +93,7 @@ TEST_CASE("company: a body that is lost is named, and takes no other with it") {
   for (const std::size_t i : {291u, 6u, 12u}) pulls[i].force = Vec3(1e300, 0, 0);
   for (const simd::InstructionSet set : test::instruction_sets()) {
     Ensemble ensemble = all.ensemble();
-    const LostBodies lost = advance(ensemble, {0.1, steps, 0, {2, set}}, PerBody{pulls});
+    const LostBodies lost = advance(ensemble, {0.1, steps, 0, {2, set}}, ensemble::PerBody{pulls});
     CHECK(lost.count == 3);
     CHECK(lost.first == 6);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -109,14 +109,15 @@ TEST_CASE("company: a body that is lost is named, and takes no other with it") {
 
 TEST_CASE("company: a user's force that is not defined everywhere, nor in lanes without a body") {
   const test::Bodies all = test::random_bodies(7, 1, 614);
-  const auto spoil = []<class P>(double, const PackBody<P>& body, const PackKinematics<P>& now)
-      __attribute__((always_inline)) {
+  const auto spoil =
+      []<class P>(double, const ensemble::PackBody<P>& body, const ensemble::PackKinematics<P>& now)
+          __attribute__((always_inline)) {
     P zero{};  // for body 3 and behind the last
     for (int i = 0; i < simd::lanes<P>; ++i) {
       const std::size_t number = body.first + static_cast<std::size_t>(i);
       zero[i] = number == 3 || number >= 7 ? 0 : 1;
     }
-    return PackWrench<P>{P(-1 / zero) * now.x, {}};
+    return ensemble::PackWrench<P>{P(-1 / zero) * now.x, {}};
   };
   Ensemble ensemble = all.ensemble();
   const LostBodies lost = advance(ensemble, {0.01, 10}, spoil);

@@ -31,7 +31,7 @@ TEST_CASE("decay: e^z, φ₁ and φ₂ to some units in the last place, on both 
   for (const double size : drags)
     for (const double z : {-size, std::min(size, 5.0)}) {
       CAPTURE(z);
-      const auto d = ensemble::decay(FourDoubles{} + z);
+      const auto d = ensembles::decay(FourDoubles{} + z);
       CHECK(test::relative_error(
                 d.exp[1], static_cast<double>(std::exp(static_cast<long double>(z)))) <= 4 * eps);
       CHECK(test::relative_error(d.phi1[2], static_cast<double>(phi(1, z))) <= 4 * eps);
@@ -41,9 +41,9 @@ TEST_CASE("decay: e^z, φ₁ and φ₂ to some units in the last place, on both 
 
 TEST_CASE("decay: every lane by itself") {
   const FourDoubles z{-0.1, -3, NAN, -0.2};
-  const auto together = ensemble::decay(z);
+  const auto together = ensembles::decay(z);
   for (const int lane : {0, 1, 3}) {
-    const auto alone = ensemble::decay(FourDoubles{} + z[lane]);
+    const auto alone = ensembles::decay(FourDoubles{} + z[lane]);
     CHECK(together.exp[lane] == alone.exp[0]);
     CHECK(together.phi1[lane] == alone.phi1[0]);
     CHECK(together.phi2[lane] == alone.phi2[0]);
@@ -60,8 +60,8 @@ TEST_CASE("drift: falls as v̇ = a − κ v says, for any κ and time") {
       if (-T * drag > 5) continue;
       const double x0 = rng.uniform(), v0 = rng.uniform(), a = rng.uniform();
       simd::Point<FourDoubles> x{FourDoubles{} + x0, {}, {}}, v{FourDoubles{} + v0, {}, {}};
-      const ensemble::Push<FourDoubles> push{{FourDoubles{} + a, {}, {}}, FourDoubles{} + drag};
-      ensemble::drift<true>(x, v, push, T);
+      const ensembles::Push<FourDoubles> push{{FourDoubles{} + a, {}, {}}, FourDoubles{} + drag};
+      ensembles::drift<true>(x, v, push, T);
       const long double z = -static_cast<long double>(drag) * T;
       const long double v_end = std::exp(z) * v0 + T * phi(1, z) * a;
       const long double x_end = x0 + T * phi(1, z) * v0 + T * T * phi(2, z) * a;
@@ -75,8 +75,8 @@ TEST_CASE("drift: falls as v̇ = a − κ v says, for any κ and time") {
 
 TEST_CASE("drift: without drag it is the parabola") {
   simd::Point<FourDoubles> x{FourDoubles{} + 1, {}, {}}, v{FourDoubles{} + 2, {}, {}};
-  const ensemble::Push<FourDoubles> fall{{FourDoubles{} - 10, {}, {}}, {}};
-  ensemble::drift<false>(x, v, fall, 1.5);
+  const ensembles::Push<FourDoubles> fall{{FourDoubles{} - 10, {}, {}}, {}};
+  ensembles::drift<false>(x, v, fall, 1.5);
   CHECK(double{x.x[3]} == 1 + 2 * 1.5 - 5 * 2.25);
   CHECK(double{v.x[3]} == 2 - 15);
 }

@@ -27,8 +27,8 @@ TEST_CASE("Ensemble: holds principal moments and what Euler's equations need, in
   const test::Bodies all = test::random_bodies(11, 3, 622);
   const Ensemble ensemble = all.ensemble();
   REQUIRE(ensemble.bodies().size() == 2);
-  for (const ensemble::EightBodies& eight : ensemble.bodies())
-    for (int lane = 0; lane < ensemble::eight; ++lane) {
+  for (const ensembles::EightBodies& eight : ensemble.bodies())
+    for (int lane = 0; lane < ensembles::eight; ++lane) {
       const double A = eight.moments[0][lane], B = eight.moments[1][lane],
                    C = eight.moments[2][lane];
       CHECK(A > 0);
@@ -89,9 +89,9 @@ TEST_CASE("advance: refuses what makes no sense, with words") {
   CHECK_REFUSED(go({0.1, 1}, BodyDrag{-1, 0}), "drag", "-1");
   CHECK_REFUSED(go({0.1, 1}, ForceAtBodyPoint{Vec3(INFINITY, 0, 0), Vec3::Zero()}), "force", "inf");
   std::vector<BodyDrag> drags(4, BodyDrag{1, 1});
-  CHECK_REFUSED(go({0.1, 1}, PerBody{drags}), "4 forces", "5 bodies");
+  CHECK_REFUSED(go({0.1, 1}, ensemble::PerBody{drags}), "4 forces", "5 bodies");
   drags.push_back({1, -2});
-  CHECK_REFUSED(go({0.1, 1}, PerBody{drags}), "body 4", "drag", "-2");
+  CHECK_REFUSED(go({0.1, 1}, ensemble::PerBody{drags}), "body 4", "drag", "-2");
 }
 
 TEST_CASE("advance: no step, or steps of no length, change nothing") {
@@ -121,7 +121,9 @@ TEST_CASE("require_none: says how many bodies are lost, and the first of them") 
   CHECK(test::mentions(message, "2 of", "body 17"));
 }
 
-static_assert(std::is_same_v<ensemble::DefaultMethod<>, TaylorMagnus<4>>);
-static_assert(std::is_same_v<ensemble::DefaultMethod<Weight, PerBody<BodyDrag>>, TaylorMagnus<4>>);
-static_assert(std::is_same_v<ensemble::DefaultMethod<Weight, test::Tether>, Rk4>);
-static_assert(PackForce<test::Tether> && !PackForce<Weight> && !PackForce<SpringToWorld>);
+static_assert(std::is_same_v<ensembles::DefaultMethod<>, TaylorMagnus<4>>);
+static_assert(
+    std::is_same_v<ensembles::DefaultMethod<Weight, ensemble::PerBody<BodyDrag>>, TaylorMagnus<4>>);
+static_assert(std::is_same_v<ensembles::DefaultMethod<Weight, test::Tether>, Rk4>);
+static_assert(ensemble::PackForce<test::Tether> && !ensemble::PackForce<Weight> &&
+              !ensemble::PackForce<SpringToWorld>);

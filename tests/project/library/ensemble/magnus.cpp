@@ -23,7 +23,7 @@ Quat truth(const Coefficients& c, double h) {
   const auto rate = [&](double t, const Eigen::Vector4d& q) -> Eigen::Vector4d {
     Vec3 omega = Vec3::Zero();
     for (std::size_t k = c.size(); k-- > 0;) omega = c[k] + t * omega;
-    return coefficients(quaternion_dot_body(from_coefficients<double>(q), omega));
+    return coefficients(rotation::quaternion_dot_body(from_coefficients<double>(q), omega));
   };
   const Eigen::Vector4d start(1, 0, 0, 0);
   return from_coefficients<double>(
@@ -36,7 +36,7 @@ double error(const Coefficients& c, double h) {
   double power = h;
   for (std::size_t k = 0; k < terms; ++k, power *= h)
     b[k] = {power * c[k].x(), power * c[k].y(), power * c[k].z()};
-  const simd::Point<double> turn = ensemble::rotation_vector(b);
+  const simd::Point<double> turn = ensembles::rotation_vector(b);
   return angle_between(exp_quaternion(Vec3(turn.x, turn.y, turn.z)), truth(c, h));
 }
 
@@ -51,7 +51,7 @@ void check_order(double longest) {
     h.push_back(step);
     errors.push_back(error<terms>(c, step));
   }
-  const double order = observed_order(h, errors);
+  const double order = runge_kutta::observed_order(h, errors);
   MESSAGE(terms << " coefficients: one step errs as h^" << order << ", by " << errors.back());
   CHECK(order >= static_cast<double>(terms) - 0.3);
 }
@@ -70,7 +70,7 @@ TEST_CASE("rotation_vector: about a fixed axis it is the integral, exactly") {
     simd::Point<double> b[terms];
     for (std::size_t k = 0; k < terms; ++k)
       b[k] = {w[k] * axis.x(), w[k] * axis.y(), w[k] * axis.z()};
-    return ensemble::rotation_vector(b);
+    return ensembles::rotation_vector(b);
   };
   // The last coefficient is left out: it would change the turn by what is neglected anyway.
   CHECK(std::abs(turn({1, 0.5, 0.25, 0.125, 9}).x - (1 + 0.25 + 0.25 / 3 + 0.125 / 4)) <= 8 * eps);

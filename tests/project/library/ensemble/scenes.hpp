@@ -65,8 +65,8 @@ struct Tether {
   Vec3 p_body = {0.4, -0.2, 0.7};
 
   template <class P>
-  TUMBLE_INLINE PackWrench<P> operator()(double t, const PackBody<P>& body,
-                                         const PackKinematics<P>& now) const {
+  TUMBLE_INLINE ensemble::PackWrench<P> operator()(double t, const ensemble::PackBody<P>& body,
+                                                   const ensemble::PackKinematics<P>& now) const {
     const simd::Point<P> p{P{} + p_body.x(), P{} + p_body.y(), P{} + p_body.z()};
     const simd::Point<P> arm = rotate(now.q, p), place = now.x + arm;
     const simd::Point<P> force = P((-2 - std::cos(3 * t)) * body.mass) * place - 0.3 * now.v;

@@ -18,7 +18,8 @@ template <class... Forces>
 RigidBodyState<> after(int steps, const Forces&... forces) {
   const RigidBodyRhs motion(heavy, forces...);
   RigidBodyState<> s = start();
-  for (int i = 0; i < steps; ++i) s = LieGroupRk4::step(motion, i * 2.0 / steps, s, 2.0 / steps);
+  for (int i = 0; i < steps; ++i)
+    s = geometric::LieGroupRk4::step(motion, i * 2.0 / steps, s, 2.0 / steps);
   return s;
 }
 
@@ -39,7 +40,7 @@ TEST_CASE("LieGroupRk4: what does not turn goes as in RK4, forces in time too") 
     return {Vec3(std::sin(3 * t), 1, 0) - 0.3 * now.v, Vec3::Zero()};
   };
   const RigidBodyRhs motion(heavy, push);
-  const RigidBodyState<> found = LieGroupRk4::step(motion, 1.0, start(), 0.3);
+  const RigidBodyState<> found = geometric::LieGroupRk4::step(motion, 1.0, start(), 0.3);
   const auto classic =
       unpack<double>(PackedState<double>(integrate_fixed<Rk4>(motion, pack(start()), 1.0, 1.3, 1)));
   CHECK((found.x - classic.x).norm() < 1e-15);

@@ -23,7 +23,7 @@ double energy(const RigidBody<>& body, const RigidBodyState<>& s) {
 template <class Scheme>
 RigidBodyState<> after(const RigidBody<>& body, double t, int steps) {
   const RigidBodyRhs motion(body, pull);
-  const Splitting<Scheme, ForceAtBodyPoint> splitting(motion);
+  const geometric::Splitting<Scheme, ForceAtBodyPoint> splitting(motion);
   RigidBodyState<> s = start();
   for (int i = 0; i < steps; ++i) s = splitting.step(i * t / steps, s, t / steps);
   return s;
@@ -45,7 +45,7 @@ void check_order(int steps) {
 template <class Scheme>
 void check_geometry() {
   const RigidBodyRhs motion(full, pull);
-  const Splitting<Scheme, ForceAtBodyPoint> splitting(motion);
+  const geometric::Splitting<Scheme, ForceAtBodyPoint> splitting(motion);
   const RigidBodyState<> s = start(), there = splitting.step(0, s, 0.05);
   const RigidBodyState<> back = splitting.step(0.05, there, -0.05);
   CHECK(angle_between(back.q, s.q) < 1e-14);
@@ -67,22 +67,22 @@ void check_geometry() {
 }  // namespace
 
 TEST_CASE("Splitting: each scheme has its order, for tops and for full bodies") {
-  check_order<Strang>(40);
-  check_order<BlanesMoan4>(80);
-  check_order<BlanesMoan6>(20);
-  check_order<KahanLi8>(20);
+  check_order<geometric::Strang>(40);
+  check_order<geometric::BlanesMoan4>(80);
+  check_order<geometric::BlanesMoan6>(20);
+  check_order<geometric::KahanLi8>(20);
 }
 
 TEST_CASE("Splitting: goes back where it came from, keeps a unit quaternion and the energy") {
-  check_geometry<Strang>();
-  check_geometry<BlanesMoan4>();
-  check_geometry<BlanesMoan6>();
-  check_geometry<KahanLi8>();
+  check_geometry<geometric::Strang>();
+  check_geometry<geometric::BlanesMoan4>();
+  check_geometry<geometric::BlanesMoan6>();
+  check_geometry<geometric::KahanLi8>();
 }
 
 TEST_CASE("Splitting: without forces one step is exact, L to the last bit") {
   const RigidBodyRhs motion(full);
-  const Splitting<Strang> splitting(motion);
+  const geometric::Splitting<geometric::Strang> splitting(motion);
   const RigidBodyState<> s = splitting.step(0, start(), 10);
   CHECK(angle_between(s.q, FreeTrajectory(full, start()).at(10).q) < 1e-14);
   CHECK(s.L == start().L);

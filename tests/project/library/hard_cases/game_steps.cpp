@@ -77,7 +77,7 @@ TEST_CASE("game steps: a top under its weight, by a splitting") {
     return {Vec3::Zero(), weight(t, b, now).torque};
   };
   const RigidBodyRhs motion(body, held);
-  const Splitting<Strang, std::decay_t<decltype(held)>> splitting(motion);
+  const geometric::Splitting<geometric::Strang, std::decay_t<decltype(held)>> splitting(motion);
   const auto energy = [&](const RigidBodyState<>& s) {
     return kinetic_energy(body, s) + 5 * (s.q * Vec3(0, 0, 1)).z();
   };

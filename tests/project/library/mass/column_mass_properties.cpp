@@ -22,7 +22,7 @@ namespace {
 
 /// A box is what its columns are, up to their own inertia: a line of mass m in a column of width w
 /// lacks m w²/12.
-void check_box(const Vec3& size, int columns, const ColumnMassProperties& body) {
+void check_box(const Vec3& size, int columns, const sampling::ColumnMassProperties& body) {
   const MassProperties truth = mass_properties(Box{size}, 2);
   const double nx = std::sqrt(columns * size.x() / size.y()), ny = columns / nx;
   const double xx = truth.mass * std::pow(size.x() / nx, 2) / 12;
@@ -64,8 +64,8 @@ TEST_CASE("columns: a box whose faces lie on borders of columns, exactly") {
       CAPTURE(size.transpose());
       CAPTURE(n);
       const PolygonMesh quads = test::box_mesh(size);
-      check_box(size, n * n, column_mass_properties(quads, 2, n * n));
-      check_box(size, n * n, column_mass_properties(test::triangulated(quads), 2, n * n));
+      check_box(size, n * n, sampling::column_mass_properties(quads, 2, n * n));
+      check_box(size, n * n, sampling::column_mass_properties(test::triangulated(quads), 2, n * n));
     }
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("columns: through edges and vertices they enter once and leave once") 
   for (const PolygonMesh& mesh : peaks)
     for (const int n : {15, 31}) {
       CAPTURE(n);
-      const ColumnMassProperties body = column_mass_properties(mesh, 1, n * n);
+      const sampling::ColumnMassProperties body = sampling::column_mass_properties(mesh, 1, n * n);
       CHECK(body.crossings % 2 == 0);
       // the slow way is right to a 500th of the height in every crossing
       const double slow = slow_but_correct_volume(mesh, n * n), box = bounds(mesh).volume();
@@ -89,17 +89,17 @@ TEST_CASE("columns: far away and scaled they find the same, to the last bit") {
   PolygonMesh mesh = test::mapped(test::torus(24, 12), test::askew());
   for (Vec3& v : mesh.vertices) v = (v * 0x1p20).array().round() * 0x1p-20;  // moves are exact then
   const auto methods = {
-      +[](const PolygonMesh& m) { return column_mass_properties(m, 3, 1000); },
-      +[](const PolygonMesh& m) { return jittered_column_mass_properties(m, 3, 1000); }};
+      +[](const PolygonMesh& m) { return sampling::column_mass_properties(m, 3, 1000); },
+      +[](const PolygonMesh& m) { return sampling::jittered_column_mass_properties(m, 3, 1000); }};
   for (const auto method : methods) {
-    const ColumnMassProperties here = method(mesh);
+    const sampling::ColumnMassProperties here = method(mesh);
     const Vec3 far(0x1p26, -0x1p26, 0x1p25);
-    const ColumnMassProperties there = method(test::moved(mesh, 1, far));
+    const sampling::ColumnMassProperties there = method(test::moved(mesh, 1, far));
     CHECK(there.mass == here.mass);
     CHECK(there.inertia == here.inertia);
     CHECK((there.centre - far - here.centre).norm() <= 0x1p-26);
     const double s = 0x1p-30;
-    const ColumnMassProperties tiny = method(test::moved(mesh, s, Vec3::Zero()));
+    const sampling::ColumnMassProperties tiny = method(test::moved(mesh, s, Vec3::Zero()));
     CHECK(tiny.mass == s * s * s * here.mass);
     CHECK(tiny.inertia == s * s * s * s * s * here.inertia);
   }
@@ -109,7 +109,8 @@ TEST_CASE("columns: needles and plates, turned") {
   for (const Vec3& size : {Vec3(1, 1e-3, 1e-3), Vec3(1, 1, 1e-6)}) {
     const PolygonMesh mesh = test::mapped(test::box_mesh(size), test::askew());
     const MassProperties truth = test::exact_mass_properties(mesh, 1);
-    const ColumnMassProperties body = column_mass_properties(mesh, 1, 1'000'000);
+    const sampling::ColumnMassProperties body =
+        sampling::column_mass_properties(mesh, 1, 1'000'000);
     CAPTURE(size.transpose());
     CAPTURE(body.crossings);
     // never worse than as many lines at random, however few meet the body
@@ -122,8 +123,10 @@ TEST_CASE("columns: a cavity counts once less, parts that overlap count twice") 
   const PolygonMesh outer = test::cube();
   const PolygonMesh inner = test::box({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
   const double hollow =
-      column_mass_properties(test::together(outer, test::inside_out(inner)), 1, 64 * 64).mass;
-  const double twice = column_mass_properties(test::together(outer, inner), 1, 64 * 64).mass;
+      sampling::column_mass_properties(test::together(outer, test::inside_out(inner)), 1, 64 * 64)
+          .mass;
+  const double twice =
+      sampling::column_mass_properties(test::together(outer, inner), 1, 64 * 64).mass;
   CHECK(std::abs(hollow - 0.875) <= 128 * eps);
   CHECK(std::abs(twice - 1.125) <= 128 * eps);
 }
@@ -134,15 +137,16 @@ TEST_CASE("jittered columns: right on average") {
   constexpr int sets = 100;
   double mean = 0, squares = 0;
   for (std::uint64_t seed = 1; seed <= sets; ++seed) {
-    const double error = jittered_column_mass_properties(mesh, 1, 400, seed).mass - truth.mass;
+    const double error =
+        sampling::jittered_column_mass_properties(mesh, 1, 400, seed).mass - truth.mass;
     mean += error / sets, squares += error * error / sets;
   }
   CHECK(std::abs(mean) <= 4 * std::sqrt(squares / sets));
   CHECK(std::sqrt(squares) <= 0.02 * truth.mass);
-  CHECK(jittered_column_mass_properties(mesh, 1, 400, 7).mass ==
-        jittered_column_mass_properties(mesh, 1, 400, 7).mass);
-  CHECK(jittered_column_mass_properties(mesh, 1, 400, 7).mass !=
-        jittered_column_mass_properties(mesh, 1, 400, 8).mass);
+  CHECK(sampling::jittered_column_mass_properties(mesh, 1, 400, 7).mass ==
+        sampling::jittered_column_mass_properties(mesh, 1, 400, 7).mass);
+  CHECK(sampling::jittered_column_mass_properties(mesh, 1, 400, 7).mass !=
+        sampling::jittered_column_mass_properties(mesh, 1, 400, 8).mass);
 }
 
 TEST_CASE("columns: real meshes to 2·10⁻⁴ with 10⁵ of them") {
@@ -151,8 +155,9 @@ TEST_CASE("columns: real meshes to 2·10⁻⁴ with 10⁵ of them") {
     const PolygonMesh mesh = read_obj(test::scanned_mesh(reference.file));
     const MassProperties truth = reference.mass_properties();
     CAPTURE(reference.file);
-    for (const ColumnMassProperties& body : {column_mass_properties(mesh, 1, 100'000),
-                                             jittered_column_mass_properties(mesh, 1, 100'000)}) {
+    for (const sampling::ColumnMassProperties& body :
+         {sampling::column_mass_properties(mesh, 1, 100'000),
+          sampling::jittered_column_mass_properties(mesh, 1, 100'000)}) {
       CHECK(std::abs(body.mass - truth.mass) <= 2e-4 * truth.mass);
       CHECK((body.centre - truth.centre).norm() <= 2e-4 * bounds(mesh).sizes().norm());
       CHECK(inertia_error(body.inertia, truth.inertia) <= 2e-4);
@@ -165,19 +170,20 @@ TEST_CASE("columns: a body too thin for them is refused, not guessed") {
   const PolygonMesh needle = test::box_mesh(Vec3(1, 1e-8, 1e-8));
   for (const double turn : {std::numbers::pi / 4, 0.3}) {
     const Mat3 R = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
-    CHECK_REFUSED(column_mass_properties(test::mapped(needle, R), 1, 100'000), "columns");
+    CHECK_REFUSED(sampling::column_mass_properties(test::mapped(needle, R), 1, 100'000), "columns");
   }
   const Mat3 R = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitZ()).toRotationMatrix();
-  CHECK_REFUSED(column_mass_properties(test::mapped(needle, R), 1, 99 * 99), "so thin a body");
+  CHECK_REFUSED(sampling::column_mass_properties(test::mapped(needle, R), 1, 99 * 99),
+                "so thin a body");
 }
 
 TEST_CASE("columns: refuse what has no answer") {
   const PolygonMesh cube = test::cube();
   for (const auto method : {+[](const PolygonMesh&mesh, double density, int columns) {
-                              column_mass_properties(mesh, density, columns);
+                              sampling::column_mass_properties(mesh, density, columns);
                             },
                             +[](const PolygonMesh&mesh, double density, int columns) {
-                              jittered_column_mass_properties(mesh, density, columns);
+                              sampling::jittered_column_mass_properties(mesh, density, columns);
                             }}) {
     for (const double density : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
       CHECK_REFUSED(method(cube, density, 100), "the density");

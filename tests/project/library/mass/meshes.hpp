@@ -31,8 +31,8 @@ inline BoundedMassProperties textbook(const PolygonMesh& mesh, double density) {
 
 /// The error of a mass against the exact volume (density 1), relative.
 inline double mass_error(double mass, const PolygonMesh& mesh) {
-  const DoubleDouble exact = exact_moments(mesh, detail::reference_point(mesh)).one;
-  return std::abs(double((DoubleDouble(mass) - exact) / exact));
+  const simd::DoubleDouble exact = exact_moments(mesh, detail::reference_point(mesh)).one;
+  return std::abs(double((simd::DoubleDouble(mass) - exact) / exact));
 }
 
 /// How far two inertia tensors are apart, Frobenius, relative to the second.
@@ -42,7 +42,7 @@ inline double inertia_error(const Mat3& I, const Mat3& truth) {
 
 /// How far a centre of mass is from the true one [m], with what rounding took from it.
 inline double centre_error(const BoundedMassProperties& body, const PolygonMesh& mesh) {
-  using T = DoubleDouble;
+  using T = simd::DoubleDouble;
   const Vector3<T> found = body.centre.cast<T>() + body.centre_rest.cast<T>();
   return detail::to_double(found - exact_centre(mesh)).norm();
 }

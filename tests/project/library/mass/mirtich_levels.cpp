@@ -120,12 +120,13 @@ TEST_CASE(
 TEST_CASE("volume_integrals: the unit cube about its corner: 1, 1/2, 1/3 and 1/4") {
   const PolygonMesh cube =
       test::mapped(test::box_mesh(Vec3(1, 1, 1)), Mat3::Identity(), Vec3(0.5, 0.5, 0.5));
-  const Moments<DoubleDouble> m = volume_integrals(cube, Vec3(0, 0, 0));
+  const Moments<simd::DoubleDouble> m = volume_integrals(cube, Vec3(0, 0, 0));
   CHECK(std::abs(double(m.one) - 1) <= 4 * eps);
-  for (const DoubleDouble& first : {m.x, m.y, m.z}) CHECK(std::abs(double(first) - 0.5) <= 4 * eps);
-  for (const DoubleDouble& square : {m.xx, m.yy, m.zz})
+  for (const simd::DoubleDouble& first : {m.x, m.y, m.z})
+    CHECK(std::abs(double(first) - 0.5) <= 4 * eps);
+  for (const simd::DoubleDouble& square : {m.xx, m.yy, m.zz})
     CHECK(std::abs(double(square) - 1.0 / 3) <= 4 * eps);
-  for (const DoubleDouble& mixed : {m.xy, m.yz, m.zx})
+  for (const simd::DoubleDouble& mixed : {m.xy, m.yz, m.zx})
     CHECK(std::abs(double(mixed) - 0.25) <= 4 * eps);
 }
 

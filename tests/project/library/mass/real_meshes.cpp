@@ -26,7 +26,7 @@ void check_within(const MassProperties& found, const MassProperties& truth, doub
 TEST_CASE("real meshes: every method finds the true mass properties") {
   if (!test::have_scanned_meshes()) return;
   for (const test::MeshTruth& reference : test::mesh_truths) {
-    const PolygonMesh mesh = read_obj(test::scanned_mesh(reference.file));
+    const PolygonMesh mesh = detail::read_obj(test::scanned_mesh(reference.file));
     const MassProperties truth = reference.mass_properties();
     const double size = bounds(mesh).sizes().norm();
     CAPTURE(reference.file);
@@ -45,12 +45,12 @@ TEST_CASE("real meshes: every method finds the true mass properties") {
 TEST_CASE("real meshes: the doors let the good ones in, and refuse the scan that is open") {
   if (!test::have_scanned_meshes()) return;
   for (const char* file : {"spot.obj", "spot_low.obj", "fish_low.obj"}) {
-    const PolygonMesh mesh = read_obj(test::scanned_mesh(file));
+    const PolygonMesh mesh = detail::read_obj(test::scanned_mesh(file));
     CAPTURE(std::string(file));
     CHECK(std::abs(mesh_mass_properties(mesh, 1000).mass -
                    1000 * test::exact_mass_properties(mesh, 1).mass) <=
           4 * eps * (1000 * test::exact_mass_properties(mesh, 1).mass));
   }
-  const PolygonMesh open = read_obj(test::scanned_mesh("demosthenes_open.obj"));
+  const PolygonMesh open = detail::read_obj(test::scanned_mesh("demosthenes_open.obj"));
   CHECK_THROWS_AS(mesh_mass_properties(open, 1000), std::invalid_argument);
 }

@@ -17,7 +17,7 @@ using test::eps;
 
 namespace {
 
-template <SamplePoints P>
+template <sampling::SamplePoints P>
 std::vector<Vec3> all_of(P points) {
   std::vector<Vec3> list;
   for (std::int64_t i = 0; i < points.count(); ++i) list.push_back(points.next());
@@ -39,7 +39,7 @@ std::vector<int> counts(const std::vector<Vec3>& points, int n) {
 }  // namespace
 
 TEST_CASE("GridPoints: 2 per axis are the centres of the eight octants, x fastest") {
-  const std::vector<Vec3> points = all_of(GridPoints(2));
+  const std::vector<Vec3> points = all_of(sampling::GridPoints(2));
   REQUIRE(points.size() == 8);
   CHECK(points[0] == Vec3(0.25, 0.25, 0.25));
   CHECK(points[1] == Vec3(0.75, 0.25, 0.25));
@@ -48,12 +48,12 @@ TEST_CASE("GridPoints: 2 per axis are the centres of the eight octants, x fastes
 }
 
 TEST_CASE("GridPoints: exactly one in every cell") {
-  for (const int cell : counts(all_of(GridPoints(7)), 7)) CHECK(cell == 1);
+  for (const int cell : counts(all_of(sampling::GridPoints(7)), 7)) CHECK(cell == 1);
 }
 
 TEST_CASE("RandomPoints: the same everywhere: the generator's standard says its 10000th number") {
   // [rand.predef]: the 10000th value of a default mt19937_64 is 9981545732273789042.
-  RandomPoints points(3334, std::mt19937_64::default_seed);
+  sampling::RandomPoints points(3334, std::mt19937_64::default_seed);
   Vec3 last = Vec3::Zero();
   for (int i = 0; i < 3334; ++i) last = points.next();
   CHECK(last.x() == static_cast<double>(9981545732273789042ULL >> 11) * 0x1p-53);
@@ -61,18 +61,18 @@ TEST_CASE("RandomPoints: the same everywhere: the generator's standard says its 
 
 TEST_CASE(
     "RandomPoints: equal seeds give equal points, others others; a copy goes on where it stands") {
-  RandomPoints a(100, 7), b(100, 7), c(100, 8);
+  sampling::RandomPoints a(100, 7), b(100, 7), c(100, 8);
   const Vec3 first = a.next();
   CHECK(first == b.next());
   CHECK(first != c.next());
-  RandomPoints copy = a;
+  sampling::RandomPoints copy = a;
   CHECK(copy.next() == a.next());
 }
 
 TEST_CASE("RandomPoints: even, as far as chance goes") {
   const int n = 4, per_cell = 500;
   double chi2 = 0;
-  for (const int cell : counts(all_of(RandomPoints(n * n * n * per_cell, 3)), n))
+  for (const int cell : counts(all_of(sampling::RandomPoints(n * n * n * per_cell, 3)), n))
     chi2 += double(cell - per_cell) * (cell - per_cell) / per_cell;
   // χ² with 63 degrees of freedom: mean 63, standard deviation √126.
   CHECK(std::abs(chi2 - 63) <= 4 * std::sqrt(126.0));
@@ -80,7 +80,7 @@ TEST_CASE("RandomPoints: even, as far as chance goes") {
 
 TEST_CASE("StratifiedPoints: exactly one in every cell, x fastest, and anywhere in it") {
   const int n = 7;
-  const std::vector<Vec3> points = all_of(StratifiedPoints(n));
+  const std::vector<Vec3> points = all_of(sampling::StratifiedPoints(n));
   for (const int cell : counts(points, n)) CHECK(cell == 1);
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -95,14 +95,15 @@ TEST_CASE("StratifiedPoints: exactly one in every cell, x fastest, and anywhere 
 }
 
 TEST_CASE("StratifiedPoints, R3Points: equal seeds give equal points, others others") {
-  CHECK(all_of(StratifiedPoints(4, 7)) == all_of(StratifiedPoints(4, 7)));
-  CHECK(all_of(StratifiedPoints(4, 7)) != all_of(StratifiedPoints(4, 8)));
-  CHECK(all_of(R3Points(50, 7)) == all_of(R3Points(50, 7)));
-  CHECK(all_of(R3Points(50, 7)) != all_of(R3Points(50, 8)));
+  CHECK(all_of(sampling::StratifiedPoints(4, 7)) == all_of(sampling::StratifiedPoints(4, 7)));
+  CHECK(all_of(sampling::StratifiedPoints(4, 7)) != all_of(sampling::StratifiedPoints(4, 8)));
+  CHECK(all_of(sampling::R3Points(50, 7)) == all_of(sampling::R3Points(50, 7)));
+  CHECK(all_of(sampling::R3Points(50, 7)) != all_of(sampling::R3Points(50, 8)));
 }
 
 TEST_CASE("R3Points: other seeds give the same set, moved round the cube") {
-  const std::vector<Vec3> a = all_of(R3Points(200)), b = all_of(R3Points(200, 5));
+  const std::vector<Vec3> a = all_of(sampling::R3Points(200)),
+                          b = all_of(sampling::R3Points(200, 5));
   for (std::size_t i = 1; i < a.size(); ++i) {
     const Vec3 change = (b[i] - a[i]) - (b[0] - a[0]);  // whole numbers, where one has wrapped
     CHECK((change - change.array().round().matrix()).norm() <= 8 * eps);
@@ -118,7 +119,7 @@ TEST_CASE(
     "R3Points: the recurrence ½ + i/gᵏ with g⁴ = g + 1, and no digit lost after many points") {
   const double g = 1.2207440846057596;
   CHECK(std::abs(g * g * g * g - g - 1) <= 16 * eps * 3);
-  R3Points points(100000);
+  sampling::R3Points points(100000);
   for (int i = 1; i <= 100000; ++i) {
     const Vec3 p = points.next();
     if (i % 9999 > 3) continue;
@@ -137,7 +138,7 @@ TEST_CASE("R3Points: much more even than random") {
   for (const int count : {1000, 6400}) {
     double chi2 = 0;
     const double expected = count / 64.0;
-    for (const int cell : counts(all_of(R3Points(count)), 4))
+    for (const int cell : counts(all_of(sampling::R3Points(count)), 4))
       chi2 += (cell - expected) * (cell - expected) / expected;
     CAPTURE(count);
     CHECK(chi2 <= 63 - 4 * std::sqrt(126.0));  // as even as 1 in 10⁴ random sets
@@ -147,11 +148,12 @@ TEST_CASE("R3Points: much more even than random") {
 TEST_CASE("sample points: refuse counts that are none") {
   for (const int n : {0, -5}) {
     CAPTURE(n);
-    CHECK_REFUSED(GridPoints(n), "grid points per axis is " + std::to_string(n));
-    CHECK_REFUSED(RandomPoints(n), "random points is " + std::to_string(n));
-    CHECK_REFUSED(StratifiedPoints(n), "stratified points per axis is " + std::to_string(n));
-    CHECK_REFUSED(R3Points(n), "low-discrepancy points is " + std::to_string(n));
+    CHECK_REFUSED(sampling::GridPoints(n), "grid points per axis is " + std::to_string(n));
+    CHECK_REFUSED(sampling::RandomPoints(n), "random points is " + std::to_string(n));
+    CHECK_REFUSED(sampling::StratifiedPoints(n),
+                  "stratified points per axis is " + std::to_string(n));
+    CHECK_REFUSED(sampling::R3Points(n), "low-discrepancy points is " + std::to_string(n));
   }
-  CHECK_REFUSED(GridPoints(3'000'000), "3000000");
-  CHECK_REFUSED(StratifiedPoints(3'000'000), "3000000");
+  CHECK_REFUSED(sampling::GridPoints(3'000'000), "3000000");
+  CHECK_REFUSED(sampling::StratifiedPoints(3'000'000), "3000000");
 }

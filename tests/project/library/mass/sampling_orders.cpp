@@ -36,15 +36,16 @@ double order(const std::array<double, 3>& numbers, Error&& error) {
       return error(static_cast<int>(numbers[i]), R, x, seed);
     });
   }
-  return observed_order(h, errors);
+  return runge_kutta::observed_order(h, errors);
 }
 
 /// The order at which points find the inertia of a solid. points(n, seed): about n of them.
-template <Solid S, class MakePoints>
+template <solids::Solid S, class MakePoints>
 double order_of_points(const S& solid, MakePoints&& points) {
   const Mat3 inertia = mass_properties(solid, 1).inertia;
   return order({216, 3375, 46656}, [&](int n, const Mat3& R, const Vec3& x, std::uint64_t seed) {
-    const Mat3 found = sample_mass_properties(placed(solid, R, x), 1, points(n, seed)).inertia;
+    const Mat3 found =
+        sampling::sample_mass_properties(solids::placed(solid, R, x), 1, points(n, seed)).inertia;
     return test::inertia_error(found, rotate_inertia(R, inertia));
   });
 }
@@ -63,17 +64,18 @@ int per_axis(int n) { return static_cast<int>(std::lround(std::cbrt(n))); }
 
 constexpr double scatter = 4 * 0.03;
 
-template <Solid S>
+template <solids::Solid S>
 void check_orders_of_points(const S& solid) {
   using Seed = std::uint64_t;
   const double random =
-      order_of_points(solid, [](int n, Seed seed) { return RandomPoints(n, seed); });
-  const double stratified =
-      order_of_points(solid, [](int n, Seed seed) { return StratifiedPoints(per_axis(n), seed); });
-  const double grid = order_of_points(solid, [](int n, Seed) { return GridPoints(per_axis(n)); });
-  const double r3 = order_of_points(solid, [](int n, Seed) { return R3Points(n); });
+      order_of_points(solid, [](int n, Seed seed) { return sampling::RandomPoints(n, seed); });
+  const double stratified = order_of_points(
+      solid, [](int n, Seed seed) { return sampling::StratifiedPoints(per_axis(n), seed); });
+  const double grid =
+      order_of_points(solid, [](int n, Seed) { return sampling::GridPoints(per_axis(n)); });
+  const double r3 = order_of_points(solid, [](int n, Seed) { return sampling::R3Points(n); });
   const double moved_r3 =
-      order_of_points(solid, [](int n, Seed seed) { return R3Points(n, seed); });
+      order_of_points(solid, [](int n, Seed seed) { return sampling::R3Points(n, seed); });
   MESSAGE("random " << random << ", stratified " << stratified << ", grid " << grid << ", R3 " << r3
                     << ", R3 from a random start " << moved_r3);
   CHECK(std::abs(random - 1.0 / 2) <= scatter);
@@ -85,13 +87,13 @@ void check_orders_of_points(const S& solid) {
 
 double order_of_grid_columns(const PolygonMesh& mesh) {
   return order_of_columns(mesh, [](const PolygonMesh& turned, int n, std::uint64_t) {
-    return column_mass_properties(turned, 1, n);
+    return sampling::column_mass_properties(turned, 1, n);
   });
 }
 
 double order_of_jittered_columns(const PolygonMesh& mesh) {
   return order_of_columns(mesh, [](const PolygonMesh& turned, int n, std::uint64_t seed) {
-    return jittered_column_mass_properties(turned, 1, n, seed);
+    return sampling::jittered_column_mass_properties(turned, 1, n, seed);
   });
 }
 

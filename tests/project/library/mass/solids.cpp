@@ -39,16 +39,17 @@ void check_same(const MassProperties& found, const MassProperties& truth) {
 
 /// The samples agree with the closed form within 4 standard errors (one in 10⁴ would not), and the
 /// box around the solid fits: points in its outermost layers are inside the solid.
-template <Solid S>
+template <solids::Solid S>
 void check_sampled(const S& solid) {
   const MassProperties truth = mass_properties(solid, 3);
-  const SampledMassProperties found = sample_mass_properties(solid, 3, RandomPoints(20000, 5));
+  const sampling::SampledMassProperties found =
+      sampling::sample_mass_properties(solid, 3, sampling::RandomPoints(20000, 5));
   CHECK(std::abs(found.mass - truth.mass) <= 4 * found.mass_standard_error + 8 * eps * truth.mass);
   CHECK((found.centre - truth.centre).norm() <= 4 * found.centre_standard_error);
   CHECK((found.inertia - truth.inertia).norm() <= 4 * found.inertia_standard_error);
   const Eigen::AlignedBox3d box = solid.bounds();
   Eigen::AlignedBox3d seen;
-  GridPoints points(40);
+  sampling::GridPoints points(40);
   for (std::int64_t i = 0; i < points.count(); ++i) {
     const Vec3 x = box.min() + points.next().cwiseProduct(box.sizes());
     if (solid.contains(x)) seen.extend(x);
@@ -103,16 +104,17 @@ TEST_CASE("solids: contains() and the closed form speak of the same body") {
   check_sampled(Cylinder{1, 3});
   check_sampled(Cone{1, 3});
   check_sampled(Capsule{1, 3});
-  check_sampled(Placed<Box>{{Vec3(1, 2, 3)}, Mat3::Identity(), Vec3(5, -3, 1)});
+  check_sampled(solids::Placed<Box>{{Vec3(1, 2, 3)}, Mat3::Identity(), Vec3(5, -3, 1)});
 }
 
 TEST_CASE("placed solids: contains, bounds and mass properties are turned and moved together") {
-  const Placed<Cone> cone{{1, 3}, test::askew(), Vec3(4, 5, 6)};
+  const solids::Placed<Cone> cone{{1, 3}, test::askew(), Vec3(4, 5, 6)};
   CHECK(cone.contains(Vec3(cone.x + cone.R * Vec3(0, 0, 2.9))));
   CHECK_FALSE(cone.contains(Vec3(cone.x + cone.R * Vec3(0, 0, 3.1))));
   const MassProperties truth = mass_properties(cone, 1);
   CHECK((truth.centre - cone.x - cone.R * Vec3(0, 0, 0.75)).norm() <= 8 * eps * 10);
-  const SampledMassProperties found = sample_mass_properties(cone, 1, RandomPoints(40000, 6));
+  const sampling::SampledMassProperties found =
+      sampling::sample_mass_properties(cone, 1, sampling::RandomPoints(40000, 6));
   CHECK(std::abs(found.mass - truth.mass) <= 4 * found.mass_standard_error);
   CHECK((found.centre - truth.centre).norm() <= 4 * found.centre_standard_error);
   CHECK((found.inertia - truth.inertia).norm() <= 4 * found.inertia_standard_error);

@@ -81,10 +81,11 @@ TEST_CASE(
   Mat3 A;
   A << 101, 7, -3, 5, 97, 11, -2, 13, 103;
   mesh = test::mapped(mesh, A, Vec3(1e6, -1e6, 3));
-  const DoubleDouble v = test::exact_moments(mesh, Vec3(1e6 + 0.1, -1e6 + 0.7, 0.3)).one * 6.0;
+  const simd::DoubleDouble v =
+      test::exact_moments(mesh, Vec3(1e6 + 0.1, -1e6 + 0.7, 0.3)).one * 6.0;
   const double det =
       101.0 * (97 * 103 - 11 * 13) - 7.0 * (5 * 103 + 2 * 11) - 3.0 * (5 * 13 + 2 * 97);
-  CHECK(std::abs(double((v - det) / DoubleDouble(det))) <= 1e-28);
+  CHECK(std::abs(double((v - det) / simd::DoubleDouble(det))) <= 1e-28);
 }
 
 TEST_CASE("tetrahedra: every path keeps within its own bound of the exact value") {
@@ -141,8 +142,8 @@ TEST_CASE("tetrahedra: threads change no bit, other instructions none that matte
       for (int i = 0; i <= static_cast<int>(simd::best_instruction_set()); ++i) {
         const auto set = static_cast<InstructionSet>(i);
         CAPTURE(i);
-        const Moments<DoubleDouble> one = sum(mesh, p, {1, set}).raw,
-                                    three = sum(mesh, p, {3, set}).raw;
+        const Moments<simd::DoubleDouble> one = sum(mesh, p, {1, set}).raw,
+                                          three = sum(mesh, p, {3, set}).raw;
         CHECK(one.one == three.one);
         CHECK(one.zx == three.zx);
         const MassProperties body = mass_properties(with_factors(one), p, 1);

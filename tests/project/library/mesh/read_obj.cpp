@@ -15,7 +15,7 @@ namespace {
 
 PolygonMesh read(const std::string& text) {
   std::istringstream stream(text);
-  return read_obj(stream, "test.obj");
+  return detail::read_obj(stream, "test.obj");
 }
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -144,7 +144,7 @@ TEST_CASE("read_obj: a stream that fails is not half a mesh") {
     int_type underflow() override { throw std::runtime_error("torn out"); }
   } buffer;
   std::istream stream(&buffer);
-  CHECK_THROWS_WITH_AS(read_obj(stream, "stick.obj"),
+  CHECK_THROWS_WITH_AS(detail::read_obj(stream, "stick.obj"),
                        doctest::Contains("stick.obj: cannot be read"), std::runtime_error);
 }
 
@@ -160,9 +160,9 @@ TEST_CASE("read_obj: refuses a text without faces, whatever it is") {
   check_refused(junk, "test.obj");
   check_refused(std::string(1 << 20, 'f'), "no faces");
   check_refused("v " + std::string(1 << 20, '1') + " 0 0\n", "is not a finite number");
-  CHECK_THROWS_WITH_AS(read_obj("/no/such/file.obj"),
+  CHECK_THROWS_WITH_AS(detail::read_obj("/no/such/file.obj"),
                        doctest::Contains("/no/such/file.obj: cannot be read"), std::runtime_error);
-  CHECK_THROWS_AS(read_obj("/"), std::runtime_error);
+  CHECK_THROWS_AS(detail::read_obj("/"), std::runtime_error);
 }
 
 TEST_CASE("read_obj: a line of a hundred thousand corners is one face") {
@@ -181,7 +181,7 @@ TEST_CASE("write_obj, read_obj: give the same bits back") {
     mesh.vertices[i] += rng.vector() * std::pow(10, rng.uniform(-20, 20));
   std::stringstream stream;
   write_obj(stream, mesh);
-  const PolygonMesh back = read_obj(stream, "back");
+  const PolygonMesh back = detail::read_obj(stream, "back");
   CHECK(back.corners == mesh.corners);
   CHECK(back.first_corner == mesh.first_corner);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)

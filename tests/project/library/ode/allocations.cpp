@@ -80,12 +80,12 @@ TEST_CASE("steps: no method allocates for a state of 13 numbers, each does for a
 #define CHECK_METHOD(Method)                \
   CHECK(uses_in_steps<Method>(fixed) == 0); \
   CHECK(uses_in_steps<Method>(dynamic) > 0)
-  CHECK_METHOD(Euler);
-  CHECK_METHOD(Midpoint);
+  CHECK_METHOD(runge_kutta::Euler);
+  CHECK_METHOD(runge_kutta::Midpoint);
   CHECK_METHOD(Rk4);
   CHECK_METHOD(DormandPrince54);
   CHECK_METHOD(Dop853);
-  CHECK_METHOD(BackwardEuler);
+  CHECK_METHOD(runge_kutta::BackwardEuler);
   CHECK_METHOD(Radau5);
 #undef CHECK_METHOD
 }

@@ -23,24 +23,24 @@ template <std::size_t s>
 struct Tree {
   int order = 1;
   long double density = 1;
-  Weights<s> weight{}, magnitude{};
+  runge_kutta::Weights<s> weight{}, magnitude{};
 };
 
 template <std::size_t s>
-long double dot(const Weights<s>& b, const Weights<s>& x) {
+long double dot(const runge_kutta::Weights<s>& b, const runge_kutta::Weights<s>& x) {
   long double sum = 0;
   for (std::size_t i = 0; i < s; ++i) sum += b[i] * x[i];
   return sum;
 }
 
 template <std::size_t s>
-Weights<s> absolute(Weights<s> w) {
+runge_kutta::Weights<s> absolute(runge_kutta::Weights<s> w) {
   for (long double& x : w) x = x < 0 ? -x : x;
   return w;
 }
 
 /// `tree` with one more branch at its root: weightᵢ ← weightᵢ Σⱼ aᵢⱼ branchⱼ.
-template <ButcherTableau Tableau, std::size_t s = Tableau::stages>
+template <runge_kutta::ButcherTableau Tableau, std::size_t s = Tableau::stages>
 Tree<s> grafted(Tree<s> tree, const Tree<s>& branch) {
   const long double others = tree.density / static_cast<long double>(tree.order);
   tree.order += branch.order;
@@ -53,7 +53,7 @@ Tree<s> grafted(Tree<s> tree, const Tree<s>& branch) {
 }
 
 /// All trees that are `tree` with branches of `trees[first]` and later ones, up to an order.
-template <ButcherTableau Tableau, class T>
+template <runge_kutta::ButcherTableau Tableau, class T>
 void grow(const T& tree, std::size_t first, int order, const std::vector<T>& trees,
           std::vector<T>& result) {
   if (tree.order == order) result.push_back(tree);
@@ -63,7 +63,7 @@ void grow(const T& tree, std::size_t first, int order, const std::vector<T>& tre
 }
 
 /// All rooted trees up to an order, shorter ones first.
-template <ButcherTableau Tableau>
+template <runge_kutta::ButcherTableau Tableau>
 std::vector<Tree<Tableau::stages>> rooted_trees(int order) {
   Tree<Tableau::stages> root;
   root.weight.fill(1);
@@ -78,8 +78,8 @@ std::vector<Tree<Tableau::stages>> rooted_trees(int order) {
 }
 
 /// The highest order up to which Σ bᵢ weightᵢ = 1/γ for every tree, to rounding error.
-template <ButcherTableau Tableau>
-int order_of(const Weights<Tableau::stages>& b, int limit) {
+template <runge_kutta::ButcherTableau Tableau>
+int order_of(const runge_kutta::Weights<Tableau::stages>& b, int limit) {
   constexpr long double epsilon = std::numeric_limits<long double>::epsilon();
   int order = limit;
   for (const auto& tree : rooted_trees<Tableau>(limit)) {
@@ -91,9 +91,9 @@ int order_of(const Weights<Tableau::stages>& b, int limit) {
   return order;
 }
 
-template <ButcherTableau Tableau>
+template <runge_kutta::ButcherTableau Tableau>
 void check_row_sums() {
-  Weights<Tableau::stages> ones;
+  runge_kutta::Weights<Tableau::stages> ones;
   ones.fill(1);
   for (std::size_t i = 0; i < Tableau::stages; ++i) {
     CAPTURE(i);
@@ -106,12 +106,12 @@ void check_row_sums() {
 
 /// b − e.
 template <std::size_t s, std::size_t n>
-Weights<s> less(Weights<s> b, const Weights<n>& e) {
+runge_kutta::Weights<s> less(runge_kutta::Weights<s> b, const runge_kutta::Weights<n>& e) {
   for (std::size_t i = 0; i < s; ++i) b[i] -= e[i];
   return b;
 }
 
-constexpr Weights<7> extended(const Weights<6>& w, long double last) {
+constexpr runge_kutta::Weights<7> extended(const runge_kutta::Weights<6>& w, long double last) {
   return {w[0], w[1], w[2], w[3], w[4], w[5], last};
 }
 
@@ -120,14 +120,14 @@ struct DormandPrince7 {
   static constexpr std::size_t stages = 7;
   static constexpr int order = 5;
   using Six = DormandPrince54Tableau;
-  static constexpr Weights<7> c = extended(Six::c, 1), b = extended(Six::b, 0);
-  static constexpr std::array<Weights<7>, 7> a = {extended(Six::a[0], 0),
-                                                  extended(Six::a[1], 0),
-                                                  extended(Six::a[2], 0),
-                                                  extended(Six::a[3], 0),
-                                                  extended(Six::a[4], 0),
-                                                  extended(Six::a[5], 0),
-                                                  b};
+  static constexpr runge_kutta::Weights<7> c = extended(Six::c, 1), b = extended(Six::b, 0);
+  static constexpr std::array<runge_kutta::Weights<7>, 7> a = {extended(Six::a[0], 0),
+                                                               extended(Six::a[1], 0),
+                                                               extended(Six::a[2], 0),
+                                                               extended(Six::a[3], 0),
+                                                               extended(Six::a[4], 0),
+                                                               extended(Six::a[5], 0),
+                                                               b};
 };
 
 }  // namespace

@@ -72,7 +72,8 @@ TEST_CASE("ode(Y, len, h, dydt): one step of RK4 in place") {
   double Y[2] = {1, 0};
   const DYDTFun function = DYDT;
   ode(Y, 2, 0.1, function);
-  const Eigen::Vector2d expected = rk4_step(rhs_from_c(DYDT), 0, Eigen::Vector2d(1, 0), 0.1);
+  const Eigen::Vector2d expected =
+      runge_kutta::rk4_step(rhs_from_c(DYDT), 0, Eigen::Vector2d(1, 0), 0.1);
   CHECK(Y[0] == expected[0]);
   CHECK(Y[1] == expected[1]);
   // The local error of cos is h⁵/120·(something below 1).

@@ -14,8 +14,8 @@ TEST_CASE("euler_step: a worked number") {
     return y.array() + t;
   };
   const Eigen::Vector2d y(2, 4);
-  CHECK(euler_step(f, 1, y, 0.5) == Eigen::Vector2d(3.5, 6.5));
-  CHECK(Euler::step(f, 1, y, 0.5) == euler_step(f, 1, y, 0.5));
+  CHECK(runge_kutta::euler_step(f, 1, y, 0.5) == Eigen::Vector2d(3.5, 6.5));
+  CHECK(runge_kutta::Euler::step(f, 1, y, 0.5) == runge_kutta::euler_step(f, 1, y, 0.5));
 }
 
 TEST_CASE("euler_step: exact where the slope is constant, forwards and backwards") {
@@ -24,10 +24,10 @@ TEST_CASE("euler_step: exact where the slope is constant, forwards and backwards
     const Vec3 slope = rng.vector(), y = rng.vector();
     const double h = rng.uniform(-2, 2);
     CAPTURE(h);
-    const Vec3 y1 = euler_step([&](double, const Vec3&) { return slope; }, 0, y, h);
+    const Vec3 y1 = runge_kutta::euler_step([&](double, const Vec3&) { return slope; }, 0, y, h);
     // One product and one sum, each rounded once.
     CHECK((y1 - (y + h * slope)).norm() <= 4 * test::eps * (y.norm() + std::abs(h) * slope.norm()));
-    CHECK(euler_step([&](double, const Vec3&) { return slope; }, 0, y, 0.0) == y);
+    CHECK(runge_kutta::euler_step([&](double, const Vec3&) { return slope; }, 0, y, 0.0) == y);
   }
 }
 
@@ -38,6 +38,6 @@ TEST_CASE("euler_step: asks f once, and takes float and dynamic states") {
     return -y;
   };
   const Eigen::VectorXf y = Eigen::VectorXf::Constant(5, 2.0f);
-  CHECK(euler_step(f, 0.0f, y, 0.25f) == Eigen::VectorXf::Constant(5, 1.5f));
+  CHECK(runge_kutta::euler_step(f, 0.0f, y, 0.25f) == Eigen::VectorXf::Constant(5, 1.5f));
   CHECK(calls == 1);
 }

@@ -12,9 +12,9 @@ namespace {
 struct ClassicalTableau {
   static constexpr std::size_t stages = 4;
   static constexpr int order = 4;
-  static constexpr Weights<4> c = {0, 0.5L, 0.5L, 1};
-  static constexpr std::array<Weights<4>, 4> a = {{{}, {0.5L}, {0, 0.5L}, {0, 0, 1}}};
-  static constexpr Weights<4> b = {1 / 6.L, 1 / 3.L, 1 / 3.L, 1 / 6.L};
+  static constexpr runge_kutta::Weights<4> c = {0, 0.5L, 0.5L, 1};
+  static constexpr std::array<runge_kutta::Weights<4>, 4> a = {{{}, {0.5L}, {0, 0.5L}, {0, 0, 1}}};
+  static constexpr runge_kutta::Weights<4> b = {1 / 6.L, 1 / 3.L, 1 / 3.L, 1 / 6.L};
 };
 
 }  // namespace
@@ -28,7 +28,8 @@ TEST_CASE("ExplicitRungeKutta: with Kutta's tableau it is rk4_step") {
     CAPTURE(y.transpose());
     const double h = rng.uniform(-0.1, 0.1);
     // The same sums in another order; h times a dozen roundings of numbers of the size of y.
-    CHECK((ExplicitRungeKutta<ClassicalTableau>::step(kepler, 0, y, h) - rk4_step(kepler, 0, y, h))
+    CHECK((runge_kutta::ExplicitRungeKutta<ClassicalTableau>::step(kepler, 0, y, h) -
+           runge_kutta::rk4_step(kepler, 0, y, h))
               .norm() <= 12 * test::eps * y.norm());
   }
 }

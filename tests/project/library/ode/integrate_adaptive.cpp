@@ -33,7 +33,7 @@ TEST_CASE_TEMPLATE("integrate_adaptive: the error follows the tolerance", Method
   // The step goes as tolerance^(1/(q+1)) and the error as its p-th power.
   const double power = Method::order / (Method::error_order + 1.0);
   // As the number of steps is whole and small, the line through the errors is not straight.
-  CHECK(std::abs(observed_order(tolerances, errors) - power) <= 0.35);
+  CHECK(std::abs(runge_kutta::observed_order(tolerances, errors) - power) <= 0.35);
 }
 
 TEST_CASE_TEMPLATE("integrate_adaptive: backwards in time it comes back", Method, DormandPrince54,

@@ -11,7 +11,7 @@ using test::message_of;
 TEST_CASE("integrate_fixed: a worked number") {
   // Two Euler steps of 1/2 for y' = y: 1 → 3/2 → 9/4.
   const auto f = [](double, const test::Vector1<double>& y) { return y; };
-  CHECK(integrate_fixed<Euler>(f, test::Vector1<double>(1.0), 0, 1, 2)[0] == 2.25);
+  CHECK(integrate_fixed<runge_kutta::Euler>(f, test::Vector1<double>(1.0), 0, 1, 2)[0] == 2.25);
 }
 
 TEST_CASE("integrate_fixed: the times are t0 + i h, and the last is t1 itself") {
@@ -19,8 +19,8 @@ TEST_CASE("integrate_fixed: the times are t0 + i h, and the last is t1 itself") 
   for (int steps = 1; steps <= 100; ++steps) {
     CAPTURE(steps);
     std::vector<double> times;
-    integrate_fixed<Midpoint>(f, Vec3(Vec3::Zero()), 0.1, 0.7, steps,
-                              [&](double t, const Vec3&) { times.push_back(t); });
+    integrate_fixed<runge_kutta::Midpoint>(f, Vec3(Vec3::Zero()), 0.1, 0.7, steps,
+                                           [&](double t, const Vec3&) { times.push_back(t); });
     REQUIRE(static_cast<int>(times.size()) == steps);
     const double h = (0.7 - 0.1) / steps;
     for (int i = 1; i < steps; ++i) CHECK(times[static_cast<std::size_t>(i - 1)] == 0.1 + i * h);
@@ -31,10 +31,10 @@ TEST_CASE("integrate_fixed: the times are t0 + i h, and the last is t1 itself") 
 TEST_CASE("integrate_fixed: a million steps do not let the time drift") {
   double latest = 0;
   const auto f = [](double, const test::Vector1<double>& y) { return y; };
-  integrate_fixed<Euler>(f, test::Vector1<double>(0.0), 0, 100'000, 1'000'000,
-                         [&](double t, const test::Vector1<double>&) {
-                           if (t < 99'999.95) latest = t;
-                         });
+  integrate_fixed<runge_kutta::Euler>(f, test::Vector1<double>(0.0), 0, 100'000, 1'000'000,
+                                      [&](double t, const test::Vector1<double>&) {
+                                        if (t < 99'999.95) latest = t;
+                                      });
   // One product and one sum: added up, the steps of 0.1 would be off by 1e-4.
   CHECK(std::abs(latest - 99'999.9) <= 2 * test::eps * 1e5);
 }

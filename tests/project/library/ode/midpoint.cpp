@@ -12,8 +12,8 @@ TEST_CASE("midpoint_step: a worked number") {
     return y.cwiseProduct(y);
   };
   const test::Vector1<double> y(1.0);
-  CHECK(midpoint_step(f, 0, y, 0.5)[0] == 1 + 25.0 / 32);
-  CHECK(Midpoint::step(f, 0, y, 0.5) == midpoint_step(f, 0, y, 0.5));
+  CHECK(runge_kutta::midpoint_step(f, 0, y, 0.5)[0] == 1 + 25.0 / 32);
+  CHECK(runge_kutta::Midpoint::step(f, 0, y, 0.5) == runge_kutta::midpoint_step(f, 0, y, 0.5));
 }
 
 TEST_CASE("midpoint_step: asks f at t and at t + h/2") {
@@ -22,7 +22,7 @@ TEST_CASE("midpoint_step: asks f at t and at t + h/2") {
     times.push_back(t);
     return -y;
   };
-  midpoint_step(f, 1, Vec3(Vec3::UnitX()), -0.5);
+  runge_kutta::midpoint_step(f, 1, Vec3(Vec3::UnitX()), -0.5);
   CHECK(times == std::vector<double>{1, 0.75});
 }
 
@@ -36,7 +36,7 @@ TEST_CASE("midpoint_step: exact where the slope is linear in t") {
     };
     const double exact = 0.5 + h * (a + b * (t + h / 2));
     // Numbers below 3, six roundings.
-    CHECK(std::abs(midpoint_step(f, t, test::Vector1<double>(0.5), h)[0] - exact) <=
+    CHECK(std::abs(runge_kutta::midpoint_step(f, t, test::Vector1<double>(0.5), h)[0] - exact) <=
           18 * test::eps);
   }
 }

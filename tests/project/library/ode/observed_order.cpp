@@ -12,7 +12,7 @@ using test::message_of;
 
 TEST_CASE("observed_order: a worked number") {
   // The error falls to a quarter when the step is halved.
-  CHECK(std::abs(observed_order(std::array{1.0, 0.5}, std::array{0.04, 0.01}) - 2) <=
+  CHECK(std::abs(runge_kutta::observed_order(std::array{1.0, 0.5}, std::array{0.04, 0.01}) - 2) <=
         8 * test::eps);
 }
 
@@ -29,7 +29,7 @@ TEST_CASE("observed_order: finds p in C h^p, whatever C and the order of the poi
     }
     const auto [low, high] = std::minmax_element(h.begin(), h.end());
     // Logarithms below 45, rounded a few times, divided by the width of the data.
-    CHECK(std::abs(observed_order(h, errors) - p) <=
+    CHECK(std::abs(runge_kutta::observed_order(h, errors) - p) <=
           10 * 45 * 8 * test::eps / std::log(*high / *low));
   }
 }
@@ -37,13 +37,13 @@ TEST_CASE("observed_order: finds p in C h^p, whatever C and the order of the poi
 TEST_CASE("observed_order: scatter is averaged") {
   // Errors h² too large and too small by the same factor at both ends and right in the middle.
   const std::vector<double> h{1, 0.5, 0.25}, errors{2, 0.25, 2 * 0.0625};
-  CHECK(std::abs(observed_order(h, errors) - 2) <= 8 * test::eps);
+  CHECK(std::abs(runge_kutta::observed_order(h, errors) - 2) <= 8 * test::eps);
 }
 
 TEST_CASE("observed_order: refuses what has no slope") {
   using List = std::vector<double>;
   const auto run = [](const List& h, const List& errors) {
-    return message_of<std::invalid_argument>([&] { observed_order(h, errors); });
+    return message_of<std::invalid_argument>([&] { runge_kutta::observed_order(h, errors); });
   };
   CHECK(contains(run({1}, {1}), "1 points make no line"));
   CHECK(contains(run({}, {}), "0 points make no line"));

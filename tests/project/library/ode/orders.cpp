@@ -19,7 +19,7 @@ double measured_order(int steps) {
     h.push_back(1.0 / steps);
     errors.push_back(static_cast<double>((y - Problem::exact()).norm()));
   }
-  return observed_order(h, errors);
+  return runge_kutta::observed_order(h, errors);
 }
 
 struct Row {
@@ -38,9 +38,9 @@ Row measure(const char* method, int rational, int kepler) {
 }  // namespace
 
 TEST_CASE("methods: the error falls with the claimed power of the step") {
-  const Row table[] = {measure<Euler>("Euler", 200, 10000),
-                       measure<BackwardEuler>("BackwardEuler", 200, 10000),
-                       measure<Midpoint>("Midpoint", 50, 2000),
+  const Row table[] = {measure<runge_kutta::Euler>("Euler", 200, 10000),
+                       measure<runge_kutta::BackwardEuler>("BackwardEuler", 200, 10000),
+                       measure<runge_kutta::Midpoint>("Midpoint", 50, 2000),
                        measure<Rk4>("Rk4", 50, 400),
                        measure<DormandPrince54>("DormandPrince54", 50, 400),
                        measure<Radau5>("Radau5", 20, 100),

@@ -122,7 +122,7 @@ TEST_CASE("Radau5: a step that has no solution is not accepted, and half of it i
   const auto f = [](double, const Vec3& y) -> Vec3 { return y.cwiseProduct(y).array() + 1; };
   const Vec3 y(1, 1, 1);
   Radau5::Stepper<Vec3> stepper({}, f(0, y));
-  const Attempt<Vec3> attempt = stepper.attempt(f, 0, y, 10);
+  const runge_kutta::Attempt<Vec3> attempt = stepper.attempt(f, 0, y, 10);
   CHECK(!attempt.accepted());
   CHECK(attempt.error == INFINITY);
   CHECK(attempt.next_h == 5);

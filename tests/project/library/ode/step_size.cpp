@@ -9,7 +9,7 @@ using namespace tumble::detail;
 
 TEST_CASE("adaptive_step_size: a worked number") {
   // An error 32 times too large of order 4: half the step, and 0.9 of that for safety.
-  CHECK(std::abs(adaptive_step_size(1.0, 32.0, 4) - 0.45) <= 4 * test::eps);
+  CHECK(std::abs(runge_kutta::adaptive_step_size(1.0, 32.0, 4) - 0.45) <= 4 * test::eps);
 }
 
 TEST_CASE("adaptive_step_size: the proposed step has 0.9^(q+1) of the allowed error") {
@@ -19,17 +19,17 @@ TEST_CASE("adaptive_step_size: the proposed step has 0.9^(q+1) of the allowed er
     const double h = rng.uniform(-2, 2), error = std::exp(rng.uniform(-1, 1));
     CAPTURE(q);
     CAPTURE(error);
-    const double ratio = adaptive_step_size(h, error, q) / h;
+    const double ratio = runge_kutta::adaptive_step_size(h, error, q) / h;
     CHECK(std::abs(error * std::pow(ratio, q + 1) - std::pow(0.9, q + 1)) <= 20 * q * test::eps);
   }
 }
 
 TEST_CASE("adaptive_step_size: changes by no more than to a fifth and tenfold") {
-  CHECK(adaptive_step_size(1.0, 1e30, 4) == 0.2);
-  CHECK(adaptive_step_size(1.0, INFINITY, 4) == 0.2);
-  CHECK(adaptive_step_size(1.0, std::nan(""), 4) == 0.2);
-  CHECK(adaptive_step_size(-1.0, 1e-30, 4) == -10);
-  CHECK(adaptive_step_size(1.0f, 0.0f, 4) == 10);
+  CHECK(runge_kutta::adaptive_step_size(1.0, 1e30, 4) == 0.2);
+  CHECK(runge_kutta::adaptive_step_size(1.0, INFINITY, 4) == 0.2);
+  CHECK(runge_kutta::adaptive_step_size(1.0, std::nan(""), 4) == 0.2);
+  CHECK(runge_kutta::adaptive_step_size(-1.0, 1e-30, 4) == -10);
+  CHECK(runge_kutta::adaptive_step_size(1.0f, 0.0f, 4) == 10);
 }
 
 TEST_CASE("initial_step_size: from the sizes of y' and y'', in the direction of time") {

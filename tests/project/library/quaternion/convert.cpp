@@ -33,7 +33,7 @@ TEST_CASE("to_matrix: turns vectors as q p q⁻¹ does, however long q is") {
     for (const double length : {1.0, 1 + 1e-6, 0.5, 1e100, -1.0}) {
       const Mat3 R = to_matrix(Quat(Eigen::Vector4d(length * unit.coeffs())));
       CHECK((R * p - turned).norm() <= 16 * eps * p.norm());
-      CHECK(is_rotation(R, 32 * eps));
+      CHECK(rotation::is_rotation(R, 32 * eps));
     }
   }
 }

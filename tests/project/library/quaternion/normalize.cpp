@@ -10,7 +10,7 @@ using namespace tumble;
 using test::eps;
 
 TEST_CASE("normalize: a worked number") {
-  CHECK(normalize(Quat(0, 3, 0, 4)).coeffs() == Quat(0, 0.6, 0, 0.8).coeffs());
+  CHECK(rotation::normalize(Quat(0, 3, 0, 4)).coeffs() == Quat(0, 0.6, 0, 0.8).coeffs());
 }
 
 TEST_CASE("normalize: gives length 1 and keeps the rotation, from 1e-300 to 1e300") {
@@ -18,19 +18,19 @@ TEST_CASE("normalize: gives length 1 and keeps the rotation, from 1e-300 to 1e30
     const Quat unit = exp_quaternion(w);
     for (const double length : {1e-300, 1 - 1e-8, 1.0, 1 + 1e-8, 1e300}) {
       CAPTURE(length);
-      const Quat q = normalize(Quat(Eigen::Vector4d(length * unit.coeffs())));
-      CHECK(std::abs(norm_drift(q)) <= 4 * eps);
+      const Quat q = rotation::normalize(Quat(Eigen::Vector4d(length * unit.coeffs())));
+      CHECK(std::abs(rotation::norm_drift(q)) <= 4 * eps);
       CHECK((q.coeffs() - unit.coeffs()).norm() <= 4 * eps);
     }
   }
 }
 
 TEST_CASE("norm_drift: says how much too long a quaternion is") {
-  CHECK(norm_drift(Quat(1.25, 0, 0, 0)) == 0.25);
+  CHECK(rotation::norm_drift(Quat(1.25, 0, 0, 0)) == 0.25);
 }
 
 TEST_CASE("normalize: a quaternion that stands for no rotation is refused") {
-  CHECK_REFUSED(normalize(Quat(0, 0, 0, 0)), "no rotation", "(0 0 0 0)");
-  CHECK_REFUSED(normalize(Quat(1, NAN, 0, 0)), "no rotation", "nan");
-  CHECK_REFUSED(normalize(Quat(1, INFINITY, 0, 0)), "no rotation", "inf");
+  CHECK_REFUSED(rotation::normalize(Quat(0, 0, 0, 0)), "no rotation", "(0 0 0 0)");
+  CHECK_REFUSED(rotation::normalize(Quat(1, NAN, 0, 0)), "no rotation", "nan");
+  CHECK_REFUSED(rotation::normalize(Quat(1, INFINITY, 0, 0)), "no rotation", "inf");
 }

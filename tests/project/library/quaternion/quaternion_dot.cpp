@@ -11,7 +11,7 @@ using namespace tumble;
 using test::eps;
 
 TEST_CASE("quaternion_dot: a worked number, half the angular velocity") {
-  CHECK(coefficients(quaternion_dot(Quat(1, 0, 0, 0), Vec3(2, 4, 6))) ==
+  CHECK(coefficients(rotation::quaternion_dot(Quat(1, 0, 0, 0), Vec3(2, 4, 6))) ==
         Eigen::Vector4d(0, 1, 2, 3));
 }
 
@@ -20,7 +20,8 @@ TEST_CASE("quaternion_dot: is at right angles to q, so the length does not chang
   for (const Vec3& w : test::rotation_vectors()) {
     const Quat q = exp_quaternion(w);
     const Vec3 omega = rng.vector();
-    CHECK(std::abs(q.coeffs().dot(quaternion_dot(q, omega).coeffs())) <= 4 * eps * omega.norm());
+    CHECK(std::abs(q.coeffs().dot(rotation::quaternion_dot(q, omega).coeffs())) <=
+          4 * eps * omega.norm());
   }
 }
 
@@ -33,8 +34,9 @@ TEST_CASE("quaternion_dot: is the derivative of exp(½ ω t) q, in world and in 
     const Quat later = exp_quaternion<double>(h * omega) * q,
                earlier = exp_quaternion<double>(-h * omega) * q;
     const Eigen::Vector4d slope = (later.coeffs() - earlier.coeffs()) / (2 * h);
-    CHECK((quaternion_dot(q, omega).coeffs() - slope).norm() <= h * h + 8 * eps / h);
+    CHECK((rotation::quaternion_dot(q, omega).coeffs() - slope).norm() <= h * h + 8 * eps / h);
     const Vec3 omega_body = q.conjugate() * omega;
-    CHECK((quaternion_dot_body(q, omega_body).coeffs() - slope).norm() <= h * h + 8 * eps / h);
+    CHECK((rotation::quaternion_dot_body(q, omega_body).coeffs() - slope).norm() <=
+          h * h + 8 * eps / h);
   }
 }

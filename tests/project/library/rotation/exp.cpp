@@ -20,7 +20,7 @@ TEST_CASE("exp_rotation: is a rotation that leaves its axis alone") {
     CAPTURE(w.transpose());
     const Mat3 R = exp_rotation(w);
     // θ² [u]×² has entries up to π², each with its rounding.
-    CHECK(is_rotation(R, 32 * eps));
+    CHECK(rotation::is_rotation(R, 32 * eps));
     CHECK((R * w - w).norm() <= 8 * eps * w.norm());
   }
 }

@@ -19,9 +19,9 @@ struct NamedRepair {
   std::string name;
   Repair repair;
 };
-const NamedRepair repairs[] = {{"gram_schmidt", gram_schmidt},
+const NamedRepair repairs[] = {{"gram_schmidt", rotation::gram_schmidt},
                                {"nearest_rotation", nearest_rotation},
-                               {"newton_rotation", newton_rotation}};
+                               {"newton_rotation", rotation::newton_rotation}};
 
 Mat3 random_matrix(test::Random& rng) {
   Mat3 M;
@@ -39,7 +39,7 @@ TEST_CASE("repair: gives a rotation, from a little drift and from a lot") {
       CAPTURE(drift);
       for (const Vec3& w : test::rotation_vectors(42, 20)) {
         const Mat3 M = exp_rotation(w) + drift * random_matrix(rng);
-        const double error = orthonormality_error(r.repair(M));
+        const double error = rotation::orthonormality_error(r.repair(M));
         CHECK(error <= 64 * eps);  // the sweeps of the SVD; the others stay below 8 eps
         CHECK(r.repair(M).determinant() > 0);
       }
@@ -73,7 +73,7 @@ TEST_CASE("gram_schmidt: keeps the direction of the first column, and the plane 
   test::Random rng(44);
   for (int i = 0; i < 50; ++i) {
     const Mat3 M = exp_rotation(rng.vector()) + 0.1 * random_matrix(rng);
-    const Mat3 R = gram_schmidt(M);
+    const Mat3 R = rotation::gram_schmidt(M);
     CHECK(R.col(0) == M.col(0).normalized());
     CHECK(std::abs(R.col(2).dot(M.col(1))) <= 8 * eps);
   }
@@ -85,7 +85,7 @@ TEST_CASE("nearest_rotation: no small turn brings it nearer") {
     const Mat3 M = exp_rotation(rng.vector()) + 0.3 * random_matrix(rng);
     const Mat3 R = nearest_rotation(M);
     const double distance = (R - M).norm();
-    CHECK(distance <= (gram_schmidt(M) - M).norm() + 8 * eps);
+    CHECK(distance <= (rotation::gram_schmidt(M) - M).norm() + 8 * eps);
     // A turn by h changes the squared distance by about tr(S)h², h = 1e-4: far above rounding.
     for (int k = 0; k < 6; ++k)
       CHECK((exp_rotation<double>(1e-4 * rng.direction()) * R - M).norm() > distance);
@@ -94,7 +94,7 @@ TEST_CASE("nearest_rotation: no small turn brings it nearer") {
 
 TEST_CASE("nearest_rotation: of a reflection is still a rotation") {
   const Mat3 mirror = Vec3(1, 1, -1).asDiagonal();
-  CHECK(is_rotation(nearest_rotation(mirror), 4 * eps));
+  CHECK(rotation::is_rotation(nearest_rotation(mirror), 4 * eps));
 }
 
 TEST_CASE("newton_rotation: is the nearest rotation, even of a badly stretched matrix") {
@@ -108,7 +108,7 @@ TEST_CASE("newton_rotation: is the nearest rotation, even of a badly stretched m
       // amplified by 1/σ_min.
       const Mat3 S = Q * stretch.asDiagonal() * Q.transpose();
       const double condition = stretch.maxCoeff() / stretch.minCoeff();
-      CHECK((newton_rotation(R * S) - R).norm() <= 32 * eps * condition);
+      CHECK((rotation::newton_rotation(R * S) - R).norm() <= 32 * eps * condition);
     }
   }
 }
@@ -118,9 +118,10 @@ TEST_CASE("newton_rotation_step: squares the error") {
   for (const double drift : {1e-2, 1e-3, 1e-4, 1e-6}) {
     CAPTURE(drift);
     const Mat3 M = exp_rotation(rng.vector()) + drift * random_matrix(rng);
-    const double before = orthonormality_error(M);
+    const double before = rotation::orthonormality_error(M);
     // σ → ½(σ + 1/σ): an error e = |σ² − 1| becomes e²/4 to leading order.
-    CHECK(orthonormality_error(newton_rotation_step(M)) <= before * before / 3 + 8 * eps);
+    CHECK(rotation::orthonormality_error(rotation::newton_rotation_step(M)) <=
+          before * before / 3 + 8 * eps);
   }
 }
 
@@ -130,9 +131,9 @@ TEST_CASE("repair: what is near no rotation is refused") {
   dependent.col(1) = 2 * dependent.col(0);
   nan(1, 2) = NAN;
   for (const Mat3& bad : {zero, mirror, dependent, nan}) {
-    CHECK_REFUSED(gram_schmidt(bad), "not near a rotation");
-    CHECK_REFUSED(newton_rotation(bad), "not near a rotation", "det");
-    CHECK_REFUSED(newton_rotation_step(bad), "not near a rotation", "det");
+    CHECK_REFUSED(rotation::gram_schmidt(bad), "not near a rotation");
+    CHECK_REFUSED(rotation::newton_rotation(bad), "not near a rotation", "det");
+    CHECK_REFUSED(rotation::newton_rotation_step(bad), "not near a rotation", "det");
   }
   CHECK_REFUSED(nearest_rotation(zero), "rank 0");
   CHECK_REFUSED(nearest_rotation(nan), "not finite");

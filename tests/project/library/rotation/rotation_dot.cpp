@@ -9,7 +9,7 @@ using namespace tumble;
 using test::eps;
 
 TEST_CASE("rotation_dot: a worked number, the x axis under a spin about z moves along y") {
-  const Mat3 R_dot = rotation_dot(Mat3(Mat3::Identity()), Vec3(0, 0, 3));
+  const Mat3 R_dot = rotation::rotation_dot(Mat3(Mat3::Identity()), Vec3(0, 0, 3));
   CHECK(Vec3(R_dot.col(0)) == Vec3(0, 3, 0));
 }
 
@@ -18,7 +18,7 @@ TEST_CASE("rotation_dot: each axis of the body moves as ω × axis") {
   for (const Vec3& w : test::rotation_vectors()) {
     const Mat3 R = exp_rotation(w);
     const Vec3 omega = 10 * rng.vector();
-    const Mat3 R_dot = rotation_dot(R, omega);
+    const Mat3 R_dot = rotation::rotation_dot(R, omega);
     for (int axis = 0; axis < 3; ++axis)
       CHECK((R_dot.col(axis) - omega.cross(Vec3(R.col(axis)))).norm() <= 8 * eps * omega.norm());
   }
@@ -33,9 +33,9 @@ TEST_CASE("rotation_dot: is the derivative of exp([ω]× t) R, in world and in b
     const Mat3 later = exp_rotation<double>(h * omega) * R,
                earlier = exp_rotation<double>(-h * omega) * R;
     const Mat3 slope = (later - earlier) / (2 * h);
-    CHECK((rotation_dot(R, omega) - slope).norm() <= h * h + 16 * eps / h);
+    CHECK((rotation::rotation_dot(R, omega) - slope).norm() <= h * h + 16 * eps / h);
     const Vec3 omega_body = R.transpose() * omega;
-    CHECK((rotation_dot_body(R, omega_body) - slope).norm() <= h * h + 16 * eps / h);
+    CHECK((rotation::rotation_dot_body(R, omega_body) - slope).norm() <= h * h + 16 * eps / h);
   }
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("angular_velocity: reads ω back from Ṙ") {
   for (const Vec3& w : test::rotation_vectors()) {
     const Mat3 R = exp_rotation(w);
     const Vec3 omega = rng.vector();
-    CHECK((angular_velocity_of(R, rotation_dot(R, omega)) - omega).norm() <=
+    CHECK((rotation::angular_velocity_of(R, rotation::rotation_dot(R, omega)) - omega).norm() <=
           16 * eps * omega.norm());
   }
 }

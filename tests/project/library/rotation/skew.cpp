@@ -14,7 +14,7 @@ TEST_CASE("skew: a worked number") {
               3,  0, -1,
              -2,  1,  0;
   // clang-format on
-  CHECK(skew(Vec3(1, 2, 3)) == expected);
+  CHECK(rotation::skew(Vec3(1, 2, 3)) == expected);
 }
 
 TEST_CASE("skew: [v]× w is v × w") {
@@ -23,7 +23,7 @@ TEST_CASE("skew: [v]× w is v × w") {
     const Vec3 v = rng.vector(), w = rng.vector();
     CAPTURE(v.transpose());
     CAPTURE(w.transpose());
-    CHECK((skew(v) * w - v.cross(w)).norm() <= 4 * test::eps * v.norm() * w.norm());
+    CHECK((rotation::skew(v) * w - v.cross(w)).norm() <= 4 * test::eps * v.norm() * w.norm());
   }
 }
 
@@ -31,8 +31,9 @@ TEST_CASE("unskew: takes back what skew did and ignores the symmetric part") {
   Random rng(12);
   for (int i = 0; i < 200; ++i) {
     const Vec3 v = rng.vector();
-    CHECK(unskew(skew(v)) == v);
+    CHECK(rotation::unskew(rotation::skew(v)) == v);
     const Mat3 symmetric = v * v.transpose();
-    CHECK((unskew<double>(skew(v) + symmetric) - v).norm() <= 4 * test::eps * (1 + v.norm()));
+    CHECK((rotation::unskew<double>(rotation::skew(v) + symmetric) - v).norm() <=
+          4 * test::eps * (1 + v.norm()));
   }
 }

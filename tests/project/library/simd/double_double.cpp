@@ -13,28 +13,28 @@ namespace {
 constexpr double u2 = test::eps * test::eps;
 
 /// A double-double of random size with both parts filled.
-DoubleDouble random_number(Random& rng) {
+simd::DoubleDouble random_number(Random& rng) {
   const double hi = std::ldexp(rng.uniform(), static_cast<int>(rng.uniform(-40, 40)));
   return fast_two_sum(hi, hi * test::eps * rng.uniform());
 }
 
-double relative(const DoubleDouble& difference, const DoubleDouble& size) {
+double relative(const simd::DoubleDouble& difference, const simd::DoubleDouble& size) {
   return std::abs(double(difference)) / std::abs(double(size));
 }
 
 }  // namespace
 
 TEST_CASE("two_sum: nothing is lost, whichever is larger") {
-  const DoubleDouble small_first = two_sum(0x1p-60, 1.0), large_first = two_sum(1.0, 0x1p-60);
-  CHECK(small_first == DoubleDouble(1, 0x1p-60));
-  CHECK(large_first == DoubleDouble(1, 0x1p-60));
-  CHECK(DoubleDouble(two_diff(1.0, 0x1p-60)) == DoubleDouble(1, -0x1p-60));
+  const simd::DoubleDouble small_first = two_sum(0x1p-60, 1.0), large_first = two_sum(1.0, 0x1p-60);
+  CHECK(small_first == simd::DoubleDouble(1, 0x1p-60));
+  CHECK(large_first == simd::DoubleDouble(1, 0x1p-60));
+  CHECK(simd::DoubleDouble(two_diff(1.0, 0x1p-60)) == simd::DoubleDouble(1, -0x1p-60));
 }
 
 TEST_CASE("two_prod: the product of 53-bit numbers has 106 bits, all of them there") {
   const double a = 1 + 0x1p-52, b = 1 - 0x1p-53;
   // (1 + 2⁻⁵²)(1 − 2⁻⁵³) = 1 + 2⁻⁵³ − 2⁻¹⁰⁵
-  const DoubleDouble p = two_prod(a, b);
+  const simd::DoubleDouble p = two_prod(a, b);
   CHECK(p.hi + p.lo == p.hi);
   CHECK((p.hi - 1) + p.lo == 0x1p-53 - 0x1p-105);
 }
@@ -45,7 +45,8 @@ TEST_CASE("two_prod: agrees with the fused multiply-add of the standard library 
     const double a = rng.uniform(), b = std::ldexp(rng.uniform(), 30);
     CAPTURE(a);
     CAPTURE(b);
-    CHECK(DoubleDouble(two_prod(a, b)) == DoubleDouble(a * b, std::fma(a, b, -(a * b))));
+    CHECK(simd::DoubleDouble(two_prod(a, b)) ==
+          simd::DoubleDouble(a * b, std::fma(a, b, -(a * b))));
   }
 }
 
@@ -53,7 +54,7 @@ TEST_CASE(
     "double-double: sums, products and quotients keep the laws of numbers to their error bounds") {
   Random rng(22);
   for (int i = 0; i < 1000; ++i) {
-    const DoubleDouble x = random_number(rng), y = random_number(rng), z = random_number(rng);
+    const simd::DoubleDouble x = random_number(rng), y = random_number(rng), z = random_number(rng);
     CAPTURE(x.hi);
     CAPTURE(y.hi);
     CAPTURE(z.hi);
@@ -64,27 +65,29 @@ TEST_CASE(
     CHECK(relative(x * y / y - x, x) <= 22 * u2);
     CHECK(relative((x * y) * z - x * (y * z), x * y * z) <= 28 * u2);
     CHECK(std::abs(double(z * (x + y) - (z * x + z * y))) <= 20 * u2 * std::abs(z.hi) * spread);
-    CHECK(relative(x * y.hi - x * DoubleDouble(y.hi), x * y) <= 14 * u2);
-    CHECK(std::abs(double((x + y.hi) - (x + DoubleDouble(y.hi)))) <= 6 * u2 * spread);
+    CHECK(relative(x * y.hi - x * simd::DoubleDouble(y.hi), x * y) <= 14 * u2);
+    CHECK(std::abs(double((x + y.hi) - (x + simd::DoubleDouble(y.hi)))) <= 6 * u2 * spread);
   }
 }
 
 TEST_CASE("double-double: keeps what a double loses") {
-  DoubleDouble sum;
+  simd::DoubleDouble sum;
   for (const double x : {1e16, 1.0, -1e16}) sum += x;
   CHECK(double(sum) == 1);
-  const DoubleDouble third = DoubleDouble(1) / DoubleDouble(3);
-  CHECK(std::abs(double(third * 3 - DoubleDouble(1))) <= 15 * u2);
+  const simd::DoubleDouble third = simd::DoubleDouble(1) / simd::DoubleDouble(3);
+  CHECK(std::abs(double(third * 3 - simd::DoubleDouble(1))) <= 15 * u2);
   CHECK(third.lo != 0);
   // Where the large parts cancel, both small ones are still there.
-  const DoubleDouble rest = DoubleDouble(1, 0x1p-54) + DoubleDouble(-1, 0x1p-120);
-  CHECK(rest == DoubleDouble(0x1p-54, 0x1p-120));
-  CHECK(DoubleDouble(1, -1e-20) < DoubleDouble(1));
-  CHECK_FALSE(DoubleDouble(1) < DoubleDouble(1));
+  const simd::DoubleDouble rest = simd::DoubleDouble(1, 0x1p-54) + simd::DoubleDouble(-1, 0x1p-120);
+  CHECK(rest == simd::DoubleDouble(0x1p-54, 0x1p-120));
+  CHECK(simd::DoubleDouble(1, -1e-20) < simd::DoubleDouble(1));
+  CHECK_FALSE(simd::DoubleDouble(1) < simd::DoubleDouble(1));
 }
 
 TEST_CASE("double-double: fills Eigen's vectors") {
-  const Vector3<DoubleDouble> v = Vec3(1, 2, 3).cast<DoubleDouble>();
+  const Vector3<simd::DoubleDouble> v = Vec3(1, 2, 3).cast<simd::DoubleDouble>();
   CHECK(double(v.dot(v)) == 14);
-  CHECK(double(v.cross(Vector3<DoubleDouble>(Vec3(0, 0, 1).cast<DoubleDouble>())).x()) == 2);
+  CHECK(
+      double(v.cross(Vector3<simd::DoubleDouble>(Vec3(0, 0, 1).cast<simd::DoubleDouble>())).x()) ==
+      2);
 }

@@ -21,8 +21,8 @@ Pair<double, fma> random_pair(Random& rng) {
 }
 
 template <Fma fma>
-DoubleDouble exact(const Pair<double, fma>& x) {
-  return DoubleDouble(x.hi) + DoubleDouble(x.lo);
+simd::DoubleDouble exact(const Pair<double, fma>& x) {
+  return simd::DoubleDouble(x.hi) + simd::DoubleDouble(x.lo);
 }
 
 /// Sums, differences and products against double-double, whose errors are at most 7 u².
@@ -58,7 +58,7 @@ TEST_CASE("two_diff, two_prod: what rounding takes is in the second part, bit fo
     CAPTURE(b);
     const auto difference = two_diff(a, b);
     CHECK(difference.hi == a - b);
-    CHECK(exact(difference) == DoubleDouble(a) + DoubleDouble(-b));
+    CHECK(exact(difference) == simd::DoubleDouble(a) + simd::DoubleDouble(-b));
     const auto fused = two_prod<Fma::fused>(a, b);
     const auto separate = two_prod<Fma::separate>(a, b);
     CHECK(fused.hi == separate.hi);
@@ -73,5 +73,5 @@ TEST_CASE("multiply_add: a b + c, of doubles and of pairs") {
   CHECK(multiply_add<Fma::fused>(1 + 0x1p-52, 1 - 0x1p-52, -1.0) == -0x1p-104);
   const Pair<double> above{1 + 0x1p-52}, below{1 - 0x1p-53}, minus_one{-1.0};
   CHECK(exact(multiply_add<Fma::separate>(above, below, minus_one)) ==
-        DoubleDouble(0x1p-53 - 0x1p-105));
+        simd::DoubleDouble(0x1p-53 - 0x1p-105));
 }

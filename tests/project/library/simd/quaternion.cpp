@@ -39,7 +39,7 @@ TEST_CASE("simd quaternions: do in each lane what quaternions do") {
     CHECK((numbers(rotate(conjugate(lanes_of(q)), lanes_of(v))) - q.conjugate() * v).norm() <=
           16 * eps);
     CHECK((numbers(times_vector(lanes_of(q), lanes_of(v))) / 2 -
-           coefficients(quaternion_dot_body(q, v)))
+           coefficients(rotation::quaternion_dot_body(q, v)))
               .norm() <= 8 * eps);
     CHECK((numbers(add_scaled(lanes_of(p), 0.3, lanes_of(q))) -
            (coefficients(p) + 0.3 * coefficients(q)))

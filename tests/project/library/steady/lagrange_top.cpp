@@ -13,19 +13,19 @@ using namespace tumble::detail;
 
 namespace {
 
-SteadyTorque torque_on(const Vec3& J, const Vec3& force, const Vec3& p) {
+steady::SteadyTorque torque_on(const Vec3& J, const Vec3& force, const Vec3& p) {
   const RigidBody<> body(1, Mat3(J.asDiagonal()));
-  return SteadyTorque(body, steady_forces(body, ForceAtBodyPoint{force, p}));
+  return steady::SteadyTorque(body, steady_forces(body, ForceAtBodyPoint{force, p}));
 }
 
 /// The error after t, in units of what is promised; of the orientation and of L.
 double error_in_bounds(const Vec3& J, const Vec3& force, const Vec3& p, const Quat& q,
                        const Vec3& L, double t) {
-  const auto top = LagrangeTop::from(torque_on(J, force, p), q, L);
+  const auto top = steady::LagrangeTop::from(torque_on(J, force, p), q, L);
   REQUIRE(top);
   const auto truth = reference::turned({J, q, L, force, p}, t);
   const Vec3 L_truth = truth.q * Vec3(J.cwiseProduct(truth.omega));
-  const LagrangeTop::State found = top->at(t);
+  const steady::LagrangeTop::State found = top->at(t);
   const double error = std::max(angle_between(found.q, truth.q),
                                 (found.L - L_truth).norm() / std::max(L.norm(), L_truth.norm()));
   return error / top->error_bound(t);
@@ -37,7 +37,7 @@ TEST_CASE("LagrangeTop: the top of the reference, to fourteen digits") {
   const reference::Motion& m = reference::top;
   const Vec3 J = m.I_body.diagonal();
   const Vec3 L = m.q0 * Vec3(J.cwiseProduct(m.omega_body0));
-  const auto top = LagrangeTop::from(torque_on(J, Vec3(0, 0, -5), Vec3(0, 0, 1)), m.q0, L);
+  const auto top = steady::LagrangeTop::from(torque_on(J, Vec3(0, 0, -5), Vec3(0, 0, 1)), m.q0, L);
   REQUIRE(top);
   CHECK(angle_between(top->at(m.duration).q, m.q_end) < 1e-13);
   CHECK((top->at(m.duration).L - m.L_end).norm() < 1e-12);
@@ -55,7 +55,7 @@ TEST_CASE("LagrangeTop: random tops, slow and fast, long and flat, any axis, any
     const Vec3 force = 5 * rng.vector(), p = rng.uniform() * Vec3::Unit(axis);
     const Quat q = rng.rotation();
     const Vec3 L = std::pow(10, rng.uniform(-2, 2)) * rng.vector();
-    if (!LagrangeTop::from(torque_on(J, force, p), q, L)) continue;
+    if (!steady::LagrangeTop::from(torque_on(J, force, p), q, L)) continue;
     ++found;
     const double t = rng.uniform(0, 3) + (i % 10 == 0 ? 10 : 0);
     CHECK(error_in_bounds(J, force, p, q, L, t) < 1);
@@ -93,13 +93,13 @@ TEST_CASE("LagrangeTop: too slow to sleep, it falls from as near to upright as d
 TEST_CASE("LagrangeTop: is none without an axis, a torque about it, or off the axis") {
   const Vec3 down(0, 0, -5), L(1, 2, 3);
   const Quat q = exp_quaternion<double>(Vec3(0.4, 0, 0));
-  CHECK_FALSE(LagrangeTop::from(torque_on({1, 1.1, 0.5}, down, Vec3(0, 0, 1)), q, L));
-  CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0.1, 0, 1)), q, L));
-  CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 1}, down, Vec3(0, 0, 1)), q, L));
-  CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 0)), q, L));
-  CHECK(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)), q, L));
+  CHECK_FALSE(steady::LagrangeTop::from(torque_on({1, 1.1, 0.5}, down, Vec3(0, 0, 1)), q, L));
+  CHECK_FALSE(steady::LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0.1, 0, 1)), q, L));
+  CHECK_FALSE(steady::LagrangeTop::from(torque_on({1, 1, 1}, down, Vec3(0, 0, 1)), q, L));
+  CHECK_FALSE(steady::LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 0)), q, L));
+  CHECK(steady::LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)), q, L));
   // Asleep: upright and spinning about the vertical.
   for (const double L3 : {0.0, 1.0, 5.0, 9.0, 50.0})
-    CHECK_FALSE(LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)), Quat(1, 0, 0, 0),
-                                  Vec3(0, 0, L3)));
+    CHECK_FALSE(steady::LagrangeTop::from(torque_on({1, 1, 0.5}, down, Vec3(0, 0, 1)),
+                                          Quat(1, 0, 0, 0), Vec3(0, 0, L3)));
 }

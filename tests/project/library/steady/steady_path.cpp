@@ -24,10 +24,10 @@ TEST_CASE("SteadyPath: falls, is dragged, and obeys its equation of motion") {
   const RigidBody<> body(2, Mat3::Identity());
   const RigidBodyState<> start{Vec3(1, 2, 3), Quat(1, 0, 0, 0), Vec3(4, 0, 2), Vec3::Zero()};
   const Weight weight;
-  const SteadyPath fall(body, start, steady_forces(body, weight));
+  const steady::SteadyPath fall(body, start, steady_forces(body, weight));
   CHECK((fall.x(3) - (start.x + 1.5 * start.P + 4.5 * weight.g)).norm() < 16 * eps * 50);
   const SteadyForces forces = steady_forces(body, weight, BodyDrag{0.5, 0});
-  const SteadyPath path(body, start, forces);
+  const steady::SteadyPath path(body, start, forces);
   for (const double t : {0.0, 1e-9, 0.3, 5.0, 1000.0}) {
     CAPTURE(t);
     // x' = P/m and P' = F − k P/m, integrated once: P + k (x − x₀) − F t is constant.

@@ -12,6 +12,9 @@
 
 namespace tumble::mirtich {
 
+/// @addtogroup mass
+/// @{
+
 /// The plane n · x + w = 0 of a face.
 struct Plane {
   Vec3 n;    ///< unit normal, outwards
@@ -54,5 +57,7 @@ inline FaceIntegrals face_integrals(const ProjectionIntegrals& p, const Plane& p
           k1 * p.aaa, k1 * p.bbb, -k4 * hhh,  //
           k1 * p.aab, -k2 * hbb,  k3 * hha};
 }
+
+/// @}
 
 }  // namespace tumble::mirtich

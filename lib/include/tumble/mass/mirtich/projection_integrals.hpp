@@ -13,6 +13,9 @@
 
 namespace tumble::mirtich {
 
+/// @addtogroup mass
+/// @{
+
 /// π_f = ∬ f(α, β) dα dβ over a polygon, for the monomials f up to the third degree that are
 /// needed. Positive area where the corners go round counter-clockwise in the (α, β) plane.
 struct ProjectionIntegrals {
@@ -75,5 +78,7 @@ inline ProjectionIntegrals projection_integrals(std::span<const Vec3> corners, i
   sum.bbb /= 20;
   return sum;
 }
+
+/// @}
 
 }  // namespace tumble::mirtich

@@ -20,6 +20,9 @@
 
 namespace tumble::mirtich {
 
+/// @addtogroup mass
+/// @{
+
 /// The vector area of a polygon: its area times its normal, from all its corners (Newell) [m²].
 inline Vec3 vector_area(std::span<const Vec3> corners) {
   Vec3 sum = Vec3::Zero();
@@ -41,7 +44,7 @@ inline Plane plane_of(std::span<const Vec3> corners, const Vec3& area) {
 /// height below that changes the volume less than its own rounding does.
 inline bool is_planar(std::span<const Vec3> corners, const Plane& plane) {
   return std::all_of(corners.begin(), corners.end(), [&](const Vec3& x) {
-    return !(std::abs(plane.n.dot(x) + plane.w) > 8 * unit_roundoff * x.lpNorm<1>());
+    return !(std::abs(plane.n.dot(x) + plane.w) > 8 * detail::unit_roundoff * x.lpNorm<1>());
   });
 }
 
@@ -84,7 +87,8 @@ inline Moments<double> face_moments(std::span<const Vec3> corners) {
 /// The integrals over the volume that a mesh encloses.
 /// @param mesh      closed, faces counter-clockwise seen from outside; nothing is checked
 /// @param reference the point they are about; near the body nothing cancels [m]
-inline Moments<DoubleDouble> volume_integrals(const PolygonMesh& mesh, const Vec3& reference) {
+inline Moments<simd::DoubleDouble> volume_integrals(const PolygonMesh& mesh,
+                                                    const Vec3& reference) {
   detail::BlockedMoments sum;
   std::vector<Vec3> corners;
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -94,5 +98,7 @@ inline Moments<DoubleDouble> volume_integrals(const PolygonMesh& mesh, const Vec
   }
   return sum.total();
 }
+
+/// @}
 
 }  // namespace tumble::mirtich

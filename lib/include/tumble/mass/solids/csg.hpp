@@ -5,23 +5,18 @@
 ///     difference(Ball{1}, placed(Cylinder{0.3, 2}, Vec3(0.2, 0, 0)))  // a drilled ball
 ///
 /// They are values, and hold the solids they are made of. Their mass properties have no closed form
-/// in general: sample_mass_properties() counts points. Points on a surface that two solids share
-/// may go either way: they have no volume. Source: Requicha, "Representations for rigid solids:
-/// theory, methods, and systems", ACM Computing Surveys 12 (1980), §3.5.
+/// in general: sampling::sample_mass_properties() counts points. Points on a surface that two
+/// solids share may go either way: they have no volume. Source: Requicha, "Representations for
+/// rigid solids: theory, methods, and systems", ACM Computing Surveys 12 (1980), §3.5.
 
 #include <utility>
 
 #include "tumble/core/solid.hpp"
 
-namespace tumble {
-
-/// @addtogroup mass
-/// @{
-
-namespace detail {
+namespace tumble::detail {
 
 /// What is in a, in b or in both; counted once.
-template <Solid A, Solid B>
+template <solids::Solid A, solids::Solid B>
 struct Union {
   A a;
   B b;
@@ -33,7 +28,7 @@ struct Union {
 };
 
 /// What is both in a and in b.
-template <Solid A, Solid B>
+template <solids::Solid A, solids::Solid B>
 struct Intersection {
   A a;
   B b;
@@ -48,7 +43,7 @@ struct Intersection {
 };
 
 /// What is in a but not in b.
-template <Solid A, Solid B>
+template <solids::Solid A, solids::Solid B>
 struct Difference {
   A a;
   B b;
@@ -58,7 +53,12 @@ struct Difference {
   Eigen::AlignedBox3d bounds() const { return a.bounds(); }
 };
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::solids {
+
+/// @addtogroup mass
+/// @{
 
 /// a ∪ b. (`union` is a word of the language.)
 template <Solid A, Solid B>
@@ -80,4 +80,4 @@ detail::Difference<A, B> difference(A a, B b) {
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::solids

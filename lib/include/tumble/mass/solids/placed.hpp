@@ -7,7 +7,7 @@
 #include "tumble/core/solid.hpp"
 #include "tumble/mass/transform.hpp"
 
-namespace tumble {
+namespace tumble::solids {
 
 /// @addtogroup mass
 /// @{
@@ -40,11 +40,20 @@ Placed<S> placed(S solid, const Vec3& x) {
   return {std::move(solid), Mat3::Identity(), x};
 }
 
+/// @}
+
+}  // namespace tumble::solids
+
+namespace tumble {
+
+/// @addtogroup mass
+/// @{
+
 /// Mass properties of a placed homogeneous solid, in world coordinates.
 /// @param density [kg/m³]
 /// @throws std::invalid_argument as for the solid itself
-template <Solid S>
-MassProperties mass_properties(const Placed<S>& placed, double density) {
+template <solids::Solid S>
+MassProperties mass_properties(const solids::Placed<S>& placed, double density) {
   return translated(rotated(mass_properties(placed.solid, density), placed.R), placed.x);
 }
 

@@ -1,0 +1,141 @@
+#include "judge/verdict/names_from_source.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+
+#include "judge/spec/demand.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// The code without what the compiler skips: each character of a comment or a text is a blank.
+std::string code_of(const std::string& source) {
+  enum class In { code, line, block, text, character } in = In::code;
+  std::string code = source;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const char c = source[i], next = i + 1 < source.size() ? source[i + 1] : ' ';
+    const In before = in;
+    if (in == In::code && c == '/' && next == '/')
+      in = In::line;
+    else if (in == In::code && c == '/' && next == '*')
+      in = In::block;
+    else if (in == In::code && c == '"')
+      in = In::text;
+    else if (in == In::code && c == '\'' && (i == 0 || !std::isalnum(source[i - 1])))
+      in = In::character;
+    else if (in == In::line && c == '\n')
+      in = In::code;
+    else if (in == In::block && c == '/' && source[i - 1] == '*')
+      in = In::code;
+    else if ((in == In::text && c == '"') || (in == In::character && c == '\''))
+      in = In::code;
+    if ((in != In::code || before != In::code) && c != '\n') code[i] = ' ';
+    if ((in == In::text || in == In::character) && c == '\\') code[++i] = ' ';
+  }
+  return code;
+}
+
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// A whole number in the code, and whether nothing makes it a part of more: 1 in "1/2", not in
+/// "x1/2", "1./2" or "1e3/2".
+struct WholeNumber {
+  std::size_t begin = 0, end = 0;
+  long value = 0;
+};
+
+std::optional<WholeNumber> whole_number_at(const std::string& code, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < code.size() && std::isdigit(static_cast<unsigned char>(code[end]))) ++end;
+  const bool starts = begin == 0 || !(is_of_word(code[begin - 1]) || code[begin - 1] == '.');
+  const bool stops = end == code.size() || !(is_of_word(code[end]) || code[end] == '.');
+  constexpr std::size_t most_digits = 9;
+  if (end == begin || end - begin > most_digits || !starts || !stops) return std::nullopt;
+  return WholeNumber{begin, end, std::stol(code.substr(begin, end - begin))};
+}
+
+std::size_t skip_blanks(const std::string& code, std::size_t at) {
+  while (at < code.size() && std::isspace(static_cast<unsigned char>(code[at]))) ++at;
+  return at;
+}
+
+/// "1/12 in line 7", the first quotient of two whole numbers that leaves a remainder; empty if
+/// none.
+std::string whole_quotient(const std::string& code) {
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const auto above = whole_number_at(code, i);
+    if (!above) continue;
+    const std::size_t slash = skip_blanks(code, above->end);
+    if (slash >= code.size() || code[slash] != '/') continue;
+    const auto below = whole_number_at(code, skip_blanks(code, slash + 1));
+    if (!below || below->value == 0 || above->value % below->value == 0) continue;
+    const auto line =
+        1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(i), '\n');
+    return std::to_string(above->value) + "/" + std::to_string(below->value) + " in line " +
+           std::to_string(line);
+  }
+  return {};
+}
+
+/// A float, 0.5f or sqrtf().
+bool uses_float(const std::string& source) {
+  const std::string code = code_of(source);
+  if (mentions(source, "float") || mentions(source, "Vector3f") || mentions(source, "Matrix3f"))
+    return true;
+  for (std::size_t i = 1; i < code.size(); ++i) {
+    const bool ends = i + 1 == code.size() || !is_of_word(code[i + 1]);
+    if ((code[i] == 'f' || code[i] == 'F') && ends &&
+        (std::isdigit(static_cast<unsigned char>(code[i - 1])) || code[i - 1] == '.'))
+      return true;
+  }
+  return mentions(source, "sqrtf") || mentions(source, "sinf") || mentions(source, "cosf");
+}
+
+double largest_number(const Value& value) {
+  if (const double* x = value.as<double>()) return std::abs(*x);
+  double largest = 0;
+  if (const List* list = value.as<List>())
+    for (const Value& each : *list) largest = worse(largest, largest_number(each));
+  return largest;
+}
+
+/// Right to 6 to 9 digits of the largest number.
+bool is_right_as_float(const Finding& finding) {
+  if (!finding.answer || !finding.demanded) return false;
+  const double apart = largest_difference(*finding.answer, *finding.demanded);
+  const double fraction = apart / largest_number(*finding.demanded);
+  return fraction > 1e-9 && fraction < 2e-6;
+}
+
+}  // namespace
+
+bool mentions(const std::string& source, const std::string& word) {
+  const std::string code = code_of(source);
+  for (auto at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_of_word(code[at - 1])) && (end == code.size() || !is_of_word(code[end])))
+      return true;
+  }
+  return false;
+}
+
+void name_from_source(Finding& finding, const std::string& source) {
+  if (finding.outcome != Outcome::wrong || !finding.answer) return;
+  if (const std::string quotient = whole_quotient(code_of(source)); !quotient.empty())
+    finding.misconceptions = {{"whole-number division",
+                               "There is " + quotient +
+                                   ": in C++ the quotient of two whole numbers is "
+                                   "a whole number, and what is left over is lost. Write 1. for 1.",
+                               ""}};
+  else if (finding.misconceptions.empty() && is_right_as_float(finding) && uses_float(source))
+    finding.misconceptions = {
+        {"float",
+         "Some 7 digits are right, as many as a float has. Compute with double "
+         "from the beginning to the end.",
+         ""}};
+}
+
+}  // namespace tumble::judge

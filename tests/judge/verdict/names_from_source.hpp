@@ -1,0 +1,23 @@
+#pragma once
+/// @file
+/// Names for wrong answers that the student's file shows, beside the numbers: a float, a quotient
+/// of whole numbers.
+
+#include <string>
+
+#include "judge/protocol/finding.hpp"
+
+namespace tumble::judge {
+
+/// Whether `word` stands in the code of `source`: not in comments, texts, or as a part of another
+/// word.
+bool mentions(const std::string& source, const std::string& word);
+
+/// Puts a name to a wrong answer for which `source` holds the reason:
+/// - "whole-number division": 1/2 or 1/12 stands there, which is 0. It replaces other names, which
+/// take
+///   the factor that is missing for something else;
+/// - "float": the numbers are right to some 7 digits, and there is a float (or 0.5f, or sqrtf).
+void name_from_source(Finding& finding, const std::string& source);
+
+}  // namespace tumble::judge

@@ -1,0 +1,99 @@
+#include "judge/verdict/typed_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "judge/spec/demand.hpp"
+#include "judge/verdict/number_text.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+constexpr std::size_t most_elements = 4;  // of a list of structs that are shown
+
+/// A truth value or an enumerator as its word; empty if `type` is neither.
+std::string word_for(const Value& value, const ContractTypes& types, const std::string& type) {
+  const std::int64_t* n = value.as<std::int64_t>();
+  if (!n) return {};
+  if (ContractTypes::is_bool(type)) return *n == 0 ? "false" : "true";
+  const std::vector<std::string>& words = types.enumerators_of(type);
+  return *n >= 0 && static_cast<std::size_t>(*n) < words.size()
+             ? words[static_cast<std::size_t>(*n)]
+             : std::string();
+}
+
+/// The parts of a struct, if `value` has as many as `type`.
+const List* parts_of(const Value& value, const std::vector<ContractMember>& members) {
+  const List* list = value.as<List>();
+  return list && !members.empty() && list->size() == members.size() ? list : nullptr;
+}
+
+/// On one line: "{x = (0, 0, 1), scene = {gravity = true}}".
+std::string inline_text(const Value& value, const ContractTypes& types, const std::string& type,
+                        int digits) {
+  if (std::string word = word_for(value, types, type); !word.empty()) return word;
+  const std::vector<ContractMember>& members = types.members_of(type);
+  if (const List* parts = parts_of(value, members)) {
+    std::string text = "{";
+    for (std::size_t i = 0; i < members.size(); ++i)
+      text += (i > 0 ? ", " : "") + members[i].name + " = " +
+              inline_text((*parts)[i], types, members[i].type, digits);
+    return text + "}";
+  }
+  const std::string element = ContractTypes::element_of(type);
+  const List* list = value.as<List>();
+  if (!list || types.members_of(element).empty()) return text_of(value, digits, 0);
+  std::string text = "(";
+  for (std::size_t i = 0; i < std::min(list->size(), most_elements); ++i)
+    text += (i > 0 ? ", " : "") + inline_text((*list)[i], types, element, digits);
+  if (list->size() > most_elements)
+    text += ", … " + std::to_string(list->size()) + " entries in all";
+  return text + ")";
+}
+
+}  // namespace
+
+std::string TypedText::of(const Value& value) const {
+  const std::vector<ContractMember>& members = types.members_of(type);
+  const List* parts = parts_of(value, members);
+  if (!parts) {
+    const bool has_words = !word_for(value, types, type).empty() ||
+                           !types.members_of(ContractTypes::element_of(type)).empty();
+    return has_words ? inline_text(value, types, type, digits) : text_of(value, digits, indent);
+  }
+  std::size_t width = 0;
+  for (const ContractMember& member : members) width = std::max(width, member.name.size());
+  std::string text;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const ContractMember& member = members[i];
+    const std::size_t inner = indent + width + 3;
+    text +=
+        (i > 0 ? "\n" + std::string(indent, ' ') : "") + member.name +
+        std::string(width - member.name.size(), ' ') + " = " +
+        (types.members_of(member.type).empty() && word_for((*parts)[i], types, member.type).empty()
+             ? text_of((*parts)[i], digits, inner)
+             : inline_text((*parts)[i], types, member.type, digits));
+    if (member.name == marked) text += "   ← furthest off";
+  }
+  return text;
+}
+
+std::string furthest_member(const ContractTypes& types, const std::string& type, const Value& a,
+                            const Value& b) {
+  const std::vector<ContractMember>& members = types.members_of(type);
+  const List *x = parts_of(a, members), *y = parts_of(b, members);
+  if (!x || !y) return {};
+  std::string furthest;
+  double worst = 0;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const double apart = largest_difference((*x)[i], (*y)[i]);
+    if (!(worse(worst, apart) == worst) && !std::isnan(worst)) {
+      worst = apart;
+      furthest = members[i].name;
+    }
+  }
+  return members.size() > 1 ? furthest : std::string();
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,102 @@
+/// @file
+/// What is not the student's doing: the judge fails at one exercise, or the machine does.
+#include <doctest/doctest.h>
+#include <sys/mount.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "project/harness/command.hpp"
+#include "project/harness/skip.hpp"
+#include "project/harness/temporary_folder.hpp"
+#include "support/text_file.hpp"
+
+using namespace tumble;
+using test::CommandResult;
+using test::run_command;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path fixture_course = std::getenv("TUMBLE_FIXTURE");
+const std::string program = "'" + std::string(std::getenv("TUMBLE_FIXTURE_JUDGE")) + "' ";
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string solution(const std::string& name) {
+  return support::read_text(fixture_course / "solutions/01_crossing" / (name + ".cpp"));
+}
+
+/// A class of one student, both exercises right but for what is changed.
+struct Student {
+  test::TemporaryFolder work;
+  fs::path files = work.path() / "class/ann/01_crossing", out = work.path() / "grades";
+
+  Student() {
+    for (const char* name : {"carry", "twice"})
+      support::write_text_and_folders(files / (std::string(name) + ".cpp"), solution(name));
+  }
+  CommandResult check(const std::string& before = "") const {
+    return run_command(before + program + "check all --seed 3 --from '" +
+                       (work.path() / "class/ann").string() + "'");
+  }
+  CommandResult grade(const std::string& before = "") const {
+    return run_command(before + program + "grade '" + (work.path() / "class").string() +
+                       "' --out '" + out.string() + "'");
+  }
+  std::string csv() const { return support::read_text(out / "grades.csv"); }
+};
+
+/// Its program asks for an interpreter, which the walls refuse: the judge cannot start it.
+const std::string with_interpreter =
+    "__attribute__((section(\".interp\"), used)) const char loader[] = "
+    "\"/lib64/ld-linux-x86-64.so.2\";\n";
+
+}  // namespace
+
+TEST_CASE("a failure of the judge at one exercise is that exercise's verdict, the next is judged") {
+  const Student student;
+  support::write_text(student.files / "carry.cpp", solution("carry") + with_interpreter);
+  const CommandResult checked = student.check();
+  CHECK_MESSAGE(checked.status == 2, checked.output);
+  CHECK_MESSAGE(says(checked.output, "1.1 carry  judge failed"), checked.output);
+  CHECK_MESSAGE(says(checked.output, "The judge failed here: "), checked.output);
+  CHECK_MESSAGE(says(checked.output, "1.2 twice  passed"), checked.output);
+
+  const CommandResult graded = student.grade();
+  CHECK_MESSAGE(graded.status == 2, graded.output);
+  CHECK_MESSAGE(says(graded.output, "the judge failed at ann, 1.1 carry"), graded.output);
+  CHECK_MESSAGE(says(student.csv(), "the judge failed at 1.1: no verdict,,1"), student.csv());
+  CHECK(says(support::read_text(student.out / "junit.xml"), "errors=\"1\""));
+
+  support::write_text(student.files / "carry.cpp", solution("carry"));
+  CHECK(student.grade().status == 0);
+  CHECK_MESSAGE(says(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
+}
+
+TEST_CASE("limits of the student's shell are lowered, not a wall that is missing") {
+  const Student student;
+  for (const char* limit : {"ulimit -v 3000000; ", "ulimit -t 5; ", "ulimit -v 8000000 -t 20; "}) {
+    const CommandResult checked = student.check(limit);
+    CHECK_MESSAGE(says(checked.output, "2 of 2 exercises pass"), limit, checked.output);
+    CHECK_MESSAGE(!says(checked.output, "the sandbox lacks a list"), checked.output);
+  }
+}
+
+TEST_CASE("a full disk is no student's zero: nothing is counted, and the next grading judges") {
+  const Student student;
+  const fs::path small = student.work.path() / "small";
+  fs::create_directory(small);
+  if (::mount("tmpfs", small.c_str(), "tmpfs", 0, "size=300k,mode=1777") != 0)
+    return test::skip("no small disk can be made here: only root may mount");
+  const CommandResult graded = student.grade("TMPDIR='" + small.string() + "' ");
+  ::umount(small.c_str());
+  CHECK_MESSAGE(graded.status == 2, graded.output);
+  CHECK_MESSAGE(says(graded.output, "the judge failed at ann"), graded.output);
+  CHECK_MESSAGE(!says(graded.output, "does not compile"), graded.output);
+  CHECK(student.grade().status == 0);
+  CHECK_MESSAGE(says(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
+}

@@ -1,0 +1,96 @@
+/// @file
+/// Names for wrong answers that every exercise has: from the numbers, and from the source.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "judge/spec/general_misconceptions.hpp"
+#include "judge/verdict/names_from_source.hpp"
+
+using namespace tumble::judge;
+
+namespace {
+
+Finding wrong(Value answer, Value demanded, List arguments = {}) {
+  Finding finding;
+  finding.answer = std::move(answer);
+  finding.demanded = std::move(demanded);
+  finding.question = Question{std::move(arguments), 0};
+  finding.tolerance = 1e-12;
+  return finding;
+}
+
+std::string name_of_numbers(const Finding& finding) {
+  const std::vector<Misconception> names = general_misconceptions(finding);
+  return names.empty() ? "" : names.front().name;
+}
+
+std::string name_of_source(Finding finding, const std::string& source) {
+  name_from_source(finding, source);
+  return finding.misconceptions.empty() ? "" : finding.misconceptions.front().name;
+}
+
+double from_bits(std::uint64_t bits) {
+  double x = 0;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+const Value right = List{1., 2., 3.};
+
+}  // namespace
+
+TEST_CASE("names: what the numbers show") {
+  CHECK(name_of_numbers(wrong(List{-1., -2., -3.}, right)) == "the opposite sign");
+  CHECK(name_of_numbers(wrong(List{1., std::nan(""), 3.}, List{1., std::log(-1.), 3.})) != "");
+  CHECK(name_of_numbers(wrong(List{1., INFINITY, 3.}, right)) == "infinite");
+  CHECK(name_of_numbers(wrong(List{4., 5., 6.}, right, {1., List{4., 5., 6.}})) ==
+        "the argument as it came");
+  const Value matrix = List{List{1., 2.}, List{3., 4.}},
+              transposed = List{List{1., 3.}, List{2., 4.}};
+  CHECK(name_of_numbers(wrong(transposed, matrix)) == "rows for columns");
+}
+
+TEST_CASE("names: a number that is one of many, or right, or of the wrong shape gets none") {
+  CHECK(name_of_numbers(wrong(List{-1., 2., 3.}, right)) == "");
+  CHECK(name_of_numbers(wrong(-1., 1.)) == "");  // one number alone proves no sign
+  CHECK(name_of_numbers(wrong(List{1., 2.}, right)) == "");
+  CHECK(name_of_numbers(wrong(List{}, right)) == "");
+  CHECK(name_of_numbers(wrong(List(30'000, Value(1.)), right)) == "");
+  CHECK(name_of_numbers(wrong(List{List{1.}, List{2., 3.}}, List{List{1., 2.}, List{3., 4.}})) ==
+        "");
+}
+
+TEST_CASE("names: the marks of memory that was never set, of gcc and of clang") {
+  for (const std::uint64_t bits :
+       {0xfefefefefefefefeull, 0xaaaaaaaaaaaaaaaaull, 0xffffffffffffffffull, 0x7fffffffffffffffull})
+    CHECK(name_of_numbers(wrong(List{1., from_bits(bits), 3.}, right)) == "never set");
+  CHECK(name_of_numbers(wrong(List{1., 0.5 * from_bits(0xfefefefefefefefe), 3.}, right)) ==
+        "never set");
+  const double nan = std::numeric_limits<double>::quiet_NaN();  // and 0/0, and its negative
+  for (const double x : {nan, -nan})
+    CHECK(name_of_numbers(wrong(List{1., x, 3.}, right)) == "not a number");
+  // Huge numbers that were asked with are no mark.
+  CHECK(name_of_numbers(wrong(List{1e300, 2.}, List{2e300, 2.}, {1e300})) == "");
+}
+
+TEST_CASE("names: whole-number division, where it stands in the code") {
+  const Finding finding = wrong(List{0., 0., 0.}, right);
+  CHECK(name_of_source(finding, "double a = 1/2 * x;") == "whole-number division");
+  CHECK(name_of_source(finding, "double a = (1 / 12) * x;") == "whole-number division");
+  for (const char* harmless :
+       {"double a = 1./2 * x;", "a = 1/2. * x;", "a = n/2;", "a = 4/2;", "// 1/2\n", "/* 1/2 */",
+        "\"1/2\"", "a = x1/2;", "a = 0x1/2;", "a = 1e3/7;", "a = '1' / 2;", "a = 1/0;"})
+    CHECK_MESSAGE(name_of_source(finding, harmless) == "", harmless);
+}
+
+TEST_CASE("names: a float, where 7 digits are right and there is one") {
+  const Finding finding = wrong(List{1.0000001, 2., 3.}, right);
+  CHECK(name_of_source(finding, "float a = x;") == "float");
+  CHECK(name_of_source(finding, "a = 0.5f * x;") == "float");
+  CHECK(name_of_source(finding, "a = sqrtf(x);") == "float");
+  CHECK(name_of_source(finding, "double half = 0.5; // no float") == "");
+  CHECK(name_of_source(wrong(List{1.1, 2., 3.}, right), "float a = x;") == "");
+}
