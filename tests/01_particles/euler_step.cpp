@@ -162,7 +162,7 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       "unit; here the slope at the start is asked for.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return tumble::midpoint_step(f, t, y, h);
+        return tumble::runge_kutta::midpoint_step(f, t, y, h);
       }},
      {"evaluated too often",
       "The result is right, but the right-hand side was evaluated more often than once. In a large "

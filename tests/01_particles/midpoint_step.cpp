@@ -21,7 +21,7 @@ VectorXd reference(const Rhs& f, double t, const VectorXd& y, double h) {
 }
 
 VectorXd euler(const Rhs& f, double t, const VectorXd& y, double h) {
-  return tumble::euler_step(f, t, y, h);
+  return tumble::runge_kutta::euler_step(f, t, y, h);
 }
 
 /// Euler's step from y, with the slope of another time and place.

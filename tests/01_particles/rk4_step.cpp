@@ -236,7 +236,7 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "averaged.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return tumble::midpoint_step(f, t, y, h);
+        return tumble::runge_kutta::midpoint_step(f, t, y, h);
       }},
      {"evaluated too often",
       "The result is right, but the right-hand side was evaluated more than four times. In a large "

@@ -314,7 +314,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "one the slope at the end counts.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) -> VectorXd {
-        return tumble::euler_step(f, t, y, h);
+        return tumble::runge_kutta::euler_step(f, t, y, h);
       }},
      {"a step back in time",
       "The step leads back to t − h. Backward is where the slope is looked at, from the end of the "
@@ -328,7 +328,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "the backward step ends, and in a stiff problem it is far away from it.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) -> VectorXd {
-        return onward(y, h, f(t + h, tumble::euler_step(f, t, y, h)));
+        return onward(y, h, f(t + h, tumble::runge_kutta::euler_step(f, t, y, h)));
       }},
      {"put back in again and again",
       "y₁ was put into the right side again and again, without the Jacobian. Where a problem is "

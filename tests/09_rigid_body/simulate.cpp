@@ -361,7 +361,7 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
       "Each step follows the slope at its start only. The method of 1.5 looks at four slopes.",
       "Taking steps",
       by([](const reference::Rhs& f, double t, const PackedState& y, double h) -> PackedState {
-        return tumble::euler_step(f, t, y, h);
+        return tumble::runge_kutta::euler_step(f, t, y, h);
       })},
      {"momenta first, then the rest",
       "P and L were moved first, and x and q then followed the new momenta: the way of many games. "
@@ -376,7 +376,7 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
      {"midpoint method",
       "Each step follows one slope, that halfway. The method of 1.5 averages four.", "Taking steps",
       by([](const reference::Rhs& f, double t, const PackedState& y, double h) -> PackedState {
-        return tumble::midpoint_step(f, t, y, h);
+        return tumble::runge_kutta::midpoint_step(f, t, y, h);
       })},
      {"pushed alike for a whole step",
       "What pushes was asked once a step, at its start, and taken for all four slopes. What "

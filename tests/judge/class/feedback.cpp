@@ -32,6 +32,7 @@ bool is_hidden_now(const CourseSettings& settings, const Unit& unit) {
 std::string verdict_on(const StudentRecord& record, const Unit& unit) {
   const UnitRecord* verdict = record.find(unit);
   if (verdict) return verdict->summary;
+  if (record.out_of_time) return no_time_left;
   return record.absent ? not_handed_in : record.refused.empty() ? "not judged" : "not read";
 }
 
