@@ -66,6 +66,17 @@ std::string judge_failures(const StudentRecord& record) {
   return units.empty() ? "" : "the judge failed at " + units + ": no verdict";
 }
 
+/// "not judged yet: 1.3, 1.5" of a grading that was interrupted or had no time left, or nothing.
+std::string not_judged(const CourseSettings& settings, const StudentRecord& record) {
+  if (record.absent || !record.refused.empty()) return "";
+  if (const std::size_t left = count_unreached(settings, record); left > 0)
+    return std::to_string(left) + " " + no_time_left;
+  std::string units;
+  for (const Unit& unit : settings.units)
+    if (!record.find(unit)) units += (units.empty() ? "" : ", ") + unit.number;
+  return units.empty() ? "" : "not judged yet: " + units;
+}
+
 std::string called(const StudentRecord& record) {
   return record.who.name.empty() ? record.student : record.who.name;
 }
@@ -86,10 +97,8 @@ std::string note_on(const CourseSettings& settings, const StudentRecord& record)
   if (record.absent) notes.emplace_back("not handed in");
   if (!record.refused.empty()) notes.push_back(record.refused);
   notes.insert(notes.end(), record.notes.begin(), record.notes.end());
-  if (const std::string failures = judge_failures(record); !failures.empty())
-    notes.push_back(failures);
-  if (const std::size_t left = count_unreached(settings, record); left > 0)
-    notes.push_back(std::to_string(left) + " " + no_time_left);
+  for (const std::string& open : {judge_failures(record), not_judged(settings, record)})
+    if (!open.empty()) notes.push_back(open);
   const FinalGrade grade = final_grade(settings, record);
   notes.insert(notes.end(), grade.because.begin(), grade.because.end());
   std::string text;

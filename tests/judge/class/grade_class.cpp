@@ -21,7 +21,6 @@ StudentRecord record_or_reason(const GradesFolder& folder, const Submission& sub
   none.who = submission.who;
   try {
     if (auto record = read_record(folder.record_of(submission))) return *record;
-    none.notes.emplace_back("not graded yet");
   } catch (const std::runtime_error& error) {
     none.notes.emplace_back(error.what());
   }

@@ -121,7 +121,7 @@ TEST_CASE("grading: Ctrl-C writes what is there, and says how to go on") {
                   "there") != std::string::npos);
   CHECK(said.find("the judge has failed") == std::string::npos);
   CHECK(two.table().rows.size() == 32);
-  CHECK(two.cell("s9", "note") == "not graded yet");
+  CHECK(two.cell("s9", "note") == "not judged yet: 1.1, 1.2");
   CHECK(two.cell("ann", "points") == "2");
   CHECK(two.grade("--jobs 2").status == 0);
   CHECK(two.cell("s9", "points") == "2");
