@@ -23,6 +23,7 @@ struct CheckOptions {
   bool every_case = false;            ///< explain every case that fails
   bool strict = false;                ///< refuse to judge if a wall of the sandbox is missing
   bool sanitized = false;             ///< run everything with sanitizers
+  bool once = false;                  ///< no second run, with sanitizers, of a case that fails
   std::optional<fs::path> student;    ///< a record of `grade`: what that student saw
 };
 

@@ -95,6 +95,7 @@ class CommandLine {
     app.add_flag("--every-case", check_.every_case, "explain every case that fails");
     app.add_flag("--strict", check_.strict, strict_help);
     app.add_flag("--solutions", check_.solutions, "judge the solutions");
+    app.add_flag("--once", check_.once, "no second run with sanitizers to look for the line");
     app.add_flag("--sanitize", check_.sanitized, "run with AddressSanitizer and UBSan");
   }
 
