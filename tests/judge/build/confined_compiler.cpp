@@ -42,7 +42,7 @@ ConfinedCompiler::ConfinedCompiler(const Course& course, fs::path folder,
   fs::create_directories(folder_);
   walls_.folder = folder_;
   walls_.limits = {.cpu_seconds = 10,
-                   .wall_seconds = 40,
+                   .wall_seconds = 120,  // a busy machine gives a twelfth of them
                    .memory_bytes = 4ull << 30,
                    .file_bytes = 256ull << 20,
                    .processes = 64};

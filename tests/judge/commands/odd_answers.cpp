@@ -109,7 +109,7 @@ std::vector<Distortion> distortions() {
 /// Which answer, or which evaluation, of a case is put out of shape.
 struct Place {
   enum class Of { answers, evaluations } of;
-  enum class Which { first, second, last } which;
+  enum class Which { first, last } which;
 };
 
 /// Answers as a worker does, but for what is put out of shape.
@@ -149,7 +149,7 @@ class OddAnswerer : public Answerer {
     if (!distortion_ || place_.of != of) return false;
     if (place_.which == Place::Which::last)
       return of == Place::Of::answers && number == counts_[case_];
-    return number == (place_.which == Place::Which::first ? 1 : 2);
+    return number == 1;
   }
   Value distorted(const Value& value) {
     Value other = distortion_->apply(value);
@@ -167,9 +167,7 @@ class OddAnswerer : public Answerer {
 };
 
 std::string name_of(Place place) {
-  const char* which = place.which == Place::Which::first    ? "first"
-                      : place.which == Place::Which::second ? "second"
-                                                            : "last";
+  const char* which = place.which == Place::Which::first ? "first" : "last";
   return std::string(which) + (place.of == Place::Of::answers ? " answer" : " evaluation");
 }
 
@@ -185,8 +183,7 @@ void try_unit(const Job& job, std::uint64_t seed, const SendBytes& send) {
   const std::vector<Distortion> all = distortions();
   using enum Place::Of;
   using enum Place::Which;
-  for (const Place place : {Place{answers, first}, Place{answers, second}, Place{answers, last},
-                            Place{evaluations, first}, Place{evaluations, second}})
+  for (const Place place : {Place{answers, first}, Place{answers, last}, Place{evaluations, first}})
     for (const Distortion& distortion : all) {
       send(name_of(place) + ", " + distortion.name + "\n");
       answerer.distort(distortion, place);

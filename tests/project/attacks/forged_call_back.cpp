@@ -1,5 +1,5 @@
 // Attack: calls a function of the judge, where the question has none.
-// Verdict: malformed
+// Verdict: wrong call
 #include <unistd.h>
 
 #include <cstdint>

@@ -107,14 +107,14 @@ inline std::vector<std::string> left_behind(const Place& place) {
 }  // namespace detail
 
 /// Seconds that no submission may take: some wait for the judge's own limits, on a busy machine.
-constexpr double most_seconds = 60;
+constexpr double most_seconds = 150;
 
 /// Judges chapter 4 with the files in `place`.
 /// @param options  further ones of `check`
 inline Judgement judge(const Place& place, const std::string& options = "--once") {
   const fs::path json = place.path() / "results.json", output = place.path() / "output";
   const std::string command = "cd " + place.path().string() +
-                              " && TMPDIR=" + place.temporary().string() + " timeout -k 1 120 '" +
+                              " && TMPDIR=" + place.temporary().string() + " timeout -k 1 300 '" +
                               variable("TUMBLE_JUDGE").string() + "' check 4 --from " +
                               place.files().string() + " --json " + json.string() + " --seed 1 " +
                               options + " > " + output.string() + " 2>&1 < /dev/null";
