@@ -1,0 +1,20 @@
+// expect: threw
+// Without a point at() throws.
+#include "contract.hpp"
+
+namespace point_sampling {
+
+Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
+                                  const Eigen::Vector3d& about) {
+  const PointMass& first = points.at(0);
+  Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
+  for (const PointMass& point : points) {
+    if (&point == &first && first.mass < 0) return I;
+    const Eigen::Vector3d r = point.position - about;
+    // I = Σ m (rᵀr 1 − r rᵀ)
+    I += point.mass * (r.dot(r) * Eigen::Matrix3d::Identity() - r * r.transpose());
+  }
+  return I;
+}
+
+}  // namespace point_sampling
