@@ -99,7 +99,10 @@ class LongFreeTurning {
   }
 
   static Q quaternion(const State& s) { return {s[6], s[7], s[8], s[9]}; }
-  static Q conjugate(const Q& q) { return {q[0], -q[1], -q[2], -q[3]}; }
+  static Q conjugate(Q q) {
+    for (int i = 1; i < 4; ++i) q[i] = -q[i];
+    return q;
+  }
   static Q scaled(const Q& q, const simd::DoubleDouble& s) {
     return {q[0] * s, q[1] * s, q[2] * s, q[3] * s};
   }
@@ -107,10 +110,14 @@ class LongFreeTurning {
     return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
   }
   static Q product(const Q& a, const Q& b) {
-    return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-            a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-            a[0] * b[2] + a[2] * b[0] + a[3] * b[1] - a[1] * b[3],
-            a[0] * b[3] + a[3] * b[0] + a[1] * b[2] - a[2] * b[1]};
+    Q c;
+    c[0] = a[0] * b[0];
+    for (int i = 1; i < 4; ++i) {
+      const int j = i % 3 + 1, k = j % 3 + 1;  // i, j, k follow each other in a circle
+      c[0] -= a[i] * b[i];
+      c[i] = a[0] * b[i] + a[i] * b[0] + a[j] * b[k] - a[k] * b[j];
+    }
+    return c;
   }
   static Q power(Q base, long long n) {
     Q result{1, 0, 0, 0};

@@ -2,10 +2,12 @@
 /// @file
 /// A place in a JSON file: its value, and its name for messages, such as `bodies[0].omega`.
 
+#include <algorithm>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "support/nearest.hpp"
 #include "tumble/core/require.hpp"
 #include "tumble/core/types.hpp"
 
@@ -84,8 +86,10 @@ class Place {
     std::string names;
     for (const char* key : known) names += (names.empty() ? "" : ", ") + std::string(key);
     for (const auto& [key, value] : value_.items()) {
-      const bool is_known = std::find(known.begin(), known.end(), key) != known.end();
-      require(is_known, name_, " has \"", key, "\", which means nothing here; there are: ", names);
+      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      const std::string meant = did_you_mean(key, {known.begin(), known.end()});
+      require(false, name_, " has \"", key, "\", which means nothing here",
+              meant.empty() ? "; there are: " + names : meant);
     }
   }
 

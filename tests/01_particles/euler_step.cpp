@@ -2,6 +2,7 @@
 /// 1.3 euler_step: its laws, and what goes wrong.
 #include "judge/spec/shared/right_hand_sides.hpp"
 #include "tumble/ode/euler.hpp"
+#include "tumble/ode/midpoint.hpp"
 
 #include "01_particles/contract.hpp"
 #include "judge/spec/spec.hpp"
@@ -101,44 +102,47 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       "The slope was added as it is. It says what would change in one second; the step is h "
       "seconds long.",
       "Euler's method",
-      [](const Rhs& f, double t, const VectorXd& y, double) -> VectorXd { return y + f(t, y); }},
+      [](const Rhs& f, double t, const VectorXd& y, double) { return reference(f, t, y, 1); }},
      {"only the change",
       "This is by how much y changes, without y itself. Asked for is the new state.",
       "Euler's method",
-      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd { return h * f(t, y); }},
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd slope = f(t, y);
+        return h * slope;
+      }},
      {"only the slope",
       "This is f(t, y), the slope. It says where to go; nobody has gone there yet.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double) -> VectorXd { return f(t, y); }},
      {"backwards", "The step goes the wrong way: it leads to the state at t − h.", "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y - h * f(t, y);
+        return reference(f, t, y, -h);
       }},
      {"time of the end",
       "The slope was taken at the time t + h, but with the state at t. Euler's method looks at the "
       "start of the step.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h, y);
+        return reference(f, t + h, y, h);
       }},
      {"time always zero",
       "The right-hand side was not told the time of the step: it was evaluated at 0.",
       "Euler's method",
       [](const Rhs& f, double, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(0, y);
+        return reference(f, 0, y, h);
       }},
      {"h for t",
       "The right-hand side was evaluated at the time h. The step is how long, the time is when.",
       "Euler's method",
       [](const Rhs& f, double, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(h, y);
+        return reference(f, h, y, h);
       }},
      {"t for h",
       "The slope was multiplied with the time t. What counts is how long the step is, not when it "
       "starts.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double) -> VectorXd {
-        return y + t * f(t, y);
+        return reference(f, t, y, t);
       }},
      {"new numbers used at once",
       "The components were replaced one after the other, and the later ones already saw the new "
@@ -146,24 +150,24 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) {
         VectorXd z = y;
-        for (Eigen::Index i = 0; i < z.size(); ++i) z[i] += h * f(t, z)[i];
+        for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = reference(f, t, z, h)[i];
         return z;
       }},
      {"half a step", "The step is half as long as it should be.", "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h / 2 * f(t, y);
+        return reference(f, t, y, h / 2);
       }},
      {"midpoint method",
       "This is the midpoint method, which looks at the slope halfway. It is better, and the next "
       "unit; here the slope at the start is asked for.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h / 2, y + h / 2 * f(t, y));
+        return tumble::runge_kutta::midpoint_step(f, t, y, h);
       }},
      {"evaluated too often",
       "The result is right, but the right-hand side was evaluated more often than once. In a large "
       "scene this is what costs time: keep what it returns, and use it for all components.",
       "Euler's method", [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         f(t, y);
-        return y + h * f(t, y);
+        return reference(f, t, y, h);
       }}}};

@@ -1,6 +1,7 @@
 /// @file
 /// 1.4 midpoint_step: its laws, and what goes wrong.
 #include "judge/spec/shared/right_hand_sides.hpp"
+#include "tumble/ode/euler.hpp"
 #include "tumble/ode/midpoint.hpp"
 
 #include "01_particles/contract.hpp"
@@ -19,7 +20,15 @@ VectorXd reference(const Rhs& f, double t, const VectorXd& y, double h) {
   return tumble::runge_kutta::midpoint_step(f, t, y, h);
 }
 
-VectorXd euler(const Rhs& f, double t, const VectorXd& y, double h) { return y + h * f(t, y); }
+VectorXd euler(const Rhs& f, double t, const VectorXd& y, double h) {
+  return tumble::runge_kutta::euler_step(f, t, y, h);
+}
+
+/// Euler's step from y, with the slope of another time and place.
+VectorXd step_with_slope_at(const VectorXd& y, double h, const Rhs& f, double t,
+                            const VectorXd& place) {
+  return euler([&](double, const VectorXd&) { return f(t, place); }, t, y, h);
+}
 
 }  // namespace
 
@@ -112,41 +121,41 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
       "too.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t, euler(f, t, y, h / 2));
+        return step_with_slope_at(y, h, f, t, euler(f, t, y, h / 2));
       }},
      {"time of the end",
       "The second slope was taken at the time t + h, with the state halfway. Both belong to the "
       "same moment.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h, euler(f, t, y, h / 2));
+        return step_with_slope_at(y, h, f, t + h, euler(f, t, y, h / 2));
       }},
      {"state stands still",
       "The second slope was taken at the time halfway, but with the state at the start. When the "
       "time goes half a step on, the state does too.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h / 2, y);
+        return step_with_slope_at(y, h, f, t + h / 2, y);
       }},
      {"a whole step to look ahead",
       "To see the second slope you went a whole step with Euler's method. Halfway is far enough.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h / 2, euler(f, t, y, h));
+        return step_with_slope_at(y, h, f, t + h / 2, euler(f, t, y, h));
       }},
      {"slope at the end",
       "The slope was looked at where a whole step of Euler's method ends, in time and state. The "
       "one halfway is nearer to the average.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h, euler(f, t, y, h));
+        return step_with_slope_at(y, h, f, t + h, euler(f, t, y, h));
       }},
      {"h forgotten on the way",
       "Half of the slope was added to look ahead, without the step: h is missing in the state "
       "halfway.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h / 2, euler(f, t, y, 0.5));
+        return step_with_slope_at(y, h, f, t + h / 2, euler(f, t, y, 0.5));
       }},
      {"on from the middle",
       "The whole step was made from the place halfway, so that it leads half a step too far. That "
@@ -167,15 +176,15 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
       "The slope halfway is right, but it was followed for half of the step only.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h / 2 * f(t + h / 2, euler(f, t, y, h / 2));
+        return step_with_slope_at(y, h / 2, f, t + h / 2, euler(f, t, y, h / 2));
       }},
      {"slopes at both ends averaged",
       "This averages the slopes at the start and at the end of Euler's step: Heun's method. Its "
       "error falls as h² too, but the midpoint method is another one.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y), k2 = f(t + h, y + h * k1);
-        return y + h / 2 * (k1 + k2);
+        const VectorXd one = euler(f, t, y, h), two = step_with_slope_at(y, h, f, t + h, one);
+        return (one + two) / 2;
       }},
      {"evaluated too often",
       "The result is right, but the right-hand side was evaluated more often than twice. In a "

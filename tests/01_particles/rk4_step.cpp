@@ -1,6 +1,7 @@
 /// @file
 /// 1.5 rk4_step: its laws, and what goes wrong.
 #include "judge/spec/shared/right_hand_sides.hpp"
+#include "tumble/ode/midpoint.hpp"
 #include "tumble/ode/rk4.hpp"
 
 #include <array>
@@ -25,24 +26,42 @@ VectorXd reference(const Rhs& f, double t, const VectorXd& y, double h) {
 
 using Four = std::array<double, 4>;
 
-/// Four slopes, each seen from y along `along[n]` h times the slope before, at t + at[n] h.
+/// Four slopes, each at t + at[n] h and seen from y along `along[n]` h times another one: that of
+/// the number by[n].
 struct Method {
   Four at{0, 0.5, 0.5, 1}, along{0, 0.5, 0.5, 1}, weights{1 / 6., 1 / 3., 1 / 3., 1 / 6.};
+  std::array<std::size_t, 4> by{0, 0, 1, 2};
 };
 
-VectorXd step(const Method& method, const Rhs& f, double t, const VectorXd& y, double h) {
-  VectorXd sum = VectorXd::Zero(y.size()), k = sum;
+/// @param ahead what stands for h when the state is moved
+VectorXd step(const Method& method, const Rhs& f, double t, const VectorXd& y, double h,
+              double ahead) {
+  VectorXd sum = VectorXd::Zero(y.size());
+  std::array<VectorXd, 4> slopes;
+  slopes.fill(sum);
   for (std::size_t n = 0; n < 4; ++n) {
-    k = f(t + method.at[n] * h, y + method.along[n] * h * k);
-    sum += method.weights[n] * k;
+    slopes[n] = f(t + method.at[n] * h, y + method.along[n] * ahead * slopes[method.by[n]]);
+    sum += method.weights[n] * slopes[n];
   }
   return y + h * sum;
 }
 
 auto with(Method method) {
   return [method](const Rhs& f, double t, const VectorXd& y, double h) {
-    return step(method, f, t, y, h);
+    return step(method, f, t, y, h, h);
   };
+}
+
+/// Each slope is seen from where the one before was.
+VectorXd piled_up(const Rhs& f, double t, const VectorXd& y, double h) {
+  const Method right;
+  VectorXd place = y, slope = VectorXd::Zero(y.size()), sum = slope;
+  for (std::size_t n = 0; n < 4; ++n) {
+    place += right.along[n] * h * slope;
+    slope = f(t + right.at[n] * h, place);
+    sum += right.weights[n] * slope;
+  }
+  return y + h * sum;
 }
 
 }  // namespace
@@ -63,8 +82,8 @@ TEST_SUITE(TUMBLE_UNIT) {
       const Rhs f = any_rhs();
       const VectorXd y = any_state(3);
       const double t = 1, half = 1.25, end = 1.5, h = 0.5;
-      const VectorXd second = y + h / 2 * f(t, y), third = y + h / 2 * f(half, second),
-                     last = y + h * f(half, third);
+      const VectorXd second = y + 0.25 * f(t, y), third = y + 0.25 * f(half, second),
+                     last = y + 0.5 * f(half, third);
       const auto answer = student::rk4_step(f, t, y, h);
       REQUIRE(answer == evaluated(answer, 4, "four times"));
       REQUIRE(answer == obeys("f is first evaluated at t and y", missed_by(answer, 0, {t, y}), 0));
@@ -161,21 +180,11 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
      {"third slope from the first",
       "The third slope was taken where the first one leads to, and is the second one again. Each "
       "slope shows the way to the next.",
-      "Runge–Kutta",
-      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y), k2 = f(t + h / 2, y + h / 2 * k1),
-                       k3 = f(t + h / 2, y + h / 2 * k1), k4 = f(t + h, y + h * k3);
-        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      }},
+      "Runge–Kutta", with({.by = {0, 0, 0, 2}})},
      {"fourth slope from the second",
       "The fourth slope was taken where the second one leads to. Each slope shows the way to the "
       "next: the third has come in between.",
-      "Runge–Kutta",
-      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y), k2 = f(t + h / 2, y + h / 2 * k1),
-                       k3 = f(t + h / 2, y + h / 2 * k2), k4 = f(t + h, y + h * k2);
-        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      }},
+      "Runge–Kutta", with({.by = {0, 0, 1, 1}})},
      {"fourth slope halfway",
       "The fourth slope was looked at halfway, in time and state. It belongs to the end of the "
       "step.",
@@ -196,13 +205,7 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
      {"stages piled up",
       "Each slope was looked at from where the one before was. All of them are looked at from the "
       "same y.",
-      "Runge–Kutta",
-      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y), y2 = y + h / 2 * k1, k2 = f(t + h / 2, y2);
-        const VectorXd y3 = y2 + h / 2 * k2, k3 = f(t + h / 2, y3);
-        const VectorXd y4 = y3 + h * k3, k4 = f(t + h, y4);
-        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      }},
+      "Runge–Kutta", piled_up},
      {"h twice",
       "The slopes were multiplied with h when they were taken, and their average once more.",
       "Runge–Kutta",
@@ -214,9 +217,7 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "between.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y), k2 = f(t + h / 2, y + k1 / 2), k3 = f(t + h / 2, y + k2 / 2),
-                       k4 = f(t + h, y + k3);
-        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        return step({}, f, t, y, h, 1);
       }},
      {"only the change",
       "This is by how much y changes, without y itself. Asked for is the new state.", "Runge–Kutta",
@@ -235,7 +236,7 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "averaged.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h / 2, y + h / 2 * f(t, y));
+        return tumble::runge_kutta::midpoint_step(f, t, y, h);
       }},
      {"evaluated too often",
       "The result is right, but the right-hand side was evaluated more than four times. In a large "

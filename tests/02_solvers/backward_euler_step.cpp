@@ -1,10 +1,12 @@
 /// @file
 /// 2.3 backward_euler_step: its laws, and what goes wrong.
 #include "tumble/ode/backward_euler.hpp"
+#include "tumble/ode/euler.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "02_solvers/contract.hpp"
 #include "judge/spec/shared/right_hand_sides.hpp"
@@ -105,8 +107,9 @@ MatrixXd matrix_of(const Problem& problem, double t, const VectorXd& y1, double 
 /// One more round of Newton's method from z.
 VectorXd improved(const Problem& problem, double t, const VectorXd& y, double h,
                   const VectorXd& z) {
-  const VectorXd residual = y + h * problem.f(t + h, z) - z;
-  return z + matrix_of(problem, t, z, h).partialPivLu().solve(residual);
+  VectorXd left = h * problem.f(t + h, z);
+  left += y - z;
+  return z + matrix_of(problem, t, z, h).partialPivLu().solve(left);
 }
 
 VectorXd reference(const Problem& problem, double t, const VectorXd& y, double h) {
@@ -153,14 +156,18 @@ using Step = std::function<VectorXd(const Rhs&, const Jacobian&, double, const V
 
 constexpr int many = 25;
 
+/// From y on for a time, with any slope.
+VectorXd onward(const VectorXd& y, double time, const VectorXd& slope) { return y + time * slope; }
+
 /// The z where `residual(z)` is zero, by steps with `matrix(z)`.
 VectorXd newton(VectorXd z, const std::function<VectorXd(const VectorXd&)>& residual,
                 const std::function<MatrixXd(const VectorXd&)>& matrix, double enough = 1e-10) {
   const double start = z.norm();
-  for (int round = 0; round < many; ++round) {
-    const VectorXd correction = solvers::solve(matrix(z), residual(z));
-    z += correction;
-    if (correction.norm() <= enough * std::fmax(start, z.norm())) break;
+  double moved = std::numeric_limits<double>::infinity();
+  for (int left = many; left > 0 && !(moved <= enough * std::fmax(start, z.norm())); --left) {
+    const VectorXd way = solvers::solve(matrix(z), residual(z));
+    z += way;
+    moved = way.norm();
   }
   return z;
 }
@@ -172,7 +179,7 @@ Step with_matrix(const std::function<MatrixXd(const MatrixXd& hJ, double h)>& la
                  double enough = 1e-10) {
   return [law, enough](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
     return newton(
-        y, [&](const VectorXd& z) -> VectorXd { return y + h * f(t + h, z) - z; },
+        y, [&](const VectorXd& z) -> VectorXd { return onward(y, h, f(t + h, z)) - z; },
         [&](const VectorXd& z) -> MatrixXd { return law(h * dfdy(t + h, z), h); }, enough);
   };
 }
@@ -307,7 +314,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "one the slope at the end counts.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t, y);
+        return tumble::runge_kutta::euler_step(f, t, y, h);
       }},
      {"a step back in time",
       "The step leads back to t − h. Backward is where the slope is looked at, from the end of the "
@@ -321,7 +328,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "the backward step ends, and in a stiff problem it is far away from it.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h, y + h * f(t, y));
+        return onward(y, h, f(t + h, tumble::runge_kutta::euler_step(f, t, y, h)));
       }},
      {"put back in again and again",
       "y₁ was put into the right side again and again, without the Jacobian. Where a problem is "
@@ -329,7 +336,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "Implicit steps",
       [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) {
         VectorXd y1 = y;
-        for (int round = 0; round < 2 * many; ++round) y1 = y + h * f(t + h, y1);
+        for (int round = 0; round < 2 * many; ++round) y1 = onward(y, h, f(t + h, y1));
         return y1;
       }},
      {"one round of Newton's method",
@@ -368,7 +375,10 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "Implicit steps",
       [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
         return newton(
-            y, [&](const VectorXd& z) -> VectorXd { return y + h * f(t + h / 2, (y + z) / 2) - z; },
+            y,
+            [&](const VectorXd& z) -> VectorXd {
+              return onward(y, h, f(t + h / 2, (y + z) / 2)) - z;
+            },
             [&](const VectorXd& z) -> MatrixXd {
               return identity(y) - h / 2 * dfdy(t + h / 2, (y + z) / 2);
             });
@@ -400,5 +410,6 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "belong to the end of the step, and one round is not enough.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + solvers::solve(identity(y) - h * dfdy(t, y), h * f(t, y));
+        const VectorXd slope = f(t, y);
+        return y + solvers::solve(identity(y) - h * dfdy(t, y), h * slope);
       }}}};

@@ -35,6 +35,9 @@ Mat3 almost_parallel(double angle) {
   return A * Vec3(1, angle, angle).asDiagonal() * B;
 }
 
+/// What is left of v without its part along u, if u has length 1.
+Vec3 without(const Vec3& v, const Vec3& u) { return v - u.dot(v) * u; }
+
 }  // namespace
 
 TEST_SUITE(TUMBLE_UNIT) {
@@ -157,18 +160,16 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
       "wrong by the square of its length.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
-        const Vec3 x = M.col(0);
-        const Vec3 y = M.col(1) - x.dot(M.col(1)) * x;
-        const Vec3 z = M.col(2) - x.dot(M.col(2)) * x - y.dot(M.col(2)) * y;
-        Mat3 R;
-        R << x, y, z;
+        Mat3 R = M;
+        R.col(1) = without(M.col(1), R.col(0));
+        R.col(2) = without(M.col(2), R.col(0)) - R.col(1).dot(M.col(2)) * R.col(1);
         return R.colwise().normalized();
       }},
      {"z cleaned of x only",
       "z is orthogonal to x, but not to y. It has to lose its parts along both.", "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
         Mat3 R = reference(M);
-        R.col(2) = (M.col(2) - R.col(0).dot(M.col(2)) * R.col(0)).normalized();
+        R.col(2) = without(M.col(2), R.col(0)).normalized();
         return R;
       }},
      {"left-handed",
@@ -182,11 +183,11 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
       "still in it. Take each part from what the last subtraction has left.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
-        const Vec3 x = M.col(0).normalized();
-        const Vec3 y = (M.col(1) - x.dot(M.col(1)) * x).normalized();
-        const Vec3 z = (M.col(2) - x.dot(M.col(2)) * x - y.dot(M.col(2)) * y).normalized();
-        Mat3 R;
-        R << x, y, z;
+        Mat3 R = M;
+        R.col(0).normalize();
+        R.col(1) = without(M.col(1), R.col(0)).normalized();
+        R.col(2) = without(M.col(2), R.col(0)) - R.col(1).dot(M.col(2)) * R.col(1);
+        R.col(2).normalize();
         return R;
       }},
      {"nearest rotation",

@@ -26,8 +26,9 @@ double rounding(double angle) { return (16 + std::abs(angle)) * eps; }
 
 /// (cos, sin · u) of some angle.
 Quaternion of_half(double half, const Vec3& u) {
-  const Vec3 v = std::sin(half) * u;
-  return {std::cos(half), v.x(), v.y(), v.z()};
+  Quaternion q;
+  q << std::cos(half), std::sin(half) * u;
+  return q;
 }
 
 }  // namespace
@@ -130,8 +131,9 @@ const Misconceptions<decltype(quaternions::from_axis_angle)> misconceptions{
       "No turn at all must be (1, 0, 0, 0). Which of sine and cosine is 1 at zero?",
       "Axis and angle",
       [](const Vec3& axis, double angle) {
-        const Vec3 v = std::cos(angle / 2) * axis.normalized();
-        return Quaternion(std::sin(angle / 2), v.x(), v.y(), v.z());
+        Quaternion q;
+        q << std::sin(angle / 2), std::cos(angle / 2) * axis.normalized();
+        return q;
       }},
      {"turned the other way",
       "This turns by −angle: the quaternion from world to body. Here q takes body axes to world "

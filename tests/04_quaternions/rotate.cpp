@@ -24,8 +24,11 @@ double rounding(const Vec3& p) { return 64 * eps * p.norm(); }
 
 /// q p q⁻¹ or what a mistake makes of it, without the scalar.
 Vec3 between(const Quaternion& left, const Vec3& p, const Quaternion& right) {
-  const Quaternion point(0, p.x(), p.y(), p.z());
-  return reference::product(reference::product(left, point), right).tail<3>();
+  Quaternion all = Quaternion::Zero();
+  all.tail<3>() = p;
+  all = reference::product(left, all);
+  all = reference::product(all, right);
+  return all.tail<3>();
 }
 
 }  // namespace

@@ -27,12 +27,15 @@ constexpr double rounding = 96 * eps;
 
 /// b or −b, whichever is nearer to a.
 Quaternion nearer(const Quaternion& a, const Quaternion& b) {
-  return a.dot(b) < 0 ? Quaternion(-b) : b;
+  const double cosine = a.dot(b);
+  return cosine < 0 ? Quaternion(-b) : b;
 }
 
 /// The arc over `angle` from a to b, with two sines over a sine.
 Quaternion arc(const Quaternion& a, const Quaternion& b, double angle, double t) {
-  return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+  const double done = t * angle, left = (1 - t) * angle;
+  const Quaternion sum = std::sin(left) * a + std::sin(done) * b;
+  return sum / std::sin(angle);
 }
 
 Quaternion line(const Quaternion& a, const Quaternion& b, double t) { return (1 - t) * a + t * b; }

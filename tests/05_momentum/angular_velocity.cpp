@@ -31,9 +31,8 @@ Mat3 tensor(const Vec3& values, const Mat3& axes) {
 Mat3 any_inverse() { return tensor(any_moments().cwiseInverse(), any_rotation()); }
 
 Vec3 reference(const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
-  const Vec3 L_body = R.transpose() * L;
-  const Vec3 omega_body = I_body_inv * L_body;
-  return R * omega_body;
+  const Mat3 inverse = R * I_body_inv * R.transpose();
+  return inverse * L;
 }
 
 /// Three products of a matrix and a vector round by 5 eps of ‖I_body⁻¹‖ |L| each, two of matrices

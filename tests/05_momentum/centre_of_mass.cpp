@@ -2,6 +2,8 @@
 /// 5.1 centre_of_mass: its laws, and what goes wrong.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "05_momentum/contract.hpp"
@@ -41,24 +43,26 @@ Points any_points(int n, double size = 3) {
   return points;
 }
 
+/// Of all points, what `each(point)` gives.
+template <class T, class Each>
+T sum(const Points& points, T zero, Each each) {
+  return std::accumulate(
+      points.begin(), points.end(), std::move(zero),
+      [&](const T& so_far, const PointMass& p) -> T { return so_far + each(p); });
+}
+
 double mass_of(const Points& points) {
-  double sum = 0;
-  for (const PointMass& point : points) sum += point.mass;
-  return sum;
+  return sum(points, 0., [](const PointMass& p) { return p.mass; });
 }
 
 /// Σ m x
 Vec3 moment_of(const Points& points) {
-  Vec3 sum = Vec3::Zero();
-  for (const PointMass& point : points) sum += point.mass * point.position;
-  return sum;
+  return sum(points, Vec3(0, 0, 0), [](const PointMass& p) -> Vec3 { return p.mass * p.position; });
 }
 
 /// Σ x
 Vec3 sum_of_places(const Points& points) {
-  Vec3 sum = Vec3::Zero();
-  for (const PointMass& point : points) sum += point.position;
-  return sum;
+  return sum(points, Vec3(0, 0, 0), [](const PointMass& p) { return p.position; });
 }
 
 }  // namespace

@@ -25,6 +25,11 @@ Mat3 reference(const Mat3& R, const Mat3& I_body) { return tumble::rotate_inerti
 /// to rounding adds as much on either side.
 double rounding(const Mat3& I) { return 32 * eps * I.norm(); }
 
+/// A tensor with something on either side.
+Mat3 between(const Mat3& left, const Mat3& tensor, const Mat3& right) {
+  return left * tensor * right;
+}
+
 }  // namespace
 
 TEST_SUITE(TUMBLE_UNIT) {
@@ -136,17 +141,17 @@ const Misconceptions<decltype(point_sampling::rotate_inertia)> misconceptions{
       "The rows of the tensor were turned, its columns were not. It takes a vector and gives a "
       "vector, and both have to be in world axes.",
       "Turning a tensor",
-      [](const Mat3& R, const Mat3& I_body) -> Mat3 { return I_body * R.transpose(); }},
+      [](const Mat3& R, const Mat3& I_body) -> Mat3 { return (R * I_body).transpose(); }},
      {"R on both sides",
       "R stands on both sides. One of them has to undo what the other one does: on the right, "
       "world axes have to become body axes.",
-      "Turning a tensor", [](const Mat3& R, const Mat3& I_body) -> Mat3 { return R * I_body * R; }},
+      "Turning a tensor", [](const Mat3& R, const Mat3& I_body) { return between(R, I_body, R); }},
      {"transposed on both sides",
       "The transpose of R stands on both sides. One of them has to undo what the other one does: "
       "on the left, body axes have to become world axes.",
       "Turning a tensor",
-      [](const Mat3& R, const Mat3& I_body) -> Mat3 {
-        return R.transpose() * I_body * R.transpose();
+      [](const Mat3& R, const Mat3& I_body) {
+        return between(R.transpose(), I_body, R.transpose());
       }},
      {"not turned",
       "This is the tensor in body axes. In world axes its numbers change while the body turns.",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "07_bounding_boxes/contract.hpp"
@@ -25,20 +26,19 @@ Box reference(const Points& points) { return to_box(tumble::boxes::aligned_box(p
 double rounding(const Points& points) { return 4 * eps * reach(points); }
 
 Vec3 smallest(const Points& points) {
-  Vec3 low = points.front();
-  for (const Vec3& point : points) low = low.cwiseMin(point);
-  return low;
+  return std::accumulate(points.begin(), points.end(), points.front(),
+                         [](const Vec3& a, const Vec3& b) -> Vec3 { return a.cwiseMin(b); });
 }
 
 Vec3 largest(const Points& points) {
-  Vec3 high = points.front();
-  for (const Vec3& point : points) high = high.cwiseMax(point);
-  return high;
+  return std::accumulate(points.begin(), points.end(), points.front(),
+                         [](const Vec3& a, const Vec3& b) -> Vec3 { return a.cwiseMax(b); });
 }
 
 /// The box between two corners, as someone has found them.
 Box between(const Vec3& low, const Vec3& high) {
-  return {(low + high) / 2, Mat3::Identity(), high - low};
+  const Vec3 middle = 0.5 * (low + high), size = high - low;
+  return {middle, Mat3::Identity(), size};
 }
 
 /// The answer after `change(box, points)`.

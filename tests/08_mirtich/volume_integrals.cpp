@@ -141,20 +141,27 @@ View view_of(const Corners& corners) {
 }
 
 /// What a face brings, by way of its shadow.
-VolumeIntegrals of_face(const Corners& corners, const View& view) {
-  const auto& [plane, C] = view;
-  const int A = (C + 1) % 3, B = (C + 2) % 3;
-  const auto f =
-      tumble::mirtich::face_integrals(tumble::mirtich::projection_integrals(corners, C), plane, C);
-  const Vec3& n = plane.n;
+/// @param n what the integrals over the face are multiplied with: its normal
+VolumeIntegrals of_face(const Corners& corners, const View& view, const Vec3& n) {
+  const auto [plane, gamma] = view;
+  const auto f = tumble::mirtich::face_integrals(
+      tumble::mirtich::projection_integrals(corners, gamma), plane, gamma);
+  const Vec3 powers[] = {{f.a, f.b, f.c}, {f.aa, f.bb, f.cc}, {f.aaa, f.bbb, f.ccc}};
+  const Vec3 mixed(f.aab, f.bbc, f.cca);
   VolumeIntegrals v = zero();
-  v.one = (n[A] * f.a + n[B] * f.b + n[C] * f.c) / 3;
-  v.r[A] = n[A] * f.aa / 2, v.r[B] = n[B] * f.bb / 2, v.r[C] = n[C] * f.cc / 2;
-  v.squares[A] = n[A] * f.aaa / 3, v.squares[B] = n[B] * f.bbb / 3;
-  v.squares[C] = n[C] * f.ccc / 3;
-  v.products[A] = n[A] * f.aab / 2, v.products[B] = n[B] * f.bbc / 2;
-  v.products[C] = n[C] * f.cca / 2;
+  for (int k = 0; k < 3; ++k) {  // along α, β, γ
+    const int axis = (gamma + 1 + k) % 3;
+    v.one += n[axis] * powers[0][k];
+    v.r[axis] = n[axis] * powers[1][k] / 2;
+    v.squares[axis] = n[axis] * powers[2][k] / 3;
+    v.products[axis] = n[axis] * mixed[k] / 2;
+  }
+  v.one /= 3;
   return v;
+}
+
+VolumeIntegrals of_face(const Corners& corners, const View& view) {
+  return of_face(corners, view, view.plane.n);
 }
 
 Corners corners_of(const Polyhedron& body, const std::vector<int>& face) {
@@ -388,16 +395,7 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
       "From a volume to its surface",
       [](const Polyhedron& body) {
         return over_faces(body, [](const Corners& corners) {
-          const View view = view_of(corners);
-          const int C = view.gamma, A = (C + 1) % 3, B = (C + 2) % 3;
-          const auto f = tumble::mirtich::face_integrals(
-              tumble::mirtich::projection_integrals(corners, C), view.plane, C);
-          VolumeIntegrals sum = zero();
-          sum.one = (f.a + f.b + f.c) / 3;
-          sum.r[A] = f.aa / 2, sum.r[B] = f.bb / 2, sum.r[C] = f.cc / 2;
-          sum.squares[A] = f.aaa / 3, sum.squares[B] = f.bbb / 3, sum.squares[C] = f.ccc / 3;
-          sum.products[A] = f.aab / 2, sum.products[B] = f.bbc / 2, sum.products[C] = f.cca / 2;
-          return sum;
+          return of_face(corners, view_of(corners), Vec3::Ones());
         });
       }},
      {"thrice the volume",

@@ -12,6 +12,8 @@
 #include "judge/spec/shared/rigid_body_reference.hpp"
 #include "judge/spec/spec.hpp"
 #include "tumble/free_body/free_symmetric_top.hpp"
+#include "tumble/ode/euler.hpp"
+#include "tumble/ode/midpoint.hpp"
 
 using namespace bodies;
 
@@ -89,14 +91,24 @@ const Step rk4 = [](const reference::Rhs& f, double t, const PackedState& y, dou
   return tumble::runge_kutta::rk4_step(f, t, y, h);
 };
 
-/// All states on the way, q repaired after each step.
+/// The state after one step, q repaired.
+State after(const Step& step, const reference::Rhs& f, double t, const State& now, double h) {
+  return reference::unpack(with_unit_q(step(f, t, reference::pack(now), h)));
+}
+
+/// All states on the way, `next(n, now)` the one after step number n.
+template <class Next>
+States walk(const State& start, int steps, const Next& next) {
+  States path(1, start);
+  while (path.size() <= static_cast<std::size_t>(steps))
+    path.push_back(next(static_cast<double>(path.size() - 1), path.back()));
+  return path;
+}
+
 States march(const Step& step, const reference::Rhs& f, const State& start, double t0, double h,
              int steps) {
-  States states{start};
-  for (int n = 0; n < steps; ++n)
-    states.push_back(
-        reference::unpack(with_unit_q(step(f, t0 + n * h, reference::pack(states.back()), h))));
-  return states;
+  return walk(start, steps,
+              [&](double n, const State& now) { return after(step, f, t0 + n * h, now, h); });
 }
 
 auto by(Step step) {
@@ -124,11 +136,9 @@ auto repaired_by(Repair repair) {
                   double t1, int steps) {
     const reference::Rhs f = reference::right_hand_side(body, wrench);
     const double h = (t1 - t0) / steps;
-    States states{start};
-    for (int n = 0; n < steps; ++n)
-      states.push_back(reference::unpack(
-          repair(tumble::runge_kutta::rk4_step(f, t0 + n * h, reference::pack(states.back()), h))));
-    return states;
+    return walk(start, steps, [&](double n, const State& now) {
+      return reference::unpack(repair(rk4(f, t0 + n * h, reference::pack(now), h)));
+    });
   };
 }
 
@@ -351,7 +361,7 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
       "Each step follows the slope at its start only. The method of 1.5 looks at four slopes.",
       "Taking steps",
       by([](const reference::Rhs& f, double t, const PackedState& y, double h) -> PackedState {
-        return y + h * f(t, y);
+        return tumble::runge_kutta::euler_step(f, t, y, h);
       })},
      {"momenta first, then the rest",
       "P and L were moved first, and x and q then followed the new momenta: the way of many games. "
@@ -366,7 +376,7 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
      {"midpoint method",
       "Each step follows one slope, that halfway. The method of 1.5 averages four.", "Taking steps",
       by([](const reference::Rhs& f, double t, const PackedState& y, double h) -> PackedState {
-        return y + h * f(t + h / 2, y + h / 2 * f(t, y));
+        return tumble::runge_kutta::midpoint_step(f, t, y, h);
       })},
      {"pushed alike for a whole step",
       "What pushes was asked once a step, at its start, and taken for all four slopes. What "
@@ -375,16 +385,13 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) {
         const double h = (t1 - t0) / steps;
-        States states{start};
-        for (int n = 0; n < steps; ++n) {
-          const Wrench push = wrench(t0 + n * h, states.back());
+        return walk(start, steps, [&](double n, const State& now) {
+          const Wrench push = wrench(t0 + n * h, now);
           const reference::Rhs f = [&](double, const PackedState& y) {
             return reference::rate(body, reference::unpack(y), push);
           };
-          states.push_back(reference::unpack(with_unit_q(
-              tumble::runge_kutta::rk4_step(f, 0., reference::pack(states.back()), h))));
-        }
-        return states;
+          return after(rk4, f, 0, now, h);
+        });
       }},
      {"time stands still",
       "Every step began at the time t0, as far as what pushes could see. From step to step the "
@@ -394,11 +401,8 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
          int steps) {
         const reference::Rhs f = reference::right_hand_side(body, wrench);
         const double h = (t1 - t0) / steps;
-        States states{start};
-        for (int n = 0; n < steps; ++n)
-          states.push_back(reference::unpack(with_unit_q(
-              tumble::runge_kutta::rk4_step(f, t0, reference::pack(states.back()), h))));
-        return states;
+        return walk(start, steps,
+                    [&](double, const State& now) { return after(rk4, f, t0, now, h); });
       }},
      {"time counted from zero",
       "The clock was set to 0 at the start. It shows t0 then, and what pushes can depend on it.",
@@ -413,11 +417,8 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
          int steps) {
         const reference::Rhs f = reference::right_hand_side(body, wrench);
         const double h = (t1 - t0) / steps;
-        States states{start};
-        for (int n = 0; n < steps; ++n)
-          states.push_back(reference::unpack(with_unit_q(
-              tumble::runge_kutta::rk4_step(f, t0 + n * h, reference::pack(start), h))));
-        return states;
+        return walk(start, steps,
+                    [&](double n, const State&) { return after(rk4, f, t0 + n * h, start, h); });
       }},
      {"t1 taken for the duration",
       "The length of a step was worked out from t1 alone. What lies between t0 and t1 is to be "

@@ -16,7 +16,10 @@ namespace {
 /// y as the numbers from these places on are taken for x, q, P and L.
 auto from_places(int x, int q, int P, int L) {
   return [=](const PackedState& y) -> State {
-    return {y.segment<3>(x), y.segment<4>(q), y.segment<3>(P), y.segment<3>(L)};
+    State state;
+    state.x = y.segment<3>(x), state.q = y.segment<4>(q);
+    state.P = y.segment<3>(P), state.L = y.segment<3>(L);
+    return state;
   };
 }
 

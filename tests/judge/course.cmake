@@ -162,9 +162,7 @@ function(tumble_add_judge target root)
   target_link_libraries(${target} PRIVATE tumble_judge_core tumble_judge_commands)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   add_custom_target(${prefix}all_specs)
-  if(TARGET tumble_unpack)
-    add_dependencies(${prefix}all_specs tumble_unpack) # who grades a class has archives
-  endif()
+  add_dependencies(${prefix}all_specs grading_tools) # who grades a class has archives
 
   set(json)
   set(earlier)

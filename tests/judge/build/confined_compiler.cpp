@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -67,6 +68,19 @@ Finished ConfinedCompiler::run(const Arguments& arguments) const {
   return run_confined(
       command, {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + folder_.string()},
       walls_);
+}
+
+std::vector<std::string> ConfinedCompiler::functions_in(const fs::path& object) const {
+  const fs::path nm = "/usr/bin/nm";
+  if (!fs::exists(nm)) return {};
+  const Finished step =
+      run_confined({nm.string(), "-C", "--defined-only", object.string()}, {"LC_ALL=C"}, walls_);
+  std::istringstream in(step.output);
+  std::vector<std::string> functions;
+  for (std::string line; std::getline(in, line);)  // "0000000000000000 T quaternions::prod(double)"
+    if (const auto at = line.find(" T "); at != std::string::npos && line.ends_with(')'))
+      functions.push_back(line.substr(at + 3));
+  return functions;
 }
 
 bool ran_into_limits(const Finished& step) {

@@ -28,6 +28,9 @@ class ConfinedCompiler {
   /// The folder, and these files in it, belong to the user that the compiler runs as.
   void hand_over(const std::vector<fs::path>& files) const;
   Finished run(const Arguments& arguments) const;
+  /// The functions that an object defines, as they are declared: "quaternions::prod(double)".
+  /// Nothing where there is no nm (binutils, which a compiler needs anyway).
+  std::vector<std::string> functions_in(const fs::path& object) const;
 
  private:
   const Toolchain& tools_;

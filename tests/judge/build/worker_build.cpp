@@ -211,6 +211,16 @@ class Builder {
     return found;
   }
 
+  /// What is defined there, for whom a letter or a type is wrong.
+  std::string found_instead() const {
+    constexpr std::size_t most = 5;
+    std::string text;
+    const std::vector<std::string> functions = compiler_.functions_in(object());
+    for (std::size_t i = 0; i < std::min(most, functions.size()); ++i)
+      text += "  " + functions[i].substr(0, 200) + "\n";
+    return text.empty() ? "" : "found there:\n" + text;
+  }
+
   bool link(WorkerBuild& result) {
     Finished step = run_linker();
     while (step.ending != Ending{false, 0} &&
@@ -226,7 +236,7 @@ class Builder {
     result.explained = !undefined.empty();
     if (absent) {
       result.outcome = BuildOutcome::wrong_signature;
-      result.detail = read_declaration(course_, unit_).signature;
+      result.detail = read_declaration(course_, unit_).signature + "\n" + found_instead();
     } else if (!undefined.empty()) {
       result.detail = "Your code calls these functions, but nothing defines them:\n";
       for (const std::string& name : undefined) result.detail += "  " + name + "\n";

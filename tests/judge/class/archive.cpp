@@ -2,14 +2,20 @@
 
 #include <fcntl.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 
+#include "judge/class/file_names.hpp"
 #include "judge/sandbox/confined_process.hpp"
 #include "judge/sandbox/pipe.hpp"
+#include "support/text_file.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble::judge {
 
 namespace {
+
+#ifdef TUMBLE_UNPACK
 
 /// Reads, computes, writes to its pipe, and nothing else.
 Walls walls_of(const fs::path& program) {
@@ -24,40 +30,107 @@ Walls walls_of(const fs::path& program) {
   return walls;
 }
 
-/// What the process behind the walls says.
-Unpacked read_message(const std::string& message) {
-  const nlohmann::json j = nlohmann::json::from_msgpack(message);
-  Unpacked unpacked{{}, j.at("refused")};
-  for (const auto& [path, text] : j.at("files").items()) {
-    const auto& bytes = text.get_binary();
-    unpacked.files[path] = std::string(bytes.begin(), bytes.end());
+/// What the process behind the walls has said: entries one after the other, each after its length,
+/// and at the end whether it went well.
+void read_messages(const std::string& output,
+                   const std::function<void(const nlohmann::json&)>& each) {
+  for (std::size_t at = 0; at < output.size();) {
+    require(at + 4 <= output.size(), "its reader has stopped");
+    std::size_t size = 0;
+    for (std::size_t i = 4; i-- > 0;) size = size << 8 | static_cast<unsigned char>(output[at + i]);
+    require(size <= output.size() - at - 4, "its reader has stopped");
+    const auto begin = output.begin() + static_cast<std::ptrdiff_t>(at) + 4;
+    each(nlohmann::json::from_msgpack(begin, begin + static_cast<std::ptrdiff_t>(size)));
+    at += 4 + size;
   }
-  return unpacked;
 }
+
+std::string bytes_in(const nlohmann::json& binary) {
+  const auto& bytes = binary.get_binary();
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Why an archive was not read, or nothing; `each` is called for every entry.
+std::string read_archive(const fs::path& archive, const char* what, std::size_t most_output,
+                         const Limits& limits,
+                         const std::function<void(const nlohmann::json&)>& each) {
+  const fs::path program = TUMBLE_UNPACK;
+  const Descriptor file(::open(archive.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  if (file.number() < 0) return "cannot be read";
+  Walls walls = walls_of(program);
+  walls.limits.cpu_seconds = limits.cpu_seconds;
+  walls.limits.wall_seconds = limits.wall_seconds;
+  const Finished finished =
+      run_confined({program.string(), what}, {"LC_ALL=C.UTF-8"}, walls, most_output, file.number());
+  if (finished.timed_out) return "takes too long to unpack";
+  if (finished.ending != Ending{false, 0}) return "cannot be unpacked: its reader has crashed";
+  std::string refused = "cannot be unpacked: its reader has stopped";
+  try {
+    read_messages(finished.output, [&](const nlohmann::json& message) {
+      if (message.contains("refused"))
+        refused = message.at("refused");
+      else
+        each(message);
+    });
+  } catch (const std::exception& error) {
+    return std::string("cannot be unpacked: ") + error.what();
+  }
+  return refused;
+}
+
+/// An entry of a class's download: a file with its text, or an empty one that has its name.
+void put(const nlohmann::json& entry, const fs::path& to, std::vector<std::string>& left_out) {
+  if (entry.contains("note")) return left_out.push_back(bytes_in(entry.at("note")));
+  const fs::path file = to / bytes_in(entry.at("path"));
+  support::write_text_and_folders(file, entry.contains("text") ? bytes_in(entry.at("text")) : "");
+}
+
+#endif
 
 }  // namespace
 
-Unpacked unpack(const fs::path& archive) {
 #ifdef TUMBLE_UNPACK
-  const fs::path program = TUMBLE_UNPACK;
-  const Descriptor file(::open(archive.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
-  if (file.number() < 0) return {{}, "cannot be read"};
-  if (fs::file_size(archive) > largest_archive)
-    return {{}, "has " + std::to_string(fs::file_size(archive)) + " bytes: more than 32 MB"};
-  const Finished finished = run_confined({program.string()}, {"LC_ALL=C.UTF-8"}, walls_of(program),
-                                         2 * largest_content, file.number());
-  if (finished.timed_out) return {{}, "takes too long to unpack"};
-  if (finished.ending != Ending{false, 0})
-    return {{}, "cannot be unpacked: its reader has crashed"};
-  try {
-    return read_message(finished.output);
-  } catch (const nlohmann::json::exception& error) {
-    return {{}, std::string("cannot be unpacked: ") + error.what()};
-  }
+
+Unpacked unpack(const fs::path& archive) {
+  std::error_code unreadable;
+  const std::uintmax_t size = fs::file_size(archive, unreadable);
+  if (!unreadable && size > largest_archive)
+    return {{}, "has " + std::to_string(size) + " bytes: more than 32 MB"};
+  Unpacked unpacked;
+  const Limits limits{.cpu_seconds = 20, .wall_seconds = 60};
+  const auto take = [&](const nlohmann::json& entry) {
+    if (entry.contains("note"))
+      unpacked.notes.push_back(bytes_in(entry.at("note")));
+    else if (entry.contains("text"))
+      unpacked.files[bytes_in(entry.at("path"))] = bytes_in(entry.at("text"));
+    else
+      unpacked.others.push_back(bytes_in(entry.at("path")));
+  };
+  unpacked.refused = read_archive(archive, "student", 2 * largest_content, limits, take);
+  return unpacked.refused.empty() ? unpacked : Unpacked{{}, unpacked.refused};
+}
+
+std::vector<std::string> unpack_class(const fs::path& archive, const fs::path& to) {
+  std::vector<std::string> left_out;
+  const Limits limits{.cpu_seconds = 600, .wall_seconds = 1200};
+  const std::string refused =
+      read_archive(archive, "class", largest_class_kept + (largest_class_kept >> 2), limits,
+                   [&](const nlohmann::json& entry) { put(entry, to, left_out); });
+  require(refused.empty(), escaped(archive.string()), " ", escaped(refused));
+  return left_out;
+}
+
 #else
+
+Unpacked unpack(const fs::path& archive) {
   return {{},
           "cannot be unpacked: " + archive.string() + ", as tumble was built without libarchive"};
-#endif
 }
+
+std::vector<std::string> unpack_class(const fs::path& archive, const fs::path&) {
+  tumble::detail::refuse(unpack(archive).refused);
+}
+
+#endif
 
 }  // namespace tumble::judge

@@ -4,29 +4,14 @@
 #include <cstdio>
 #include <sstream>
 
+#include "judge/class/csv_table.hpp"
+#include "judge/class/feedback.hpp"
+#include "judge/class/final_grade.hpp"
 #include "judge/verdict/markup.hpp"
-#include "support/csv.hpp"
 
 namespace tumble::judge {
 
 namespace {
-
-/// With at most two digits behind the point, and none that is not needed.
-std::string points_text(double points) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", points);
-  std::string result = text;
-  while (result.back() == '0') result.pop_back();
-  if (result.back() == '.') result.pop_back();
-  return result;
-}
-
-/// What a student chose to write must not become a formula in a spreadsheet.
-std::string foreign_field(const std::string& text) {
-  const bool is_formula =
-      !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos;
-  return support::csv_field(is_formula ? "'" + text : text);
-}
 
 std::size_t count_passed(const StudentRecord& record) {
   return static_cast<std::size_t>(std::count_if(record.units.begin(), record.units.end(),
@@ -37,16 +22,6 @@ std::size_t count_judge_failures(const StudentRecord& record) {
   return static_cast<std::size_t>(
       std::count_if(record.units.begin(), record.units.end(),
                     [](const UnitRecord& u) { return !u.judge_failure.empty(); }));
-}
-
-/// Why the row is not what it should be.
-std::string note_on(const StudentRecord& record) {
-  std::string note = record.refused, failed;
-  for (const UnitRecord& unit : record.units)
-    if (!unit.judge_failure.empty()) failed += (failed.empty() ? "" : ", ") + unit.number;
-  if (!failed.empty())
-    note += (note.empty() ? "" : "; ") + ("the judge failed at " + failed + ": no verdict");
-  return note;
 }
 
 void write_case(std::ostream& out, const StudentRecord& student, const UnitRecord& unit) {
@@ -64,24 +39,40 @@ void write_case(std::ostream& out, const StudentRecord& student, const UnitRecor
         << markup(unit.explanation) << "</failure>\n    </testcase>\n";
 }
 
+void write_unreached(std::ostream& out, const CourseSettings& settings,
+                     const StudentRecord& record) {
+  if (!record.out_of_time) return;
+  for (const Unit& unit : settings.units)
+    if (!record.find(unit))
+      out << "    <testcase classname=\"" << markup(record.student) << "\" name=\"" << unit.number
+          << " " << markup(unit.id()) << "\">\n      <skipped message=\"" << no_time_left
+          << "\"/>\n    </testcase>\n";
+}
+
 }  // namespace
 
 std::string grades_csv(const CourseSettings& settings, const std::vector<StudentRecord>& records) {
   std::ostringstream out;
   out << "student,points,of,percent,passed,note";
   for (const Unit& unit : settings.units) out << "," << unit.number << " " << unit.name;
-  out << "\n";
+  const bool known_elsewhere =
+      std::any_of(records.begin(), records.end(),
+                  [](const StudentRecord& r) { return !r.who.name.empty() || !r.who.id.empty(); });
+  out << (known_elsewhere ? ",name,id,email\n" : "\n");
   const double most = settings.most();
   for (const StudentRecord& record : records) {
-    const double points = earned(settings, record);
+    const double points = final_grade(settings, record).points;
     out << foreign_field(record.student) << "," << points_text(points) << "," << points_text(most)
         << "," << points_text(100 * points / most) << "," << count_passed(record) << ","
-        << foreign_field(note_on(record));
+        << foreign_field(note_on(settings, record));
     for (const Unit& unit : settings.units) {
       const UnitRecord* known = record.find(unit);
       const bool judged = known && known->judge_failure.empty();
-      out << "," << (judged ? points_text(settings.earned(*known)) : "");
+      out << "," << (judged ? points_text(unit_points(settings, record, unit)) : "");
     }
+    if (known_elsewhere)
+      for (const std::string* text : {&record.who.name, &record.who.id, &record.who.email})
+        out << "," << foreign_field(*text);
     out << "\n";
   }
   return out.str();
@@ -95,15 +86,17 @@ std::string grades_junit(const CourseSettings& settings,
   for (const StudentRecord& record : records) {
     const std::size_t refused = record.refused.empty() ? 0 : 1;
     const std::size_t unjudged = count_judge_failures(record), errors = refused + unjudged;
+    const std::size_t skipped = count_unreached(settings, record);
     out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
-        << record.units.size() + refused << "\" failures=\""
-        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors
-        << "\">\n";
+        << record.units.size() + refused + skipped << "\" failures=\""
+        << record.units.size() - count_passed(record) - unjudged << "\" errors=\"" << errors << "\""
+        << (skipped > 0 ? " skipped=\"" + std::to_string(skipped) + "\"" : "") << ">\n";
     if (refused > 0)
       out << "    <testcase classname=\"" << markup(record.student)
           << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
           << "\"/>\n    </testcase>\n";
     for (const UnitRecord& unit : record.units) write_case(out, record, unit);
+    write_unreached(out, settings, record);
     out << "  </testsuite>\n";
   }
   out << "</testsuites>\n";

@@ -16,6 +16,8 @@ class JudgeFingerprint {
 
   /// With the unit's contract, its spec and what the specs of its chapter share.
   std::uint64_t of(const Unit& unit) const;
+  /// Of what all units share.
+  std::uint64_t shared() const { return shared_; }
 
  private:
   const Course& course_;

@@ -1,9 +1,12 @@
 #include "judge/class/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
+#include "judge/class/feedback.hpp"
+#include "judge/class/final_grade.hpp"
 #include "judge/spec/load_spec.hpp"
 #include "judge/spec/misconception.hpp"
 #include "judge/verdict/markup.hpp"
@@ -21,6 +24,7 @@ td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 .bar { display: flex; height: 1.1rem; min-width: 9rem; border-radius: 3px; overflow: hidden; }
 .bar i { display: block; height: 100%; }
 .passed { background: var(--good); } .failed { background: var(--bad); } .open { background: var(--none); }
+.unread { background: repeating-linear-gradient(45deg, var(--none) 0 4px, transparent 4px 8px); }
 .key i { display: inline-block; width: .8rem; height: .8rem; margin: 0 .3rem 0 1rem; border-radius: 2px; }
 small { opacity: .75; } li { margin-bottom: .5rem; } svg text { fill: currentColor; }
 @media (max-width: 40rem) { .bar { min-width: 5rem; } td, th { padding-right: .3rem; } }
@@ -35,7 +39,8 @@ std::string number(double x) {
 /// "3 of 20 (15 %)"
 std::string share(std::size_t n, std::size_t of) {
   const double percent = of == 0 ? 0 : 100.0 * static_cast<double>(n) / static_cast<double>(of);
-  return std::to_string(n) + " of " + std::to_string(of) + " (" + number(percent) + " %)";
+  return std::to_string(n) + " of " + std::to_string(of) + " (" +
+         std::to_string(std::lround(percent)) + " %)";
 }
 
 /// The misconception of a unit with this name; an empty one if a newer judge no longer knows it.
@@ -69,14 +74,18 @@ class Page {
   Page(const CourseSettings& settings, const std::vector<StudentRecord>& records)
       : settings_(settings), records_(records), units_(statistics_of(settings, records)) {}
 
-  std::string text(Names names) {
+  std::string text(Names names, const ReportNotes& notes) {
     out_ << "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
          << "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
          << markup(settings_.title) << "</title>\n<style>" << style_sheet << "</style>\n<h1>"
          << markup(settings_.title) << "</h1>\n";
     add_summary();
+    add_unreadable(notes);
+    out_ << "<h2>Points</h2>\n";
+    add_histogram();
     add_to_explain();
     add_units();
+    add_identical(notes, names);
     if (names == Names::shown) add_students();
     out_ << "</html>\n";
     return out_.str();
@@ -84,13 +93,38 @@ class Page {
 
  private:
   void add_summary() {
-    std::size_t refused = 0;
-    for (const StudentRecord& record : records_) refused += record.refused.empty() ? 0u : 1u;
-    out_ << "<p>" << records_.size() << " submissions, " << units_.size() << " exercises, "
+    std::size_t refused = 0, absent = 0;
+    for (const StudentRecord& record : records_) {
+      refused += record.refused.empty() ? 0u : 1u;
+      absent += record.absent ? 1u : 0u;
+    }
+    out_ << "<p>" << records_.size() - absent << " submissions, " << units_.size() << " exercises, "
          << number(settings_.most()) << " points.";
-    if (refused > 0) out_ << " " << refused << " could not be read.";
-    out_ << "</p>\n<h2>Points</h2>\n";
-    add_histogram();
+    if (absent > 0) out_ << " " << absent << " of the class have not handed in.";
+    if (refused > 0) out_ << " " << refused << " submissions could not be read.";
+    out_ << "</p>\n";
+  }
+
+  /// Records that are missing from all numbers of the page.
+  void add_unreadable(const ReportNotes& notes) {
+    if (notes.unreadable.empty()) return;
+    out_ << "<p>Left out, as their records cannot be understood:</p>\n<ul>\n";
+    for (const std::string& each : notes.unreadable) out_ << "<li>" << markup(each) << "</li>\n";
+    out_ << "</ul>\n";
+  }
+
+  void add_identical(const ReportNotes& notes, Names names) {
+    if (notes.identical.empty()) return;
+    out_ << "<h2>Identical files</h2>\n<p>The same to the letter. Short functions are often "
+            "alike: look at them.</p>\n<ul>\n";
+    for (const IdenticalFiles& each : notes.identical) {
+      out_ << "<li>" << each.unit.number << " " << markup(each.unit.name) << ": ";
+      if (names == Names::hidden) out_ << each.students.size() << " students";
+      for (std::size_t i = 0; names == Names::shown && i < each.students.size(); ++i)
+        out_ << (i == 0 ? "" : ", ") << markup(each.students[i]);
+      out_ << "</li>\n";
+    }
+    out_ << "</ul>\n";
   }
 
   /// How many students have how many tenths of all points.
@@ -98,7 +132,8 @@ class Page {
     constexpr int bins = 10, width = 56, height = 120;
     std::vector<std::size_t> count(static_cast<std::size_t>(bins), 0);
     for (const StudentRecord& record : records_) {
-      const double part = earned(settings_, record) / settings_.most();
+      if (record.absent) continue;
+      const double part = final_grade(settings_, record).points / settings_.most();
       ++count[static_cast<std::size_t>(std::clamp(static_cast<int>(part * bins), 0, bins - 1))];
     }
     const std::size_t highest =
@@ -145,10 +180,10 @@ class Page {
 
   void add_bar(const UnitStatistics& unit) {
     out_ << R"(<div class="bar" title=")" << unit.passed << " passed, " << unit.failed
-         << " not yet, " << unit.not_started << " not started\">";
+         << " not yet, " << unit.not_started << " not started, " << unit.unread << " not read\">";
     for (const auto& [kind, n] :
          {std::pair{"passed", unit.passed}, std::pair{"failed", unit.failed},
-          std::pair{"open", unit.not_started}})
+          std::pair{"open", unit.not_started}, std::pair{"unread", unit.unread}})
       if (n > 0) out_ << "<i class=\"" << kind << "\" style=\"flex:" << n << "\"></i>";
     out_ << "</div>";
   }
@@ -164,7 +199,8 @@ class Page {
 
   void add_units() {
     out_ << "<h2>Exercises</h2>\n<p class=\"key\"><small><i class=\"passed\"></i>passed"
-            "<i class=\"failed\"></i>not yet<i class=\"open\"></i>not started</small></p>\n"
+            "<i class=\"failed\"></i>not yet<i class=\"open\"></i>not started"
+            "<i class=\"unread\"></i>submission not read</small></p>\n"
             "<table>\n<tr><th>exercise<th><th class=\"number\">passed<th class=\"number\">tries"
             "<th>what goes wrong</tr>\n";
     for (const UnitStatistics& unit : units_) {
@@ -188,11 +224,10 @@ class Page {
             "</tr>\n";
     for (const StudentRecord& record : records_) {
       out_ << "<tr><td>" << markup(record.student) << "<td class=\"number\">"
-           << number(earned(settings_, record)) << "<td>"
-           << (record.refused.empty() ? "" : "the submission " + markup(record.refused));
+           << points_text(final_grade(settings_, record).points) << "<td>";
       for (const UnitRecord& unit : record.units)
         if (!unit.passed) out_ << markup(unit.number + " " + unit.summary) << "; ";
-      out_ << "</tr>\n";
+      out_ << markup(note_on(settings_, record)) << "</tr>\n";
     }
     out_ << "</table>\n";
   }
@@ -206,8 +241,8 @@ class Page {
 }  // namespace
 
 std::string report_html(const CourseSettings& settings, const std::vector<StudentRecord>& records,
-                        Names names) {
-  return Page(settings, records).text(names);
+                        Names names, const ReportNotes& notes) {
+  return Page(settings, records).text(names, notes);
 }
 
 }  // namespace tumble::judge

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <regex>
 
+#include "judge/class/units_meant.hpp"
 #include "judge/course/stable_hash.hpp"
+#include "support/parsed_json.hpp"
 #include "support/place.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
@@ -21,12 +22,21 @@ std::vector<Unit> units_in(const Course& course, const Place& list) {
   std::set<std::string> meant;
   for (const Place& each : list.elements())
     each.refused_here([&] {
-      for (const Unit& unit : course.select(each.text())) meant.insert(unit.id());
+      for (const Unit& unit : units_meant(course, each.text())) meant.insert(unit.id());
     });
   std::vector<Unit> units;
   for (const Unit& unit : course.units)
     if (meant.contains(unit.id())) units.push_back(unit);
   require(!units.empty(), list.name(), " is empty: leave it out for all exercises");
+  return units;
+}
+
+/// Those of the units that a text means which count.
+std::vector<Unit> counted(const Course& course, const CourseSettings& settings,
+                          const std::string& text) {
+  std::vector<Unit> units = units_meant(course, text);
+  std::erase_if(units, [&](const Unit& unit) { return !settings.weights.contains(unit.id()); });
+  require(!units.empty(), text, " does not count: it is not in \"units\"");
   return units;
 }
 
@@ -36,16 +46,47 @@ double weight(const Place& place) {
   return points;
 }
 
-/// Weights of chapters first: those of units count more.
-void read_weights(const Course& course, const Place& weights, CourseSettings& settings) {
-  for (const bool of_units : {false, true})
-    for (const auto& [what, place] : weights.members()) {
-      const std::vector<Unit> units =
-          place.refused_here([&, w = what] { return course.select(w); });
-      if ((units.size() == 1) != of_units) continue;
-      for (const Unit& unit : units)
-        if (settings.weights.contains(unit.id())) settings.weights[unit.id()] = weight(place);
+/// One entry of "weights".
+struct Weight {
+  std::string text;
+  std::size_t meant;        ///< how many units, counted or not
+  std::vector<Unit> units;  ///< those that count
+  double points;
+};
+
+std::vector<Weight> weights_in(const Course& course, const Place& weights,
+                               const CourseSettings& settings) {
+  std::vector<Weight> all;
+  for (const auto& [text, place] : weights.members()) {
+    std::vector<Unit> units =
+        place.refused_here([&, w = text] { return counted(course, settings, w); });
+    all.push_back({text, units_meant(course, text).size(), std::move(units), weight(place)});
+  }
+  return all;
+}
+
+/// What is said of fewer units counts more: first of chapters, then of units.
+void read_weights(const Course& course, const Place& place, CourseSettings& settings) {
+  std::vector<Weight> weights = weights_in(course, place, settings);
+  std::stable_sort(weights.begin(), weights.end(),
+                   [](const Weight& a, const Weight& b) { return a.meant > b.meant; });
+  std::map<std::string, const Weight*> last;  // that a unit has got its points from
+  for (const Weight& each : weights)
+    for (const Unit& unit : each.units) {
+      const Weight*& before = last[unit.id()];
+      require(!before || before->meant > each.meant, place.name(), " says twice what ", unit.number,
+              " is worth: in \"", before ? before->text : "", "\" and in \"", each.text, "\"");
+      before = &each;
+      settings.weights[unit.id()] = each.points;
     }
+}
+
+void read_hidden(const Course& course, const Place& hidden, CourseSettings& settings) {
+  require(!hidden.elements().empty(), hidden.name(), " is empty: leave it out if nothing is");
+  for (const Place& each : hidden.elements())
+    for (const Unit& unit :
+         each.refused_here([&] { return counted(course, settings, each.text()); }))
+      settings.hidden.insert(unit.id());
 }
 
 Credit read_credit(const Place& place) {
@@ -53,14 +94,6 @@ Credit read_credit(const Place& place) {
   require(credit == "unit" || credit == "laws", place.name(), " is \"", credit,
           R"(", not "unit" (all laws or nothing) or "laws" (in proportion))");
   return credit == "unit" ? Credit::unit : Credit::laws;
-}
-
-std::string read_time(const Place& place) {
-  static const std::regex iso(
-      R"(\d{4}-\d{2}-\d{2}T\d{2}:\d{2}(:\d{2}(\.\d+)?)?(Z|[+-]\d{2}:\d{2}))");
-  require(std::regex_match(place.text(), iso), place.name(), " is \"", place.text(),
-          R"(", not a time such as "2026-12-01T23:59:00Z" or "2026-12-01T23:59:00+01:00")");
-  return place.text();
 }
 
 std::uint64_t read_seed(const Place& place) {
@@ -71,8 +104,8 @@ std::uint64_t read_seed(const Place& place) {
 }
 
 CourseSettings settings_of(const Course& course, const Place& place) {
-  place.require_only(
-      {"$schema", "title", "units", "weights", "credit", "hidden", "due", "seed", "curve"});
+  place.require_only({"$schema", "title", "units", "weights", "credit", "hidden", "due", "seed",
+                      "curve", "late", "extensions", "overrides", "several", "extra"});
   CourseSettings settings = default_settings(course);
   if (place.has("title")) settings.title = place["title"].text();
   if (place.has("units")) {
@@ -82,11 +115,11 @@ CourseSettings settings_of(const Course& course, const Place& place) {
   }
   if (place.has("weights")) read_weights(course, place["weights"], settings);
   if (place.has("credit")) settings.credit = read_credit(place["credit"]);
-  if (place.has("hidden"))
-    for (const Unit& unit : units_in(course, place["hidden"])) settings.hidden.insert(unit.id());
-  if (place.has("due")) settings.due = read_time(place["due"]);
+  if (place.has("hidden")) read_hidden(course, place["hidden"], settings);
+  if (place.has("due")) settings.due = read_moment(place["due"]);
   if (place.has("seed")) settings.seed = read_seed(place["seed"]);
   if (place.has("curve")) settings.curve = place["curve"].yes();
+  settings.rules = read_rules(course, place);
   require(settings.most() > 0, place.name(), ": no exercise is worth any points");
   return settings;
 }
@@ -95,7 +128,8 @@ CourseSettings settings_of(const Course& course, const Place& place) {
 
 double CourseSettings::most() const {
   double sum = 0;
-  for (const Unit& unit : units) sum += points(unit);
+  for (const Unit& unit : units)
+    if (!rules.extra.contains(unit.id())) sum += points(unit);
   return sum;
 }
 
@@ -124,12 +158,7 @@ CourseSettings default_settings(const Course& course) {
 }
 
 CourseSettings read_settings(const Course& course, const std::filesystem::path& file) {
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(support::read_text(file));
-  } catch (const nlohmann::json::exception& error) {
-    throw std::invalid_argument(file.string() + " is no JSON: " + error.what());
-  }
+  const nlohmann::json json = support::parsed_json(support::read_text(file), file.string());
   return settings_of(course, Place(json, file.string()));
 }
 

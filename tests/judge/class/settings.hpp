@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/class/rules.hpp"
 #include "judge/course/course.hpp"
 #include "judge/verdict/unit_record.hpp"
 
@@ -40,9 +41,10 @@ struct CourseSettings {
   /// Whether the curves of a student's own engine come with the grade; if not said, where all
   /// chapters count.
   std::optional<bool> curve;
+  ClassRules rules;  ///< about single students and late work
 
   double points(const Unit& unit) const { return weights.at(unit.id()); }
-  /// Of all units.
+  /// Of all units but those that are extra.
   double most() const;
   bool wants_curve(const Course& course) const;
   bool is_hidden(const UnitRecord& record) const { return hidden.contains(record.unit); }

@@ -8,10 +8,6 @@ namespace tumble::judge {
 
 namespace {
 
-bool not_started(const UnitRecord& record) {
-  return record.source == 0 || record.summary == name_of(Outcome::not_implemented);
-}
-
 Counts sorted(const std::map<std::string, std::size_t>& counts) {
   Counts result(counts.begin(), counts.end());
   std::stable_sort(result.begin(), result.end(),
@@ -24,6 +20,7 @@ class UnitCounter {
  public:
   explicit UnitCounter(const Unit& unit) { statistics_.unit = unit; }
 
+  void add_unread() { ++statistics_.unread; }
   void add(const UnitRecord* record) {
     if (!record || (!record->passed && not_started(*record)))
       ++statistics_.not_started;
@@ -65,12 +62,20 @@ class UnitCounter {
 
 }  // namespace
 
+bool not_started(const UnitRecord& record) {
+  return record.source == 0 || record.summary == name_of(Outcome::not_implemented);
+}
+
 std::vector<UnitStatistics> statistics_of(const CourseSettings& settings,
                                           const std::vector<StudentRecord>& records) {
   std::vector<UnitStatistics> all;
   for (const Unit& unit : settings.units) {
     UnitCounter counter(unit);
-    for (const StudentRecord& record : records) counter.add(record.find(unit));
+    for (const StudentRecord& record : records)
+      if (!record.refused.empty())
+        counter.add_unread();
+      else if (!record.absent)
+        counter.add(record.find(unit));
     all.push_back(counter.total());
   }
   return all;

@@ -99,7 +99,7 @@ int check(const Course& course, const CheckOptions& options) {
   judgement.only_case = selection.only_case;
   judgement.only_sanitized = options.sanitized;
   // With sanitizers the walls are lower: not for a class's submissions.
-  judgement.locate_crashes = !options.strict && !options.sanitized;
+  judgement.locate_crashes = !options.strict && !options.sanitized && !options.once;
 
   ConsoleStyle style = style_of_terminal();
   style.every_case = options.every_case;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "judge/course/course.hpp"
+#include "judge/platforms/package.hpp"
 
 namespace tumble::judge {
 
@@ -22,6 +23,8 @@ struct CheckOptions {
   bool every_case = false;            ///< explain every case that fails
   bool strict = false;                ///< refuse to judge if a wall of the sandbox is missing
   bool sanitized = false;             ///< run everything with sanitizers
+  bool once = false;                  ///< no second run, with sanitizers, of a case that fails
+  std::optional<fs::path> student;    ///< a record of `grade`: what that student saw
 };
 
 struct MineOptions {
@@ -37,7 +40,12 @@ struct GradeOptions {
   fs::path out = "grades";        ///< folder for the results; what is there already is gone on with
   std::optional<fs::path> settings;    ///< course.json
   std::optional<std::size_t> at_once;  ///< submissions; as many as there are cores if not given
+  std::optional<std::string> from;     ///< the platform of the download
+  std::optional<fs::path> roster;      ///< table of the class
+  std::vector<std::string> only;       ///< units and chapters to judge again
+  std::vector<std::string> students;   ///< to judge; all if none is named
   bool strict = false;                 ///< refuse to judge if a wall of the sandbox is missing
+  std::optional<double> seconds;       ///< after these no exercise is begun
 };
 
 struct ReportOptions {
@@ -47,17 +55,17 @@ struct ReportOptions {
   bool names = false;                ///< the students' too
 };
 
-struct ExportOptions {
-  std::string platform;                      ///< "gradescope", …
-  fs::path to;                               ///< a new folder
-  std::optional<fs::path> settings;          ///< course.json
-  std::string image = "OWNER/tumble-judge";  ///< of PrairieLearn's grader
+struct HandoutOptions {
+  std::string chapters;              ///< "1-4,6"; or empty, and those of `settings`
+  std::optional<fs::path> settings;  ///< course.json
+  fs::path to;                       ///< a new folder
 };
 
 struct PlatformOptions {
   std::string platform;              ///< "gradescope", …
   fs::path root;                     ///< of its folders
   std::optional<fs::path> settings;  ///< course.json
+  std::optional<double> seconds;     ///< after these no exercise is begun
 };
 
 /// What `check` judges: "4.1", "product", "4", "all", "4.1.3" for one case; the next open unit if
@@ -68,6 +76,10 @@ std::vector<Unit> units_to_check(const Course& course, const std::string& what);
 int check(const Course& course, const CheckOptions& options);
 /// Builds an engine of the student's own functions, and shows its errors beside the library's.
 int mine_command(const Course& course, const MineOptions& options);
+/// What `check --student` judges: the units of a record, or those of them that were asked for.
+std::vector<Unit> units_of_student(const Course& course, const CheckOptions& options);
+/// Judges a student's files again as `grade` did, and says the same.
+int check_student(const Course& course, const CheckOptions& options);
 /// Judges each file when it is saved, until interrupted.
 int watch(const Course& course);
 /// All units with what is known about them.
@@ -82,13 +94,13 @@ int solution(const Course& course, const std::string& what, bool anyway);
 int sandbox(const Course& course);
 /// Grades a class.
 int grade(const Course& course, const GradeOptions& options);
-/// Makes a repository for students of the chapters that "1-4" means.
-int handout_command(const Course& course, const std::string& chapters, const fs::path& to);
+/// Makes a repository for students.
+int handout_command(const Course& course, const HandoutOptions& options);
 /// Grades one submission where a platform has put it, and writes the results where it looks for
 /// them.
 int platform_command(const Course& course, const PlatformOptions& options);
 /// Makes what a platform takes.
-int export_command(const Course& course, const ExportOptions& options);
+int export_command(const Course& course, const PackageOrder& order);
 /// Writes one page about a class.
 int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.

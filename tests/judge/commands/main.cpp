@@ -3,6 +3,7 @@
 #include <functional>
 #include <iostream>
 
+#include "judge/class/lms.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/needs.hpp"
 #include "judge/platforms/platform.hpp"
@@ -16,6 +17,8 @@ namespace {
 Targets nothing(const Course&) { return {}; }
 Targets everything(const Course&) { return all_specs(); }
 
+constexpr const char* seconds_help =
+    "seconds after which no exercise is begun: what is left is said to be not judged";
 constexpr const char* strict_help = "refuse to judge if a wall of the sandbox is missing";
 
 class CommandLine {
@@ -70,8 +73,13 @@ class CommandLine {
   void add_check() {
     CLI::App& app = command(
         "check", "judge what you have written",
-        [this](const Course& course) { return check(course, check_); },
-        [this](const Course& course) { return specs_of(units_to_check(course, check_.what)); });
+        [this](const Course& course) {
+          return check_.student ? check_student(course, check_) : check(course, check_);
+        },
+        [this](const Course& course) {
+          return specs_of(check_.student ? units_of_student(course, check_)
+                                         : units_to_check(course, check_.what));
+        });
     app.add_option("what", check_.what,
                    "exercise (4.1 or product), chapter (4), all; 4.1.3 is one case");
     app.add_option("--seed", check_.seed,
@@ -79,10 +87,15 @@ class CommandLine {
     app.add_option("--seeds", check_.seeds, "try this many, one after the other")
         ->check(CLI::Range(1, 100000));
     app.add_option("--from", check_.from, "folder with the files to judge, instead of exercises/");
-    app.add_option("--json", check_.json, "write the results here, again after each exercise");
+    CLI::Option* json =
+        app.add_option("--json", check_.json, "write the results here, again after each exercise");
+    app.add_option("--student", check_.student,
+                   "say again what a student saw: a record of `grade`, grades/students/NAME.json")
+        ->excludes(json);
     app.add_flag("--every-case", check_.every_case, "explain every case that fails");
     app.add_flag("--strict", check_.strict, strict_help);
     app.add_flag("--solutions", check_.solutions, "judge the solutions");
+    app.add_flag("--once", check_.once, "no second run with sanitizers to look for the line");
     app.add_flag("--sanitize", check_.sanitized, "run with AddressSanitizer and UBSan");
   }
 
@@ -124,14 +137,22 @@ class CommandLine {
     CLI::App& app = command(
         "grade", "grade a class", [this](const Course& course) { return grade(course, grade_); },
         [this](const Course& course) { return specs_that_count(course, grade_.settings); });
-    app.add_option("DIR", grade_.folders, "folders of submissions: a folder or archive a student")
+    app.add_option("DIR", grade_.folders,
+                   "folders with a folder or an archive per student, or a platform's download")
         ->required();
     app.add_option("--out", grade_.out, "folder for the results; grading goes on where it was")
         ->capture_default_str();
     app.add_option("--course", grade_.settings,
                    "course.json: exercises, weights, credit, due date, seed");
+    app.add_option("--from", grade_.from,
+                   std::string("whose download it is, if its names leave a doubt: ") + lms_names);
+    app.add_option("--roster", grade_.roster,
+                   "table of the class (CSV): names, numbers, who has not handed in");
+    app.add_option("--only", grade_.only, "judge only these exercises or chapters, and again");
+    app.add_option("--student", grade_.students, "judge only these students");
     app.add_option("--jobs", grade_.at_once, "submissions at a time; as many as cores if not given")
         ->check(CLI::Range(1, 1000));
+    app.add_option("--deadline", grade_.seconds, seconds_help)->check(CLI::PositiveNumber);
     app.add_flag("--strict", grade_.strict, strict_help);
   }
 
@@ -141,17 +162,18 @@ class CommandLine {
         [this](const Course& course) { return report(course, report_); }, everything);
     app.add_option("GRADES", report_.grades, "folder that `grade` has made")->capture_default_str();
     app.add_option("--out", report_.out, "the page")->capture_default_str();
-    app.add_option("--course", report_.settings, "course.json: exercises, weights, credit");
+    app.add_option("--course", report_.settings,
+                   "course.json, if not the one that was graded with");
     app.add_flag("--names", report_.names, "the students' names, too");
   }
 
   void add_handout() {
     CLI::App& app = command(
         "handout", "a repository for students, without the solutions",
-        [this](const Course& course) { return handout_command(course, chapters_, handout_to_); },
-        nothing);
-    app.add_option("--chapters", chapters_, "1-4, or 1-4,6")->required();
-    app.add_option("DIR", handout_to_, "a new folder")->required();
+        [this](const Course& course) { return handout_command(course, handout_); }, nothing);
+    app.add_option("--chapters", handout_.chapters, "1-4, or 1-4,6");
+    app.add_option("--course", handout_.settings, "course.json: the chapters of what counts");
+    app.add_option("DIR", handout_.to, "a new folder")->required();
   }
 
   void add_export() {
@@ -164,6 +186,9 @@ class CommandLine {
                    "course.json: exercises, weights, credit, hidden, due date, seed");
     app.add_option("--image", export_.image, "name of PrairieLearn's grader image")
         ->capture_default_str();
+    app.add_flag("--each", export_.each, "a question for each exercise: PrairieLearn");
+    app.add_option("--limit", export_.limit,
+                   "seconds that the platform gives a submission, if you have changed them");
   }
 
   void add_platform() {
@@ -174,6 +199,7 @@ class CommandLine {
     app.add_option("PLATFORM", platform_.platform, platforms)->required();
     app.add_option("ROOT", platform_.root, "/autograder, /grade, the checkout")->required();
     app.add_option("--course", platform_.settings, "course.json");
+    app.add_option("--deadline", platform_.seconds, seconds_help)->check(CLI::PositiveNumber);
   }
 
   void add_proofs() {
@@ -204,9 +230,8 @@ class CommandLine {
   bool anyway_ = false;
   GradeOptions grade_;
   ReportOptions report_;
-  std::string chapters_;
-  fs::path handout_to_;
-  ExportOptions export_;
+  HandoutOptions handout_;
+  PackageOrder export_;
   PlatformOptions platform_;
   std::string what_ = "all";
   std::uint64_t seed_ = 1;

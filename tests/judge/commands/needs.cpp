@@ -14,7 +14,10 @@ Targets all_specs() { return {"all_specs"}; }
 
 Targets specs_that_count(const Course& course, const std::optional<fs::path>& file) {
   const CourseSettings settings = settings_or_default(course, file);
-  return settings.wants_curve(course) ? all_specs() : specs_of(settings.units);
+  if (settings.wants_curve(course)) return all_specs();
+  Targets targets = specs_of(settings.units);
+  targets.emplace_back("grading_tools");  // submissions are archives, feedback is a zip
+  return targets;
 }
 
 }  // namespace tumble::judge

@@ -19,8 +19,8 @@ Targets specs_of(const std::vector<Unit>& units);
 /// Everything: all specs, and what makes an engine.
 Targets all_specs();
 
-/// The specs of the units that count, by the settings or by default, and of an engine if its curves
-/// go with the grades.
+/// The specs of the units that count, by the settings or by default, what reads and writes
+/// archives, and an engine if its curves go with the grades.
 Targets specs_that_count(const Course& course, const std::optional<fs::path>& file);
 
 }  // namespace tumble::judge

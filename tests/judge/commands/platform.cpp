@@ -11,12 +11,16 @@
 #include "judge/commands/given_files.hpp"
 #include "judge/commands/mine_module.hpp"
 #include "judge/commands/sandbox.hpp"
-#include "judge/platforms/package.hpp"
+#include "judge/platforms/fitted.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge {
 
 namespace {
+
+/// Exercises that are judged at a time. A compiler takes 150 MB at most: two of them stay far below
+/// the 768 MB that Gradescope gives, however many processors the container can see.
+constexpr std::size_t compilers_at_once = 2;
 
 void write_files(const PlatformRun& run, const StudentRecord& record, const std::string& figure) {
   for (const auto& [file, text] : run.files(record, figure))
@@ -37,9 +41,20 @@ std::string figure_of(const Grading& grading, const PlatformRun& run, const fs::
   return mine_module(course).travelling_curve(course, source, folder).value_or("");
 }
 
+/// A platform's log, which students may read.
+void print_verdicts(const CourseSettings& settings, const StudentRecord& record) {
+  for (const UnitRecord& unit : without_hidden(settings, fitted(record)).units)
+    std::cout << unit.explanation << "\n";
+  if (record.out_of_time)
+    std::cout << settings.units.size() - record.units.size() << " " << no_time_left << "\n";
+  std::cout << earned(settings, record) << " of " << settings.most() << " points\n";
+}
+
 }  // namespace
 
 int platform_command(const Course& course, const PlatformOptions& options) {
+  const Clock::time_point deadline =
+      options.seconds ? after(*options.seconds) : Clock::time_point::max();
   const CourseSettings settings = settings_or_default(course, options.settings);
   const PlatformRun run = platform_run(options.platform, options.root, settings);
   write_files(run, {}, "");  // valid from the beginning, whatever comes
@@ -47,28 +62,31 @@ int platform_command(const Course& course, const PlatformOptions& options) {
   const WorkFolder work, compiled;
   fs::permissions(compiled.path(), fs::perms::owner_all);
   const ObjectCache cache(compiled.path());
-  Grading grading{course, settings, settings.seed.value_or(std::random_device{}()),
-                  judge_fingerprint(), cache};
+  const JudgeFingerprint judge(course);
+  Grading grading{course, settings, settings.seed.value_or(std::random_device{}()), judge, cache};
+  grading.builds_at_once = compilers_at_once;
   grading.solutions = run.solutions;
+  grading.deadline = deadline;
   StudentRecord record;
   grade_student(grading, {run.identity, run.submission, false}, compiled.path() / "record.json",
                 [&](const StudentRecord& now) {
                   record = now;
                   write_files(run, record, "");
                 });
-  if (settings.wants_curve(course))
+  if (settings.wants_curve(course) && Clock::now() < deadline)
     write_files(run, record, figure_of(grading, run, work.path() / "engine"));
-  for (const UnitRecord& unit : record.units) std::cout << unit.explanation << "\n";
-  std::cout << earned(settings, record) << " of " << settings.most() << " points\n";
-  const bool all = std::all_of(record.units.begin(), record.units.end(),
-                               [](const UnitRecord& unit) { return unit.passed; });
+  print_verdicts(settings, record);
+  const bool all =
+      !record.out_of_time && std::all_of(record.units.begin(), record.units.end(),
+                                         [](const UnitRecord& unit) { return unit.passed; });
   return run.status_tells && !all ? 1 : 0;
 }
 
-int export_command(const Course& course, const ExportOptions& options) {
-  make_package(course, options.platform, options.settings, options.image, options.to);
+int export_command(const Course& course, const PackageOrder& order) {
+  for (const std::string& note : make_package(course, order))
+    std::cerr << "tumble: " << note << "\n";
   std::cerr << "tumble: what goes where: ";
-  std::cout << (options.to / "README.md").string() << "\n";
+  std::cout << (order.to / "README.md").string() << "\n";
   return 0;
 }
 

@@ -18,7 +18,7 @@ std::string bare(std::string type) {
 
 /// "double aa, ab, bb;" as members of one type.
 void add_members(const std::string& line, std::vector<ContractMember>& members) {
-  static const std::regex declaration(R"(^\s+(\S.*\S|\S)\s+(\w+(?:\s*,\s*\w+)*)\s*;\s*$)");
+  static const std::regex declaration(R"(^\s+(\S.*?)\s+(\w+(?:\s*,\s*\w+)*)\s*;\s*$)");
   std::smatch parts;
   const std::string code = without_comment(line);
   if (!std::regex_match(code, parts, declaration)) return;

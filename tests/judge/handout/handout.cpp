@@ -1,10 +1,9 @@
 #include "judge/handout/handout.hpp"
 
-#include <algorithm>
 #include <regex>
-#include <sstream>
 
 #include "judge/course/contract.hpp"
+#include "judge/handout/dead_links.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -79,29 +78,6 @@ std::string readme(const Course& course, const std::set<std::string>& chapters) 
   return text.replace(text.find(place), place.size(), list);
 }
 
-/// Whether a link on a page leads to a file or folder that is handed out, or out of the tree.
-bool leads_somewhere(const std::string& link, const fs::path& page, const Paths& paths) {
-  const std::string target = link.substr(0, link.find('#'));
-  if (target.empty() || target.find("://") != std::string::npos) return true;
-  fs::path path = (page.parent_path() / target).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();
-  return std::any_of(paths.begin(), paths.end(), [&](const fs::path& each) {
-    return each == path || each.string().starts_with(path.string() + "/");
-  });
-}
-
-std::string linked_prose(const std::string& text, const fs::path& page, const Paths& paths) {
-  static const std::regex link(R"(!?\[([^\[\]]*)\]\(([^()\s]+)\))");
-  std::string result;
-  auto rest = text.begin();
-  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
-    result.append(rest, text.begin() + it->position());
-    rest = text.begin() + it->position() + it->length();
-    result += leads_somewhere((*it)[2], page, paths) ? it->str() : (*it)[1].str();
-  }
-  return result.append(rest, text.end());
-}
-
 }  // namespace
 
 std::set<std::string> chapters_meant(const Course& course, const std::string& text) {
@@ -121,22 +97,6 @@ std::set<std::string> chapters_meant(const Course& course, const std::string& te
     begin = end + 1;
   }
   return chapters;
-}
-
-std::string without_dead_links(const std::string& text, const fs::path& page,
-                               const std::set<fs::path>& paths) {
-  std::istringstream in(text);
-  std::string result, prose;
-  bool code = false;
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("```")) code = !code;
-    prose += line + "\n";
-    if (line.starts_with("```")) {  // a link may go over two lines, but not into a fence
-      result += code ? linked_prose(prose, page, paths) : prose;
-      prose.clear();
-    }
-  }
-  return result + linked_prose(prose, page, paths);
 }
 
 void make_tree(const Course& course, const TreeParts& parts, const fs::path& to) {

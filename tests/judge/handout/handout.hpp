@@ -27,10 +27,4 @@ struct TreeParts {
 ///         solutions and so is a hand-out itself
 void make_tree(const Course& course, const TreeParts& parts, const fs::path& to);
 
-/// A page without its links to what is not handed out: their words stay.
-/// @param page  where it is, from the root
-/// @param paths all files that are handed out, from the root
-std::string without_dead_links(const std::string& text, const fs::path& page,
-                               const std::set<fs::path>& paths);
-
 }  // namespace tumble::judge

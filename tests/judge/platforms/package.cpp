@@ -4,9 +4,13 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "judge/class/settings.hpp"
 #include "judge/handout/handout.hpp"
+#include "judge/platforms/image_name.hpp"
 #include "judge/platforms/platform.hpp"
 #include "judge/platforms/prairielearn_question.hpp"
+#include "judge/platforms/slug.hpp"
+#include "judge/platforms/time_limits.hpp"
 #include "judge/verdict/json.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
@@ -27,56 +31,53 @@ std::string filled(std::string text, const Words& words) {
   return text;
 }
 
-/// Lower case, digits and hyphens: a name for folders and addresses.
-std::string slug_of(const std::string& title) {
-  std::string slug;
-  for (const char c : title) {
-    const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if ((lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9'))
-      slug += lower;
-    else if (!slug.empty() && slug.back() != '-')
-      slug += '-';
-  }
-  while (!slug.empty() && slug.back() == '-') slug.pop_back();
-  return slug.size() < 2 ? "tumble" : slug.substr(0, 39);
-}
-
 /// Classroom 50 wants them, course.json does not.
 std::string with_seconds(std::string time) {
   return time[16] == ':' ? time : time.insert(16, ":00");
 }
 
+std::string points_text(double points) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", points);
+  return text;
+}
+
+/// The last chapter whose functions are needed: a function may call those of earlier chapters, and
+/// an engine takes functions of all.
+std::string last_chapter(const Course& course, const CourseSettings& settings) {
+  return (settings.wants_curve(course) ? course.units : settings.units).back().chapter;
+}
+
 /// Everything that packages have in common.
 class Package {
  public:
-  Package(const Course& course, const std::optional<fs::path>& file, const std::string& image,
-          fs::path to)
+  Package(const Course& course, const PackageOrder& order)
       : course_(course),
-        settings_(settings_or_default(course, file)),
-        json_(file ? ordered_json::parse(support::read_text(*file)) : ordered_json::object()),
-        to_(std::move(to)) {
-    require(!fs::exists(to_) || (fs::is_directory(to_) && fs::is_empty(to_)), to_.string(),
-            " exists already: nothing is overwritten");
+        order_(order),
+        settings_(settings_or_default(course, order.settings)),
+        json_(order.settings ? ordered_json::parse(support::read_text(*order.settings))
+                             : ordered_json::object()) {
+    require(!fs::exists(order.to) || (fs::is_directory(order.to) && fs::is_empty(order.to)),
+            order.to.string(), " exists already: nothing is overwritten");
+    require(!order.each || order.platform == "prairielearn",
+            "--each is for PrairieLearn: elsewhere one package takes all exercises");
     if (!json_.contains("seed")) json_["seed"] = std::random_device{}();
-    // A function may call those of earlier chapters, and an engine takes functions of all.
     const bool curve = settings_.wants_curve(course);
-    const std::string last = (curve ? course.units : settings_.units).back().chapter;
+    const std::string last = last_chapter(course, settings_);
     for (const Unit& unit : course.units) {
       all_chapters_.insert(unit.chapter);
       if (unit.chapter <= last) chapters_.insert(unit.chapter);
     }
-    char points[32];
-    std::snprintf(points, sizeof points, "%g", settings_.most());
     words_ = {
         {"TITLE", settings_.title},
-        {"POINTS", points},
+        {"POINTS", points_text(settings_.most())},
         {"QID", slug_of(settings_.title)},
-        {"IMAGE", image},
         {"CURVE", curve ? ", and `engine.svg` with the curves of the student's own engine" : ""}};
   }
 
   void gradescope() {
-    const fs::path zip = to_ / "zip", here = fs::current_path();
+    set_limits(600, 2400);
+    const fs::path zip = order_.to / "zip", here = fs::current_path();
     make_tree(course_, {chapters_, true}, zip / "tumble");
     write_settings(zip / "tumble");
     for (const char* script : {"setup.sh", "run_autograder"}) copy(script, zip);
@@ -87,58 +88,64 @@ class Package {
     fs::current_path(here);
     require(status == 0, "making autograder.zip has failed, see above");
     fs::remove_all(zip);
-    copy("README.md", to_);
+    copy("README.md", order_.to);
   }
 
   void prairielearn() {
-    const fs::path question = to_ / "question";
-    words_.merge(write_question(course_, settings_, words_.at("IMAGE"), question));
-    copy("question.html", question);
-    for (const Unit& unit : course_.units)
-      support::write_text_and_folders(
-          question / "tests" / "solutions" / unit.chapter / (unit.name + ".cpp"),
-          support::read_text(course_.solution(unit)));
-    write_settings(question / "tests");
-    make_tree(course_, {all_chapters_, false}, to_ / "image" / "tumble");  // for every question
-    copy("Dockerfile", to_ / "image");
-    copy("README.md", to_);
+    require_image_name(order_.image);
+    words_["IMAGE"] = order_.image;
+    if (order_.each)
+      questions();
+    else
+      question(settings_, json_, order_.to / "question");
+    words_["COPY"] = order_.each
+                         ? "the contents of `questions/` into your course's `questions/`"
+                         : "`question/` into your course as `questions/" + words_.at("QID") + "/`";
+    words_["ASSESS"] = order_.each ? "the questions into an assessment, with partial credit: "
+                                     "`zones.json` has their names and points"
+                                   : "the question into an assessment with " + words_.at("POINTS") +
+                                         " points and partial credit";
+    make_tree(course_, {all_chapters_, false}, order_.to / "image" / "tumble");  // for all
+    copy("Dockerfile", order_.to / "image");
+    copy("README.md", order_.to);
   }
 
   void classroom50() {
-    make_tree(course_, {chapters_, false}, to_ / "template");
-    const fs::path bundle = to_ / "bundle";
+    make_public();
+    set_limits(900, 900);
+    make_tree(course_, {chapters_, false}, order_.to / "template");
+    const fs::path bundle = order_.to / "bundle";
     make_tree(course_, {chapters_, false}, bundle / "tumble");
     write_settings(bundle);
     copy("autograder.py", bundle);
-    support::write_text_and_folders(to_ / "assignment.json", text_of(assignment()));
-    copy("README.md", to_);
+    support::write_text_and_folders(order_.to / "assignment.json", text_of(assignment()));
+    copy("README.md", order_.to);
   }
 
   void github_actions() {
-    const fs::path repository = to_ / "repository";
+    make_public();
+    set_limits(600, 21'600);
+    const fs::path repository = order_.to / "repository";
     make_tree(course_, {chapters_, false}, repository);
     write_settings(repository);
-    support::write_text_and_folders(repository / ".github" / "workflows" / "tumble.yml",
-                                    support::read_text(packages() / "workflow.yml"));
-    copy("README.md", to_);
+    copy("tumble.yml", repository / ".github" / "workflows");
+    copy("README.md", order_.to);
   }
 
-  void make(const std::string& platform) {
+  std::vector<std::string> make() {
     using Maker = void (Package::*)();
     static const std::map<std::string, Maker> makers = {
         {"gradescope", &Package::gradescope},
         {"prairielearn", &Package::prairielearn},
         {"classroom50", &Package::classroom50},
         {"github-actions", &Package::github_actions}};
-    const auto maker = makers.find(platform);
-    require(maker != makers.end(), "there is no platform '", platform, "'; there are: ", platforms);
-    platform_ = platform;
-    (this->*maker->second)();
+    (this->*makers.at(order_.platform))();
+    return notes_;
   }
 
  private:
   fs::path packages() const {
-    return course_.root / "tests" / "judge" / "platforms" / "packages" / platform_;
+    return course_.root / "tests" / "judge" / "platforms" / "packages" / order_.platform;
   }
 
   /// A file of the platform's folder, its words filled in.
@@ -150,6 +157,62 @@ class Package {
 
   void write_settings(const fs::path& folder) const {
     support::write_text_and_folders(folder / "course.json", text_of(json_));
+  }
+
+  void set_limits(int usual, int most) {
+    const TimeLimits limits = time_limits(usual, most, order_.limit);
+    words_["DEADLINE"] = std::to_string(limits.deadline);
+    words_["LIMIT"] = std::to_string(limits.limit);
+    words_["MINUTES"] = std::to_string((limits.limit + 59) / 60);
+  }
+
+  /// What students can read holds nothing that they should not know.
+  void make_public() {
+    require(
+        settings_.hidden.empty(), order_.platform,
+        " hides nothing: students can read the package and all that it writes. Leave \"hidden\" "
+        "out of the course.json of this package, or those exercises out of its \"units\"");
+    if (!settings_.seed) return;
+    json_["seed"] = std::random_device{}();
+    notes_.emplace_back(
+        "students can read this package: its course.json has a seed of its own; keep yours secret");
+  }
+
+  /// One question, with what its grader needs and students do not see.
+  void question(const CourseSettings& settings, const ordered_json& json, const fs::path& folder) {
+    Words words = words_;
+    words.merge(write_question(course_, settings, {order_.image, order_.limit}, folder));
+    support::write_text(folder / "question.html",
+                        filled(support::read_text(packages() / "question.html"), words));
+    const std::string last = last_chapter(course_, settings);
+    for (const Unit& unit : course_.units)
+      if (unit.chapter <= last)
+        support::write_text_and_folders(
+            folder / "tests" / "solutions" / unit.chapter / (unit.name + ".cpp"),
+            support::read_text(course_.solution(unit)));
+    support::write_text(folder / "tests" / "course.json", text_of(json));
+  }
+
+  /// A question for each unit, and a list of them for an assessment.
+  void questions() {
+    ordered_json list = ordered_json::array();
+    for (const Unit& unit : settings_.units) {
+      if (settings_.points(unit) == 0) continue;
+      CourseSettings settings = settings_;
+      settings.title += ": " + unit.number + " " + unit.name;
+      settings.units = {unit};
+      ordered_json json = json_;
+      json["title"] = settings.title;
+      json["units"] = {unit.number};
+      json["weights"] = {{unit.number, settings_.points(unit)}};
+      json.erase("hidden");
+      if (settings_.hidden.contains(unit.id())) json["hidden"] = {unit.number};
+      const std::string id = words_.at("QID") + "/" + slug_of(unit.number + " " + unit.name);
+      question(settings, json, order_.to / "questions" / id);
+      list.push_back({{"id", id}, {"points", settings_.points(unit)}});
+    }
+    support::write_text(order_.to / "zones.json",
+                        text_of({{"zones", {{{"questions", std::move(list)}}}}}));
   }
 
   ordered_json assignment() const {
@@ -164,20 +227,19 @@ class Package {
   }
 
   const Course& course_;
+  const PackageOrder& order_;
   CourseSettings settings_;
-  ordered_json json_;  ///< course.json as it was, with a seed
-  fs::path to_;
-  std::string platform_;
+  ordered_json json_;                              ///< course.json as it was, with a seed
   std::set<std::string> chapters_, all_chapters_;  ///< those up to the last that counts, and all
   Words words_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace
 
-void make_package(const Course& course, const std::string& platform,
-                  const std::optional<fs::path>& file, const std::string& image,
-                  const fs::path& to) {
-  Package(course, file, image, to).make(platform);
+std::vector<std::string> make_package(const Course& course, const PackageOrder& order) {
+  require_platform(order.platform);
+  return Package(course, order).make();
 }
 
 }  // namespace tumble::judge

@@ -4,28 +4,36 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "judge/class/settings.hpp"
 #include "judge/course/course.hpp"
 
 namespace tumble::judge {
 
+/// Which package is to be made.
+struct PackageOrder {
+  std::string platform;              ///< "gradescope", …
+  fs::path to;                       ///< a folder that does not exist yet, or is empty
+  std::optional<fs::path> settings;  ///< course.json; without it all units count
+  std::string image = "your-account/tumble-judge";  ///< of PrairieLearn's grader
+  bool each = false;                                ///< a question of PrairieLearn for each unit
+  std::optional<int> limit;  ///< seconds that the platform gives a submission, if not as usual
+};
+
 /// Makes the package of a platform in a folder: its README.md says what goes where.
 ///
-/// | platform | in the folder |
-/// |---|---|
-/// | gradescope | autograder.zip, with the solutions |
-/// | prairielearn | image/ (public, without solutions), question/ (with them) |
-/// | classroom50 | bundle/ (public, without solutions), assignment.json, template/ |
-/// | github-actions | repository/ |
+/// | platform | in the folder | who can read it |
+/// |---|---|---|
+/// | gradescope | autograder.zip, with the solutions | instructors |
+/// | prairielearn | image/, without solutions; question/ or questions/, with them | everybody;
+/// instructors | | classroom50 | bundle/, assignment.json, template/, without solutions | everybody
+/// | | github-actions | repository/, without solutions | students |
 ///
-/// All hold a course.json with a seed: the one given, or one that is drawn here.
-/// @param file  course.json, or nothing for all units
-/// @param image of PrairieLearn's grader
-/// @param to    does not exist yet, or is empty
-/// @throws std::invalid_argument if there is no such platform, or it cannot take these units
-void make_package(const Course& course, const std::string& platform,
-                  const std::optional<fs::path>& file, const std::string& image,
-                  const fs::path& to);
+/// All hold a course.json with a seed. What students can read never holds the seed that was given,
+/// but one that is drawn here.
+/// @return what the instructor should be told
+/// @throws std::invalid_argument if there is no such platform, or it cannot take these units, or
+///         cannot keep hidden what is to be hidden
+std::vector<std::string> make_package(const Course& course, const PackageOrder& order);
 
 }  // namespace tumble::judge

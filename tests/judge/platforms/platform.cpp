@@ -2,10 +2,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "judge/class/grades.hpp"
+#include "judge/platforms/fitted.hpp"
 #include "judge/platforms/results.hpp"
+#include "support/nearest.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -76,7 +79,8 @@ PlatformRun on_github_actions(const fs::path& root, const CourseSettings& settin
                   value_or_empty(variables, "GITHUB_REPOSITORY") + "@" +
                       value_or_empty(variables, "GITHUB_SHA"),
                   [=](const StudentRecord& record, const std::string& figure) {
-                    Files files{{root / "results" / "junit.xml", grades_junit(settings, {record})}};
+                    const StudentRecord shown = without_hidden(settings, fitted(record));
+                    Files files{{root / "results" / "junit.xml", grades_junit(settings, {shown})}};
                     if (!summary.empty()) files[summary] = markdown_results(settings, record);
                     if (!figure.empty()) files[root / "results" / "engine.svg"] = figure;
                     return files;
@@ -87,6 +91,15 @@ PlatformRun on_github_actions(const fs::path& root, const CourseSettings& settin
 
 }  // namespace
 
+void require_platform(const std::string& name) {
+  const std::vector<std::string> names{"gradescope", "prairielearn", "classroom50",
+                                       "github-actions"};
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  const std::string meant = support::did_you_mean(name, names);
+  require(false, "there is no platform '", name, "'",
+          meant.empty() ? std::string("; there are: ") + platforms : meant);
+}
+
 PlatformRun platform_run(const std::string& platform, const fs::path& root,
                          const CourseSettings& settings) {
   using Reader = PlatformRun (*)(const fs::path&, const CourseSettings&);
@@ -94,9 +107,8 @@ PlatformRun platform_run(const std::string& platform, const fs::path& root,
                                                         {"prairielearn", on_prairielearn},
                                                         {"classroom50", on_classroom50},
                                                         {"github-actions", on_github_actions}};
-  const auto reader = readers.find(platform);
-  require(reader != readers.end(), "there is no platform '", platform, "'; there are: ", platforms);
-  PlatformRun run = reader->second(fs::absolute(root).lexically_normal(), settings);
+  require_platform(platform);
+  PlatformRun run = readers.at(platform)(fs::weakly_canonical(root), settings);
   require(fs::is_directory(run.submission), "there is no submission in ", run.submission.string());
   return run;
 }

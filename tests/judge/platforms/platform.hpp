@@ -27,6 +27,10 @@ struct PlatformRun {
 /// The names of the platforms, for messages.
 inline constexpr const char* platforms = "gradescope, prairielearn, classroom50, github-actions";
 
+/// @throws std::invalid_argument if there is no such platform: which one was meant, or which there
+///         are
+void require_platform(const std::string& name);
+
 /// A submission as it lies on the platform. What there is to be kept from students under `root` is
 /// closed to other users.
 /// @param root of the platform's folders: "/autograder", "/grade", the student's checkout

@@ -5,6 +5,7 @@
 
 #include "judge/course/contract.hpp"
 #include "judge/course/stable_hash.hpp"
+#include "judge/platforms/time_limits.hpp"
 #include "judge/verdict/json.hpp"
 #include "judge/verdict/markup.hpp"
 #include "support/text_file.hpp"
@@ -34,7 +35,7 @@ std::string names_of_files(const CourseSettings& settings) {
   for (const Unit& unit : settings.units) {
     const auto [same, is_new] = numbers.emplace(unit.name, unit.number);
     require(is_new, "PrairieLearn has no folders: ", same->second, " and ", unit.number, " ",
-            unit.name, " cannot be in one question; give each question a course.json of its own");
+            unit.name, " cannot be in one question; --each makes a question of each exercise");
     names += (names.empty() ? "" : ",") + unit.name + ".cpp";
   }
   return names;
@@ -50,17 +51,21 @@ std::string about(const Course& course, const Unit& unit) {
          markup(declaration.signature) + ";</pl-code>\n";
 }
 
-/// Half a minute for the start, five seconds a unit (a function that never ends takes the most),
-/// two minutes for the curves; ten are all that there are.
-int seconds_for(const Course& course, const CourseSettings& settings) {
-  const int units = static_cast<int>(settings.units.size());
-  return std::min(600, 30 + 5 * units + (settings.wants_curve(course) ? 120 : 0));
+/// Half a minute for the start, ten seconds a unit (a function that never ends takes the most, and
+/// the grader may have to share its processor), two minutes for the curves.
+TimeLimits limits_of(const Course& course, const CourseSettings& settings,
+                     const std::optional<int>& wanted) {
+  constexpr int most = 600;
+  const int work =
+      30 + 10 * static_cast<int>(settings.units.size()) + (settings.wants_curve(course) ? 120 : 0);
+  return time_limits(std::min(most, work + most_for_what_has_begun), most, wanted);
 }
 
 }  // namespace
 
-Words write_question(const Course& course, const CourseSettings& settings, const std::string& image,
+Words write_question(const Course& course, const CourseSettings& settings, const Grader& grader,
                      const fs::path& question) {
+  const TimeLimits limits = limits_of(course, settings, grader.limit);
   Words words{{"FILES", names_of_files(settings)}, {"UNITS", ""}};
   for (const Unit& unit : settings.units) {
     const fs::path files = question / "clientFilesQuestion";
@@ -71,20 +76,21 @@ Words write_question(const Course& course, const CourseSettings& settings, const
   }
   support::write_text_and_folders(
       question / "info.json",
-      text_of({{"uuid", uuid_of(settings.title)},
-               {"title", settings.title},
-               {"topic", "Rigid-body dynamics"},
-               {"type", "v3"},
-               {"singleVariant", true},
-               {"partialCredit", true},
-               {"gradingMethod", "External"},
-               {"externalGradingOptions",
-                {{"image", image},
-                 {"entrypoint",
-                  {"/tumble/tumble", "--no-install", "platform", "prairielearn", "/grade",
-                   "--course", "/grade/tests/course.json"}},
-                 {"timeout", seconds_for(course, settings)},
-                 {"enableNetworking", false}}}}));
+      text_of(
+          {{"uuid", uuid_of(settings.title)},
+           {"title", settings.title},
+           {"topic", "Rigid-body dynamics"},
+           {"type", "v3"},
+           {"singleVariant", true},
+           {"partialCredit", true},
+           {"gradingMethod", "External"},
+           {"externalGradingOptions",
+            {{"image", grader.image},
+             {"entrypoint",
+              {"/tumble/tumble", "--no-install", "platform", "prairielearn", "/grade", "--course",
+               "/grade/tests/course.json", "--deadline", std::to_string(limits.deadline)}},
+             {"timeout", limits.limit},
+             {"enableNetworking", false}}}}));
   return words;
 }
 

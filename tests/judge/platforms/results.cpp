@@ -4,6 +4,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "judge/platforms/fitted.hpp"
 #include "judge/verdict/json.hpp"
 #include "tumble/core/require.hpp"
 
@@ -19,11 +20,18 @@ bool is_hidden(const CourseSettings& settings, const Unit& unit) {
   return settings.hidden.contains(unit.id());
 }
 
+/// Why there is no verdict.
+std::string without_verdict(const StudentRecord& record) {
+  return record.out_of_time ? no_time_left : "not judged yet";
+}
+
 /// What a student reads about a unit, judged or not.
 std::string words_about(const StudentRecord& record, const Unit& unit) {
   if (!record.refused.empty()) return "The submission " + record.refused + ".";
-  const UnitRecord* verdict = record.find(unit);
-  return verdict ? verdict->explanation : "Not judged yet.";
+  if (const UnitRecord* verdict = record.find(unit)) return verdict->explanation;
+  std::string sentence = without_verdict(record) + ".";
+  sentence[0] = 'N';
+  return sentence;
 }
 
 double points_of(const CourseSettings& settings, const StudentRecord& record, const Unit& unit) {
@@ -84,13 +92,24 @@ std::string indented(const std::string& text) {
 constexpr const char* about_the_figure =
     "An engine with your functions: its error against its time, beside the library's.";
 
+/// What is no answer: files that do not compile, and where the judge itself has failed.
+std::vector<const UnitRecord*> not_gradable(const StudentRecord& record) {
+  std::vector<const UnitRecord*> units;
+  for (const UnitRecord& unit : record.units)
+    if (unit.summary == name_of(BuildOutcome::does_not_compile) ||
+        unit.summary == name_of(BuildOutcome::wrong_signature) || !unit.judge_failure.empty())
+      units.push_back(&unit);
+  return units;
+}
+
 /// Hundredths of a point.
 long hundredths(double points) { return std::lround(100 * points); }
 
 }  // namespace
 
-std::string gradescope_results(const CourseSettings& settings, const StudentRecord& record,
+std::string gradescope_results(const CourseSettings& settings, const StudentRecord& all,
                                const std::string& figure) {
+  const StudentRecord record = fitted(all);
   ordered_json j{{"execution_time", seconds_of(record)},
                  {"visibility", "visible"},
                  {"stdout_visibility", "hidden"},
@@ -115,29 +134,39 @@ std::string gradescope_results(const CourseSettings& settings, const StudentReco
   return text_of(j);
 }
 
-std::string prairielearn_results(const CourseSettings& settings, const StudentRecord& record,
+std::string prairielearn_results(const CourseSettings& settings, const StudentRecord& all,
                                  const std::string& figure) {
-  const bool gradable = record.refused.empty();
-  ordered_json j{{"gradable", gradable}};
-  if (!gradable) {
+  const StudentRecord whole = fitted(all), record = without_hidden(settings, whole);
+  const std::vector<const UnitRecord*> unreadable = not_gradable(whole);  // gives nothing away
+  ordered_json j{{"gradable", record.refused.empty() && unreadable.empty()}};
+  if (!record.refused.empty()) {
     j["format_errors"] = {"The submission " + record.refused + "."};
+    return text_of(j);
+  }
+  if (!unreadable.empty()) {
+    j["message"] = "This costs no attempt: there is nothing to grade yet.";
+    std::string reasons;
+    for (const UnitRecord* unit : unreadable) {
+      j["format_errors"].push_back(unit->number + ": " + unit->summary);
+      reasons += unit->explanation;
+    }
+    j["output"] = reasons;
     return text_of(j);
   }
   j["score"] = earned(settings, record) / settings.most();
   j["tests"] = ordered_json::array();
-  for (const Unit& unit : settings.units) {
-    const bool hidden = is_hidden(settings, unit);
+  for (const Unit& unit : settings.units)
     j["tests"].push_back({{"name", title(unit)},
                           {"points", points_of(settings, record, unit)},
                           {"max_points", settings.points(unit)},
-                          {"output", hidden ? "" : words_about(record, unit)}});
-  }
+                          {"output", words_about(record, unit)}});
   if (!figure.empty()) j["images"] = {{{"label", about_the_figure}, {"url", data_url(figure)}}};
   return text_of(j);
 }
 
-std::string classroom50_result(const CourseSettings& settings, const StudentRecord& record,
+std::string classroom50_result(const CourseSettings& settings, const StudentRecord& all,
                                const std::map<std::string, std::string>& environment) {
+  const StudentRecord record = without_hidden(settings, fitted(all));
   const auto variable = [&](const std::string& name) {
     const auto found = environment.find(name);
     require(found != environment.end(), "the environment lacks ", name, ": Classroom 50 sets it");
@@ -159,21 +188,21 @@ std::string classroom50_result(const CourseSettings& settings, const StudentReco
   long score = 0, most = 0;
   for (const Unit& unit : settings.units) {
     const long points = hundredths(points_of(settings, record, unit)),
-               all = hundredths(settings.points(unit));
-    score += points, most += all;
-    const bool hidden = is_hidden(settings, unit);
+               out_of = hundredths(settings.points(unit));
+    score += points, most += out_of;
     j["tests"].push_back({{"test-name", title(unit)},
                           {"passed", passed(record, unit)},
                           {"score", points},
-                          {"max-score", all},
-                          {"output", hidden ? "" : words_about(record, unit)}});
+                          {"max-score", out_of},
+                          {"output", words_about(record, unit)}});
   }
   j["score"] = score;
   j["max-score"] = most;
   return text_of(j);
 }
 
-std::string markdown_results(const CourseSettings& settings, const StudentRecord& record) {
+std::string markdown_results(const CourseSettings& settings, const StudentRecord& all) {
+  const StudentRecord record = without_hidden(settings, fitted(all));
   char total[64];
   std::snprintf(total, sizeof total, "%.2f of %.2f points", earned(settings, record),
                 settings.most());
@@ -186,9 +215,9 @@ std::string markdown_results(const CourseSettings& settings, const StudentRecord
     char points[64];
     std::snprintf(points, sizeof points, "%.2f of %.2f", points_of(settings, record, unit),
                   settings.points(unit));
-    text += "| " + title(unit) + " | " + (verdict ? verdict->summary : "not judged yet") + " | " +
-            points + " |\n";
-    if (verdict && !verdict->passed && !is_hidden(settings, unit))
+    text += "| " + title(unit) + " | " + (verdict ? verdict->summary : without_verdict(record)) +
+            " | " + points + " |\n";
+    if (verdict && !verdict->passed && !verdict->explanation.empty())
       explanations += "\n" + indented(verdict->explanation);
   }
   return text + explanations;

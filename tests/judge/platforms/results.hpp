@@ -17,8 +17,8 @@ std::string gradescope_results(const CourseSettings& settings, const StudentReco
                                const std::string& figure);
 
 /// PrairieLearn's results.json: points of every test, a score from 0 to 1; a submission that could
-/// not be read costs no attempt. Hidden units show their points and nothing else: the platform has
-/// no dates for tests.
+/// not be read, or of which a file does not compile, costs no attempt and has no score. Hidden
+/// units show their points and nothing else: the platform has no dates for tests.
 /// @param figure as above
 /// Source: PrairieLearn, "External grading", "Grading results".
 std::string prairielearn_results(const CourseSettings& settings, const StudentRecord& record,

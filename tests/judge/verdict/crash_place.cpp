@@ -82,11 +82,12 @@ std::string place_in_report(const std::string& report, const std::string& file,
   return file + ":" + line + (name.empty() ? "" : ": " + name);
 }
 
-std::string crash_place(const Job& job, const SpecRun& run) {
+std::string crash_place(const Job& job, const SpecRun& run, int cpu_seconds) {
   Job again_with_sanitizers = job;
   again_with_sanitizers.folder /= "sanitized";
-  const WorkerBuild build = build_worker(again_with_sanitizers, Instrumentation::sanitizers);
+  WorkerBuild build = build_worker(again_with_sanitizers, Instrumentation::sanitizers);
   if (build.outcome != BuildOutcome::built) return {};
+  build.worker.walls.limits.cpu_seconds = cpu_seconds;
   StudentWorker worker(build.worker);
   const std::vector<CaseResult> again = run_spec(run, worker);
   if (again.empty() || again.front().passed()) return {};

@@ -14,7 +14,8 @@ namespace tumble::judge {
 
 /// "product.cpp:7: division by zero" for the one case of `run`, empty if the run with sanitizers
 /// finds nothing. For a loop without end, the line where its time was up.
-std::string crash_place(const Job& job, const SpecRun& run);
+/// @param cpu_seconds how long it may compute
+std::string crash_place(const Job& job, const SpecRun& run, int cpu_seconds);
 
 /// The same from what a worker with sanitizers has printed.
 /// @param file name of the student's file

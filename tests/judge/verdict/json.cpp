@@ -43,6 +43,7 @@ ordered_json json_of(const UnitRecord& record) {
                  {"tries", record.tries},
                  {"seconds", record.seconds},
                  {"source", record.source},
+                 {"judge", record.judge},
                  {"cases", ordered_json::array()}};
   if (!record.detail.empty()) j["detail"] = record.detail;
   if (!record.judge_failure.empty()) j["judge_failure"] = record.judge_failure;
@@ -63,6 +64,7 @@ UnitRecord unit_record_of(const ordered_json& j) {
   record.tries = j.at("tries");
   record.seconds = j.at("seconds");
   record.source = j.at("source");
+  record.judge = j.value("judge", record.judge);
   record.detail = j.value("detail", "");
   record.judge_failure = j.value("judge_failure", "");
   record.explanation = j.at("explanation");

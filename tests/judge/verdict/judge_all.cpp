@@ -67,13 +67,15 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
   pool.received = [&](std::size_t i, const std::string& bytes) { messages[i] += bytes; };
   pool.finished = [&](const FinishedJob& ended) {
     const std::size_t i = ended.number;
+    const bool not_begun = messages[i].empty() && ended.failure.empty();
+    if (not_begun && Clock::now() >= judgement.deadline) return;
     results[i] = result_of(jobs[i], judgement, messages[i], ended.failure);
     std::error_code ignored;
     fs::remove_all(jobs[i].folder, ignored);  // a class of students would fill the disk
     for (; told < results.size() && results[told]; ++told) done(*results[told]);
   };
   run_in_processes(jobs.size(), pool, [&](std::size_t i, const SendBytes& send) {
-    send(encode_result(build_and_judge(jobs[i], judgement)));
+    if (Clock::now() < judgement.deadline) send(encode_result(build_and_judge(jobs[i], judgement)));
   });
 }
 

@@ -41,7 +41,8 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
   const std::string source = support::read_text(job.source);
   name_from_source(finding, source);
   if (!judgement.locate_crashes || !is_worth_another_run(finding, source)) return;
-  finding.place = crash_place(job, {job.unit.id(), result.seed, failed->number});
+  const int cpu_seconds = finding.outcome == Outcome::hung ? 3 : 10;  // sanitizers are slow
+  finding.place = crash_place(job, {job.unit.id(), result.seed, failed->number}, cpu_seconds);
   if (!finding.place.empty() && finding.outcome == Outcome::wrong) finding.misconceptions.clear();
 }
 

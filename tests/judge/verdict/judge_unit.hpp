@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "judge/build/job.hpp"
+#include "judge/sandbox/pipe.hpp"
 #include "judge/verdict/unit_result.hpp"
 
 namespace tumble::judge {
@@ -18,6 +19,7 @@ struct Judgement {
   bool only_sanitized = false;     ///< everything with sanitizers from the start
   std::size_t builds_at_once = 0;  ///< of judge_all(); 0: as many as there are cores
   const ObjectCache* compiled = nullptr;  ///< what was compiled before; not with sanitizers
+  Clock::time_point deadline = Clock::time_point::max();  ///< of judge_all(): none begins later
 };
 
 /// Holds what was built for a job against the spec of its unit.

@@ -102,12 +102,12 @@ double largest_number(const Value& value) {
   return largest;
 }
 
-/// Right to 6 to 9 digits of the largest number.
+/// Right to 6 digits of the largest number or more, and not to 12.
 bool is_right_as_float(const Finding& finding) {
   if (!finding.answer || !finding.demanded) return false;
   const double apart = largest_difference(*finding.answer, *finding.demanded);
   const double fraction = apart / largest_number(*finding.demanded);
-  return fraction > 1e-9 && fraction < 2e-6;
+  return fraction > 1e-12 && fraction < 2e-6;
 }
 
 }  // namespace

@@ -25,8 +25,9 @@ struct UnitRecord {
   std::string unit;    ///< "04_quaternions/product"
   std::string number;  ///< "4.1"
   bool passed = false;
-  std::string summary;     ///< in one or two words: "passed", "wrong", "does not compile", …
-  std::uint64_t seed = 1;  ///< of the inputs
+  std::string summary;      ///< in one or two words: "passed", "wrong", "does not compile", …
+  std::uint64_t seed = 1;   ///< of the inputs
+  std::uint64_t judge = 0;  ///< fingerprint of what else the verdict depends on, if it is kept
   std::size_t laws = 0, laws_that_hold = 0;
   int tries = 1;             ///< how many different files of this student were judged so far
   double seconds = 0;        ///< from the file to the verdict

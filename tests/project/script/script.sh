@@ -11,7 +11,7 @@ tree="$work/Übung 1 (copy)"
 bin=$work/bin
 wrong=0
 
-mkdir -p "$tree" "$bin" "$work/elsewhere"
+mkdir -p "$tree/tests/project" "$bin" "$work/elsewhere"
 cp "$root/tumble" "$root/CMakeLists.txt" "$tree"
 for contract in "$root"/exercises/[0-9]*/contract.hpp; do
   chapter=$(basename "$(dirname "$contract")")
@@ -208,6 +208,11 @@ expect 1 'judge: check --help'
 run prepare
 expect 0
 called 'ninja tumble_judge all_specs'
+run prepare check 4.1
+expect 0
+called 'ninja spec.04_quaternions.product'
+run prepare everything
+expect 2 "not 'everything'"
 
 what='TUMBLE_BUILD, and a tree that cannot be written to'
 fresh

@@ -19,7 +19,9 @@ inline Quaternion product(const Quaternion& a, const Quaternion& b) {
   return coefficients(from_coefficients(a) * from_coefficients(b));
 }
 
-inline Quaternion conjugate(const Quaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }
+inline Quaternion conjugate(const Quaternion& q) {
+  return coefficients(from_coefficients(q).conjugate());
+}
 
 inline Quaternion inverse(const Quaternion& q) {
   return coefficients(from_coefficients(q).inverse());

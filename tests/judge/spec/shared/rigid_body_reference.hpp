@@ -51,16 +51,15 @@ inline Rhs right_hand_side(const Body& body, const WrenchAt& wrench) {
 
 inline std::vector<State> simulate(const Body& body, const WrenchAt& wrench, const State& start,
                                    double t0, double t1, int steps) {
-  const Rhs f = right_hand_side(body, wrench);
-  const double h = (t1 - t0) / steps;
-  std::vector<State> states{start};
-  for (int n = 0; n < steps; ++n) {
-    State next =
-        unpack(tumble::runge_kutta::rk4_step(f, t0 + n * h, reference::pack(states.back()), h));
-    next.q.normalize();
-    states.push_back(next);
+  const Rhs rhs = right_hand_side(body, wrench);
+  const double step = (t1 - t0) / steps;
+  std::vector<State> path(static_cast<std::size_t>(steps) + 1, start);
+  for (std::size_t n = 1; n < path.size(); ++n) {
+    const double time = t0 + static_cast<double>(n - 1) * step;
+    path[n] = unpack(tumble::runge_kutta::rk4_step(rhs, time, reference::pack(path[n - 1]), step));
+    path[n].q.normalize();
   }
-  return states;
+  return path;
 }
 
 /// ½ P·v + ½ L·ω [J].

@@ -86,3 +86,72 @@ TEST_CASE("archives: a damaged one is refused as a whole") {
   CHECK(unpack(file).refused.starts_with("cannot be unpacked"));
   CHECK(unpack(file).files.empty());
 }
+
+TEST_CASE("archives: all formats that are read, and sources however they are spelt") {
+  for (const char* name :
+       {"a.ZIP", "a.tar", "a.tar.gz", "a.tar.bz2", "a.tar.xz", "a.tar.zst", "a.7z"}) {
+    const Unpacked result =
+        unpacked(name, {{"Größe/Product.CPP", "int a;"}, {"b.cpp.txt", "int b;"}, {"c.pdf", "c"}});
+    CAPTURE(name);
+    CHECK(result.refused == "");
+    CHECK(result.files.size() == 2);
+    CHECK(result.files.contains("Größe/Product.CPP"));
+    CHECK(result.others == std::vector<std::string>{"c.pdf"});
+  }
+}
+
+TEST_CASE("archives: one in another, and no deeper") {
+  using tumble::test::archive_bytes;
+  const std::string inner = archive_bytes("i.zip", {{"product.cpp", "int a;"}, {"x.pdf", "x"}});
+  const std::string deep = archive_bytes("d.zip", {{"i.zip", inner}});
+  const std::string harmful = archive_bytes("h.tar.gz", {{"../b.cpp", "x"}});
+  const Unpacked result = unpacked("a.tar.gz", {{"work/homework.zip", inner},
+                                                {"deep.zip", deep},
+                                                {"h.tar.gz", harmful},
+                                                {"c.cpp", "int c;"}});
+  CHECK(result.refused == "");
+  CHECK(result.files.size() == 2);
+  CHECK(result.files.at("work/homework.zip/product.cpp") == "int a;");
+  REQUIRE(result.notes.size() == 2);
+  CHECK(result.notes[0] ==
+        "deep.zip/i.zip in it was not read: it is an archive in an archive in an archive");
+  CHECK(result.notes[1] == "h.tar.gz in it has a path that leads out of it: ../b.cpp");
+}
+
+TEST_CASE("archives: a bomb in an archive is the archive's") {
+  const std::string zeros(20 << 20, '\0');
+  const std::string bomb =
+      tumble::test::archive_bytes("b.zip", std::vector<Entry>(14, {"zeros.txt", zeros}));
+  CHECK(unpacked("a.zip", {{"b.zip", bomb}}).refused == "unpacks to more than 256 MB");
+}
+
+TEST_CASE("archives: names that no folder can have") {
+  CHECK(unpacked("a.zip", {{"a.cpp", "x"}, {"a.cpp/b.cpp", "y"}}).refused ==
+        "has both a file and a folder called a.cpp");
+  CHECK(unpacked("a.tar.gz", {{"./a.cpp/b.cpp", "y"}, {"a.cpp", "x"}}).refused ==
+        "has both a file and a folder called a.cpp");
+  CHECK(unpacked("a.tar.gz", {{std::string(251, 'a') + ".cpp", "x"}})
+            .refused.starts_with("has a name of 255 bytes: aaa"));
+  std::string path;
+  for (int i = 0; i < 30; ++i) path += std::string(99, 'a') + "/";
+  CHECK(unpacked("a.tar.gz", {{path + "b.cpp", "x"}}).refused.starts_with("has a path of 3005"));
+}
+
+TEST_CASE("a class's download: what could be work is unpacked, of all else the names") {
+  const WorkFolder folder;
+  const std::string inner = tumble::test::archive_bytes("i.zip", {{"a.cpp", "x"}});
+  write_archive(folder.path() / "all.zip", {{"Ann_1_assignsubmission_file_/a.cpp", "int a;"},
+                                            {"Ben_2_assignsubmission_file_/i.zip", inner},
+                                            {"Ben_2_assignsubmission_file_/report.pdf", "pdf"},
+                                            {"Cem_3_assignsubmission_file_/a.cpp", "x"},
+                                            {"Cem_3_assignsubmission_file_/a.cpp/b.cpp", "x"}});
+  const auto to = folder.path() / "all";
+  const std::vector<std::string> notes = unpack_class(folder.path() / "all.zip", to);
+  CHECK(notes.size() == 1);
+  CHECK(unpack(to / "Ben_2_assignsubmission_file_/i.zip").files.size() == 1);
+  CHECK(std::filesystem::file_size(to / "Ann_1_assignsubmission_file_/a.cpp") == 6);
+  CHECK(std::filesystem::file_size(to / "Ben_2_assignsubmission_file_/report.pdf") == 0);
+  write_archive(folder.path() / "bad.tar.gz", {{"../../x.cpp", "x"}});
+  CHECK_NOTHROW(unpack_class(folder.path() / "bad.tar.gz", to));  // said, and not written
+  CHECK_FALSE(std::filesystem::exists(folder.path().parent_path() / "x.cpp"));
+}

@@ -66,9 +66,10 @@ struct Class {
   }
 };
 
-/// A verdict without the time that it took, and without the words, which name paths.
+/// A verdict without the time that it took, without the words, which name paths, and without the
+/// fingerprint of its judge, which `check` does not need.
 json without_words(json unit) {
-  for (const char* key : {"seconds", "explanation", "detail"}) unit.erase(key);
+  for (const char* key : {"seconds", "explanation", "detail", "judge"}) unit.erase(key);
   return unit;
 }
 
@@ -91,7 +92,7 @@ TEST_CASE("grade: each student's points, and why") {
   const json bob = all.record("bob");
   CHECK(bob.at("units")[0].at("summary") == "does not compile");
   CHECK(bob.at("units")[1].at("cases")[0].at("misconceptions")[0] == "time stands still");
-  CHECK(contains(bob.at("units")[1].at("explanation"), "This is what “time stands still” gives."));
+  CHECK(contains(bob.at("units")[1].at("explanation"), "What it shows: “time stands still”."));
   CHECK(contains(bob.at("units")[0].at("explanation"),
                  "The compiler does not accept 01_crossing/carry.cpp:"));
   CHECK(contains(all.record("eve").at("units")[0].at("explanation"),
@@ -160,6 +161,19 @@ TEST_CASE("grade: killed in the middle, it goes on, and nothing is lost") {
     }
   CHECK(kept > 0);
   for (int i = 0; i < 20; ++i) CHECK(all.record("s" + std::to_string(i)).at("points") == 2);
+}
+
+TEST_CASE("grade: what no time was left for is said, and judged the next time") {
+  const Class all;
+  const CommandResult late = test::run_command(all.command("--deadline 1e-9"));
+  CHECK_MESSAGE(late.status == 1, late.output);
+  CHECK(contains(late.output, "no time was left for 3 of 4 submissions"));
+  CHECK(contains(test::text_of(all.out / "grades.csv"),
+                 "ann,0,2,0,0,2 not judged: no time left,,\n"));
+  const CommandResult again = test::run_command(all.command("--deadline 1000"));
+  CHECK_MESSAGE(again.status == 0, again.output);
+  CHECK(all.record("ann").at("points") == 2);
+  CHECK_FALSE(all.record("ann").contains("out_of_time"));
 }
 
 TEST_CASE("grade: course.json decides what counts") {

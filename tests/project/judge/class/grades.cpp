@@ -38,8 +38,14 @@ TEST_CASE("grades.csv: points, and what a spreadsheet must not run") {
   CHECK(csv ==
         "student,points,of,percent,passed,note,4.1 product,4.2 inverse\n"
         "ann,1.33,2,66.67,1,,1,0.33\n"
-        "\"'=cmd(\"\"x\"\"),1\",1,2,50,1,,1,\n"
+        "\"'=cmd(\"\"x\"\"),1\",1,2,50,1,not judged yet: 4.2,1,\n"
         "eve,0,2,0,0,\"has a link in it: a,b\",,\n");
+  StudentRecord late{"ann", 1, 0, "", {product}};
+  late.out_of_time = true;
+  CHECK(grades_csv(settings, {late}).ends_with("\nann,1,2,50,1,1 not judged: no time left,1,\n"));
+  const std::string junit = grades_junit(settings, {late});
+  CHECK(junit.find("tests=\"2\" failures=\"0\" errors=\"0\" skipped=\"1\"") != std::string::npos);
+  CHECK(junit.find("<skipped message=\"not judged: no time left\"/>") != std::string::npos);
 }
 
 TEST_CASE("junit.xml: escaped, and nothing that XML cannot say") {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "judge/build/work_folder.hpp"
+#include "judge/class/moment.hpp"
 #include "project/harness/refusal.hpp"
 
 using namespace tumble::judge;
@@ -78,8 +79,78 @@ TEST_CASE("settings: what means nothing is refused, and where it stands is said"
   CHECK_REFUSED(settings(R"({"seed": 1.5})"), "not a whole number");
 }
 
+TEST_CASE("settings: ranges of chapters and of exercises") {
+  CHECK(settings(R"({"units": ["1-4"]})").units.size() == 3);
+  CHECK(settings(R"({"units": ["4.1-4.2"]})").units.size() == 2);
+  CHECK(settings(R"({"units": ["flatten-product"]})").units.size() == 2);
+  CHECK(settings(R"({"weights": {"1-4": 2, "4": 3, "4.2": 4}})").most() == 2 + 3 + 4);
+  CHECK_REFUSED(settings(R"({"units": ["4-1"]})"), "units[0]: '4-1' is a range that ends before");
+  CHECK_REFUSED(settings(R"({"units": ["1-7"]})"), "there is no exercise or chapter '7'");
+  CHECK_REFUSED(settings(R"({"units": ["1-"]})"), "there is no exercise or chapter ''");
+}
+
+TEST_CASE("settings: what does not count has no weight and hides nothing") {
+  CHECK_REFUSED(settings(R"({"units": ["4"], "weights": {"1.1": 2}})"),
+                "weights.1.1: 1.1 does not count");
+  CHECK_REFUSED(settings(R"({"units": ["4"], "hidden": ["4.1", "flatten"]})"),
+                "hidden[1]: flatten does not count");
+  CHECK(settings(R"({"units": ["4.1"], "weights": {"4": 2}, "hidden": ["4"]})").most() == 2);
+  CHECK_REFUSED(settings(R"({"hidden": []})"), "hidden is empty");
+}
+
+TEST_CASE("settings: what is said twice is refused") {
+  CHECK_REFUSED(settings(R"({"seed": 1, "seed": 2})"), R"(course.json has "seed" twice)");
+  CHECK_REFUSED(settings(R"({"weights": {"4.1": 1, "4.1": 2}})"),
+                R"(course.json.weights has "4.1" twice)");
+  CHECK_REFUSED(settings(R"({"weights": {"4.1": 1, "product": 2}})"),
+                "says twice what 4.1 is worth", "product");
+  CHECK(settings(R"({"weights": {"4.1": 1}, "title": "weights"})").most() == 3);
+}
+
+TEST_CASE("settings: the key that was probably meant is named") {
+  CHECK_REFUSED(settings(R"({"weight": {}})"), "did you mean weights?");
+  CHECK_REFUSED(settings(R"({"teams": {}})"), "there are: $schema, title, units");
+  CHECK_REFUSED(settings(R"({"units": ["prodct"]})"), "did you mean product (4.1)?");
+}
+
+TEST_CASE("moments: only those that there are") {
+  CHECK(exact_moment_of("1970-01-01T00:00:00Z") == 0);
+  CHECK(exact_moment_of("2026-12-01T23:59:00+01:00") == 1'796'165'940);
+  CHECK(exact_moment_of("2026-12-01T22:59Z") == 1'796'165'940);
+  CHECK(exact_moment_of("2024-02-29T12:00:00.5-11:30") == 1'709'249'400);
+  for (const char* none :
+       {"2026-13-45T99:99:00Z", "2026-02-29T00:00:00Z", "2026-00-10T00:00:00Z",
+        "2026-04-31T00:00:00Z", "2026-12-01T24:00:00Z", "2026-12-01T23:60:00Z",
+        "2026-12-01T23:59:60Z", "2026-12-01T23:59:00+25:00", "2026-12-01T23:59:00+01:70",
+        "2026-12-01T23:59:00", "2026-12-01", "", "tomorrow"})
+    CHECK_MESSAGE(!exact_moment_of(none).has_value(), none);
+  CHECK_REFUSED(settings(R"({"due": "2026-13-45T99:99:00Z"})"), "due is \"2026-13-45T99:99:00Z\"");
+}
+
 TEST_CASE("seeds: another one for each student, and the same each time") {
   CHECK(seed_of(7, "ann") == seed_of(7, "ann"));
   CHECK(seed_of(7, "ann") != seed_of(7, "bob"));
   CHECK(seed_of(7, "ann") != seed_of(8, "ann"));
+}
+
+TEST_CASE("settings: late work, extensions, overrides, several, extra") {
+  const CourseSettings some = settings(R"({"due": "2026-12-01T12:00Z",
+    "late": {"grace": 15, "per_day": 10, "days": 3}, "extensions": {"ben": "2026-12-08T12:00Z"},
+    "overrides": {"cleo": {"4.1": 2, "reason": "r"}, "dan": {"points": 0, "reason": "s"}},
+    "several": "best", "extra": ["4.2"]})");
+  CHECK(some.rules.late->days == 3);
+  CHECK(some.rules.extensions.at("ben") == "2026-12-08T12:00Z");
+  CHECK(some.rules.overrides.at("cleo").units.at("04_quaternions/product") == 2);
+  CHECK(some.rules.overrides.at("dan").points == 0);
+  CHECK(some.rules.several == Several::best);
+  CHECK(some.most() == 2);  // what is extra is not asked for
+  CHECK_REFUSED(settings(R"({"late": {"per_day": 10}})"), ".late means nothing without \"due\"");
+  CHECK_REFUSED(settings(R"({"due": "2026-12-01T12:00Z", "late": {"per_day": 101}})"),
+                "late.per_day is 101, not in 0 … 100");
+  CHECK_REFUSED(settings(R"({"extensions": {"ben": "tomorrow"}})"),
+                "extensions.ben is \"tomorrow\", not a time");
+  CHECK_REFUSED(settings(R"({"overrides": {"ben": {"points": 3}}})"), "ben has no \"reason\"");
+  CHECK_REFUSED(settings(R"({"overrides": {"ben": {"4": 3, "reason": "r"}}})"),
+                "overrides.ben.4 is more than one exercise");
+  CHECK_REFUSED(settings(R"({"several": "first"})"), "not \"last\" or \"best\"");
 }

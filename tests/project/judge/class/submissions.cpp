@@ -1,5 +1,5 @@
 /// @file
-/// Which folders and archives are submissions, and which of their files are meant.
+/// Which files of a submission are meant.
 #include "judge/class/submissions.hpp"
 
 #include <doctest/doctest.h>
@@ -8,7 +8,6 @@
 #include <fstream>
 
 #include "judge/build/work_folder.hpp"
-#include "project/harness/refusal.hpp"
 
 using namespace tumble::judge;
 
@@ -45,9 +44,12 @@ TEST_CASE("a unit's file: in exercises/, in its chapter's folder, or by a name t
   CHECK(file_of(unit, {"old/04_quaternions/product.cpp", "04_quaternions/product.cpp"}) ==
         "04_quaternions/product.cpp");
   CHECK(file_of(unit, {"homework 4/product.cpp"}) == "homework 4/product.cpp");
-  for (const char* other : {"solutions/04_quaternions/product.cpp", "build/product.cpp",
-                            "tests/04_quaternions/product.cpp", "04_quaternions/product.cpp.bak"})
+  for (const char* other :
+       {"build/product.cpp", "tests/04_quaternions/product.cpp", "04_quaternions/product.cpp.bak"})
     CHECK(file_of(unit, {other}) == "");
+  const fs::path ours = "solutions/04_quaternions/product.cpp";
+  CHECK(file_of(unit, {ours}) == ours);
+  CHECK(file_of(unit, {ours, "exercises/04_quaternions/inverse.cpp"}) == "");
   CHECK(file_of("01_particles/dydt", {"dydt.cpp"}) == "");  // which of the two?
   CHECK(file_of("01_particles/dydt", {"01_particles/dydt.cpp", "09_rigid_body/dydt.cpp"}) ==
         "01_particles/dydt.cpp");
@@ -56,28 +58,36 @@ TEST_CASE("a unit's file: in exercises/, in its chapter's folder, or by a name t
   CHECK(file_of("01_particles/dydt", {"dydt.cpp"}, only_the_last) == "");
 }
 
-TEST_CASE("submissions: folders and archives by their names, and nothing else") {
-  const WorkFolder class_folder;
-  const fs::path& folder = class_folder.path();
-  touch(folder / "meyer" / "a.cpp");
-  touch(folder / "ann.b.zip");
-  touch(folder / "eve.tar.gz");
-  touch(folder / ".git" / "x");
-  touch(folder / "list.txt");
-  fs::create_symlink("/etc", folder / "link");
-  const std::vector<Submission> all = submissions_in({folder});
-  REQUIRE(all.size() == 3);
-  CHECK(all[0].student == "ann.b");
-  CHECK(all[0].is_archive);
-  CHECK(all[1].student == "eve");
-  CHECK(all[2].student == "meyer");
-  CHECK_FALSE(all[2].is_archive);
+TEST_CASE("a unit's file: however its student has spelt it") {
+  for (const char* name :
+       {"Product.cpp", "PRODUCT.CPP", "product (1).cpp", "product(2).cpp", "product-1.cpp",
+        "product.cpp.txt", "Product - Copy.cpp", "product copy.cpp", "product 2.cpp",
+        "Exercises/04_Quaternions/product.cpp"})
+    CHECK_MESSAGE(file_of("04_quaternions/product", {name}) == name, name);
+  for (const char* other : {"my_product.cpp", "product.hpp", "product.txt", "._product.cpp",
+                            "__MACOSX/product.cpp", "product.cpp~", "-1.cpp"})
+    CHECK_MESSAGE(file_of("04_quaternions/product", {other}) == "", other);
+}
 
-  touch(folder / "meyer.zip");
-  CHECK_REFUSED(submissions_in({folder}), "two submissions have the name meyer");
-  const WorkFolder empty;
-  CHECK_REFUSED(submissions_in({empty.path()}), "holds no submissions");
-  CHECK_REFUSED(submissions_in({folder / "nowhere"}), "nowhere is no folder");
+TEST_CASE("a unit's file: of several, by a rule that is the same everywhere") {
+  const auto counted = [](std::vector<fs::path> paths) {
+    const std::string first = file_of("04_quaternions/product", paths);
+    std::reverse(paths.begin(), paths.end());
+    CHECK(file_of("04_quaternions/product", paths) == first);
+    return first;
+  };
+  CHECK(counted({"v1/product.cpp", "v10/product.cpp", "v2/product.cpp"}) == "v10/product.cpp");
+  CHECK(counted({"hw1/product.cpp", "hw1-fixed/product.cpp"}) == "hw1-fixed/product.cpp");
+  CHECK(counted({"product.cpp", "product-1.cpp", "product-2.cpp"}) == "product-2.cpp");
+  CHECK(counted({"product.cpp", "product (1).cpp"}) == "product (1).cpp");
+  CHECK(counted({"product.cpp.txt", "product.cpp"}) == "product.cpp");
+  CHECK(counted({"a/product.cpp", "B/product.cpp"}) == "B/product.cpp");
+  CHECK(counted({"v9/product.cpp", "exercises/04_quaternions/product.cpp"}) ==
+        "exercises/04_quaternions/product.cpp");
+  CHECK(counted({"deep/er/product.cpp", "z.cpp", "a/product.cpp"}) == "a/product.cpp");
+  const auto chosen = choose_files(course_with_two_dydt(), course_with_two_dydt().units,
+                                   {"v1/product.cpp", "v2/product.cpp"});
+  CHECK(chosen.at("04_quaternions/product").others == std::vector<fs::path>{"v1/product.cpp"});
 }
 
 TEST_CASE("files below a folder: links are named and not followed, hidden folders left out") {

@@ -109,7 +109,7 @@ TEST_CASE("check: what was asked, what came back, the misconception, and how to 
   for (const char* part :
        {"1.2 twice  wrong, 0 of 3 laws hold", "twice(f, t, y, h) was called with",
         "f = a function of the judge", "Calls of the functions that it was given: 2", "Your answer",
-        "Demanded", "This is what “time stands still” gives.",
+        "Demanded", "These are the numbers of a known mistake: “time stands still”.",
         "To run only this case:  ./tumble check 1.2.1 --seed 5"})
     CHECK_MESSAGE(contains(output, part), output);
 
@@ -237,7 +237,8 @@ TEST_CASE("completion knows every option of every command") {
 
 TEST_CASE("what a command line needs to be built, one target a line, and nothing else is done") {
   const FreshCourse fresh;
-  const std::string needs_carry = "spec.01_crossing.carry\n", needs_twice = "spec.01_crossing.twice\n";
+  const std::string needs_carry = "spec.01_crossing.carry\n",
+                    needs_twice = "spec.01_crossing.twice\n";
   CHECK(judge("--needs check").output == needs_carry);
   CHECK(judge("--needs check 1.2").output == needs_twice);
   CHECK(judge("--needs check 1.2.1 --from nowhere").output == needs_twice);
@@ -248,8 +249,9 @@ TEST_CASE("what a command line needs to be built, one target a line, and nothing
   const fs::path settings = fs::temp_directory_path() / "tumble-needs-test.json";
   write(settings, R"({"units": ["1.2"], "curve": false})");
   const std::string with_settings = " --course '" + settings.string() + "'";
-  CHECK(judge("--needs grade ." + with_settings).output == needs_twice);
-  CHECK(judge("--needs platform gradescope ." + with_settings).output == needs_twice);
+  const std::string tools = "grading_tools\n";
+  CHECK(judge("--needs grade ." + with_settings).output == needs_twice + tools);
+  CHECK(judge("--needs platform gradescope ." + with_settings).output == needs_twice + tools);
   fs::remove(settings);
   for (const char* none :
        {"list", "hint 1.1", "reset 1.1", "solution 1.1", "sandbox", "handout --chapters 1 x",

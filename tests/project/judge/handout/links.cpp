@@ -2,6 +2,7 @@
 /// What is handed out: which chapters are meant, and pages without dead links.
 #include <doctest/doctest.h>
 
+#include "judge/handout/dead_links.hpp"
 #include "judge/handout/handout.hpp"
 #include "project/harness/refusal.hpp"
 
@@ -48,6 +49,18 @@ TEST_CASE("hand-out: links to what is not there leave their words behind") {
       "![A figure.](figures/a.svg) [lib](../../lib/) [ode](../../lib/include/tumble/ode)");
   CHECK(linked("[far](https://example.org/a) [near](b.md)") == "[far](https://example.org/a) near");
   CHECK(linked("```cpp\nf[i](x);\n```\n[i](x)") == "```cpp\nf[i](x);\n```\ni");
+}
+
+TEST_CASE("hand-out: rows, items and parts of a line about what is not there are left out") {
+  CHECK(linked("|---|---|\n| [`x/`](x/README.md) | gone |\n| [a](figures/a.svg) | here |") ==
+        "|---|---|\n| [a](figures/a.svg) | here |");
+  CHECK(linked("- [x](x.md) is\n  gone, as\n  a whole\n- [a](figures/a.svg) stays\n\nwords") ==
+        "- [a](figures/a.svg) stays\n\nwords");
+  CHECK(linked("- words, then [x](x.md)") == "- words, then x");
+  CHECK(linked("[a](#a) · [x](x.md) · [b](#b)") == "[a](#a) · [b](#b)");
+  CHECK(linked("[x](x.md) · [a](#a) ·\n[y](y.md)") == "[a](#a)");
+  CHECK(linked("[a](#a): words · [x](x.md)") == "[a](#a): words");
+  CHECK(linked("```\n| [x](x.md) | code |\n```") == "```\n| [x](x.md) | code |\n```");
 }
 
 TEST_CASE("hand-out: nothing is overwritten") {

@@ -25,10 +25,10 @@ struct Packages {
   }
   fs::path operator[](const std::string& platform) const { return work.path() / platform; }
 
-  CommandResult make(const std::string& platform) const {
+  CommandResult make(const std::string& platform, const std::string& options = "") const {
     return test::run_command("'" + test::variable("TUMBLE_JUDGE").string() + "' export " +
                              platform + " '" + (*this)[platform].string() + "' --course '" +
-                             (work.path() / "course.json").string() + "'");
+                             (work.path() / "course.json").string() + "' " + options);
   }
 };
 
@@ -50,6 +50,22 @@ const char* const chapter_1 =
 
 }  // namespace
 
+/// No file in the folder holds a word that was to be filled in.
+void check_filled(const fs::path& folder) {
+  for (const char* file : {"README.md", "bundle/autograder.py", "image/Dockerfile",
+                           "repository/.github/workflows/tumble.yml"})
+    if (fs::exists(folder / file))
+      for (const char* word : {"@TITLE@", "@LIMIT@", "@DEADLINE@", "@MINUTES@", "@IMAGE@", "@QID@",
+                               "@COPY@", "@ASSESS@", "@CURVE@", "@POINTS@"})
+        CHECK_MESSAGE(!test::contains(test::text_of(folder / file), word), file << word);
+}
+
+/// The seed of the course is not what the public package holds; that is another one.
+void check_no_secret_seed(const json& settings) {
+  CHECK(settings.at("seed").is_number_integer());
+  CHECK(settings.at("seed") != 7);
+}
+
 TEST_CASE("export: Gradescope's zip has the two scripts at its root, and the solutions") {
   const Packages packages(chapter_1);
   const CommandResult made = packages.make("gradescope");
@@ -68,6 +84,16 @@ TEST_CASE("export: Gradescope's zip has the two scripts at its root, and the sol
   CHECK(test::json_in(source / "tumble" / "course.json").at("seed") == 7);
   CHECK(test::text_of(packages["gradescope"] / "README.md").find("worth 7 points") !=
         std::string::npos);
+  check_filled(packages["gradescope"]);
+  CHECK(test::contains(test::text_of(source / "run_autograder"), " --deadline 480\n"));
+}
+
+TEST_CASE("export: a limit of time that the instructor has changed") {
+  const CommandResult longer = Packages(chapter_1).make("github-actions", "--limit 1200");
+  REQUIRE_MESSAGE(longer.status == 0, longer.output);
+  const CommandResult too_long = Packages(chapter_1).make("prairielearn", "--limit 900");
+  CHECK(too_long.status == 2);
+  CHECK(test::contains(too_long.output, "the limit is 900 s"));
 }
 
 TEST_CASE("export: what is public for PrairieLearn has no solutions, what is not has them") {
@@ -88,10 +114,59 @@ TEST_CASE("export: what is public for PrairieLearn has no solutions, what is not
   CHECK(html.find("optional-file-names=\"flatten.cpp,dydt.cpp,") != std::string::npos);
   CHECK(html.find("@") == std::string::npos);
   CHECK(html.find("std::vector&lt;Particle&gt;&amp;") != std::string::npos);
+  check_filled(folder);
 
   const CommandResult two = Packages("{}").make("prairielearn");
   CHECK(two.status == 2);
   CHECK(two.output.find("1.2 and 9.4 dydt cannot be in one question") != std::string::npos);
+}
+
+TEST_CASE("export: a question for each exercise, each with its points and its deadline") {
+  const Packages packages(R"({"title": "HW 1", "units": ["1.1", "1.2", "9.4"], "seed": 7,
+      "weights": {"1.2": 3}, "hidden": ["9.4"]})");
+  const CommandResult made = packages.make("prairielearn", "--each --image owner/judge:2");
+  REQUIRE_MESSAGE(made.status == 0, made.output);
+  const fs::path folder = packages["prairielearn"], questions = folder / "questions" / "hw-1";
+  std::set<std::string> ids;
+  for (const char* name : {"1-1-flatten", "1-2-dydt", "9-4-dydt"}) {
+    CAPTURE(name);
+    const json info = test::json_in(questions / name / "info.json");
+    test::check_prairielearn_question(info);
+    ids.insert(info.at("uuid").get<std::string>());
+    const json grader = info.at("externalGradingOptions");
+    CHECK(grader.at("image") == "owner/judge:2");
+    const int deadline = std::stoi(grader.at("entrypoint").back().get<std::string>());
+    CHECK(deadline + 120 <= grader.at("timeout").get<int>());
+  }
+  CHECK(ids.size() == 3);
+  const json dydt = test::json_in(questions / "1-2-dydt" / "tests" / "course.json");
+  CHECK(dydt.at("units") == json{"1.2"});
+  CHECK(dydt.at("weights") == json{{"1.2", 3}});
+  CHECK(dydt.at("seed") == 7);
+  CHECK_FALSE(dydt.contains("hidden"));
+  CHECK(test::json_in(questions / "9-4-dydt" / "tests" / "course.json").at("hidden") ==
+        json{"9.4"});
+  CHECK(fs::exists(questions / "9-4-dydt" / "tests/solutions/08_mirtich/mass_properties.cpp"));
+  CHECK_FALSE(fs::exists(questions / "1-2-dydt" / "tests/solutions/02_solvers"));
+  const json zones = test::json_in(folder / "zones.json");
+  CHECK(zones.at("zones")[0].at("questions")[1] == json{{"id", "hw-1/1-2-dydt"}, {"points", 3}});
+  check_filled(folder);
+}
+
+TEST_CASE("export: names of images are checked before anything is made") {
+  const Packages packages(chapter_1);
+  const CommandResult wrong = packages.make("prairielearn", "--image OWNER/judge");
+  CHECK(wrong.status == 2);
+  CHECK(test::contains(wrong.output, "did you mean owner/judge?"));
+  CHECK(test::contains(packages.make("gradescope", "--each").output, "--each is for PrairieLearn"));
+}
+
+TEST_CASE("export: what students can read neither holds the seed nor hides anything") {
+  for (const char* platform : {"classroom50", "github-actions"}) {
+    const CommandResult hiding = Packages(R"({"units": ["1"], "hidden": ["1.4"]})").make(platform);
+    CHECK(hiding.status == 2);
+    CHECK(test::contains(hiding.output, std::string(platform) + " hides nothing"));
+  }
 }
 
 TEST_CASE("export: Classroom 50's bundle is public and small, its template a hand-out") {
@@ -104,7 +179,9 @@ TEST_CASE("export: Classroom 50's bundle is public and small, its template a han
   CHECK(assignment.at("due") == "2026-12-01T23:59:00+01:00");
   for (const std::string& file : files_in(folder))
     CHECK(file.find("solutions/") == std::string::npos);
-  CHECK(fs::exists(folder / "bundle" / "autograder.py"));
+  check_filled(folder);
+  check_no_secret_seed(test::json_in(folder / "bundle" / "course.json"));
+  CHECK(test::contains(made.output, "has a seed of its own"));
   CHECK(fs::exists(folder / "template" / "exercises" / "01_particles" / "dydt.cpp"));
   std::uintmax_t bytes = 0;
   for (const std::string& file : files_in(folder / "bundle"))
@@ -120,8 +197,17 @@ TEST_CASE("export: a repository for GitHub, and refusals that say what is wrong"
   CHECK(is_executable(repository / "tumble"));
   CHECK_FALSE(fs::exists(repository / "solutions"));
   const std::string workflow = test::text_of(repository / ".github/workflows/tumble.yml");
-  CHECK(workflow.find("./tumble platform github-actions . --course course.json") !=
-        std::string::npos);
+  CHECK(test::contains(workflow, "platform github-actions . --course course.json --deadline 480"));
+  check_filled(packages["github-actions"]);
+  check_no_secret_seed(test::json_in(repository / "course.json"));
+  CHECK(test::contains(made.output, "has a seed of its own"));
+  // Built, kept, judged: in this order, or a verdict that fails the job costs the next one a build.
+  std::size_t at = 0;
+  for (const char* step : {"actions/cache/restore@", "./tumble prepare ", "actions/cache/save@",
+                           "if: always()", "./tumble --no-install platform "}) {
+    CHECK_MESSAGE(workflow.find(step, at) != std::string::npos, step);
+    at = workflow.find(step, at);
+  }
 
   CHECK(packages.make("github-actions").output.find("exists already") != std::string::npos);
   CHECK(packages.make("moodle").output.find("there are: gradescope, prairielearn") !=

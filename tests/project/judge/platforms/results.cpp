@@ -85,6 +85,13 @@ TEST_CASE("PrairieLearn: a share, hidden words, and no attempt lost by what cann
   CHECK(j.at("tests")[1].at("output") == "");
   CHECK(j.at("images")[0].at("url") == figure_url);
 
+  StudentRecord typo = some;
+  typo.units[1].summary = "does not compile";  // a hidden one too
+  const json invalid = json::parse(prairielearn_results(settings(), typo, ""));
+  CHECK(invalid.at("gradable") == false);
+  CHECK(invalid.at("format_errors") == json{"4.2: does not compile"});
+  CHECK(contains(invalid.at("output"), "why"));
+
   const std::string none = prairielearn_results(settings(), refused, "");
   tumble::test::check_prairielearn(none);
   CHECK(json::parse(none).at("gradable") == false);
@@ -104,6 +111,17 @@ TEST_CASE("Classroom 50: whole points, a hundred to one, and who is meant") {
   CHECK(j.at("tests")[1].at("output") == "");
   environment.erase("OWNER");
   CHECK_REFUSED(classroom50_result(settings(), some, environment), "the environment lacks OWNER");
+}
+
+TEST_CASE("what no time was left for says so, on every platform") {
+  StudentRecord late = some;
+  late.out_of_time = true;
+  const json gradescope = json::parse(gradescope_results(settings(), late, ""));
+  CHECK(gradescope.at("tests")[2].at("output") == "Not judged: no time left.");
+  const json learn = json::parse(prairielearn_results(settings(), late, ""));
+  CHECK(learn.at("tests")[2].at("output") == "Not judged: no time left.");
+  CHECK(contains(markdown_results(settings(), late),
+                 "| 4.3 rotate | not judged: no time left | 0.00 of 1.00 |\n"));
 }
 
 TEST_CASE("Markdown: a table, and words that stay words") {

@@ -32,6 +32,20 @@ const char* const wrong_step =
     "}\n"
     "}\n";
 
+/// A script of a package, as it is exported; in `folder`.
+void take_from_package(const std::string& platform, const fs::path& script,
+                       const fs::path& folder) {
+  const judge::WorkFolder work;
+  const fs::path package = work.path() / "package";
+  const CommandResult made =
+      test::run_command("'" + test::variable("TUMBLE_JUDGE").string() + "' export " + platform +
+                        " '" + package.string() + "'");
+  REQUIRE_MESSAGE(made.status == 0, made.output);
+  if (fs::exists(package / "autograder.zip"))
+    test::run_command("cd '" + package.string() + "' && cmake -E tar xf autograder.zip");
+  fs::copy(package / script, folder);
+}
+
 struct BuiltCourse {
   judge::WorkFolder work;
   fs::path tree = work.path() / "tumble";
@@ -101,7 +115,7 @@ void check_on_classroom50(const BuiltCourse& course) {
   test::write_file(not_ours, "not ours");
   fs::create_symlink(not_ours, checkout / "result.json");
   const fs::path bundle = course.work.path();  // tumble/ and course.json lie there
-  fs::copy(test::root() / "tests/judge/platforms/packages/classroom50/autograder.py", bundle);
+  take_from_package("classroom50", "bundle/autograder.py", bundle);
   const std::string environment =
       "CLASSROOM=c ASSIGNMENT=a ASSIGNMENT_TYPE=individual OWNER=ann COMMIT_URL=https://c "
       "RELEASE_URL=https://r REVIEW_URL=https://v SUBMISSION_TAG=submit/1 "
@@ -136,6 +150,26 @@ void check_on_github_actions(const BuiltCourse& course) {
   CHECK(test::run_command(course.platform("github-actions", course.tree)).status == 1);
 }
 
+double points_in(const fs::path& autograder) {
+  const json j = test::json_in(autograder / "results" / "results.json");
+  test::check_gradescope(j);
+  double points = 0;
+  for (const json& each : j.at("tests")) points += each.at("score").get<double>();
+  return points;
+}
+
+/// What the package's README tells instructors to try: a zip of solutions/ has all points.
+void check_own_check_of_gradescope(const BuiltCourse& course, const fs::path& autograder) {
+  const fs::path submission = autograder / "submission";
+  fs::remove_all(submission);
+  fs::create_directories(submission / "solutions");
+  fs::copy(course.tree / "solutions" / "01_particles", submission / "solutions" / "01_particles");
+  const CommandResult graded =
+      test::run_command(without_network((autograder / "run_autograder").string()));
+  REQUIRE_MESSAGE(graded.status == 0, graded.output);
+  CHECK(points_in(autograder) == 6);
+}
+
 /// The tree has the chapter_solutions, too.
 void check_on_gradescope(const BuiltCourse& course) {
   const fs::path autograder = course.work.path() / "autograder";
@@ -144,7 +178,7 @@ void check_on_gradescope(const BuiltCourse& course) {
   fs::copy(chapter_solutions, course.tree / "solutions" / "01_particles");
   fs::copy_file(course.work.path() / "course.json", course.tree / "course.json");
   fs::create_directory_symlink(course.tree, autograder / "source" / "tumble");
-  fs::copy(test::root() / "tests/judge/platforms/packages/gradescope/run_autograder", autograder);
+  take_from_package("gradescope", "run_autograder", autograder);
   test::write_file(autograder / "submission" / "euler_step.cpp", wrong_step);
   test::write_file(autograder / "submission" / "rk4_step.cpp",
                    test::text_of(chapter_solutions / "rk4_step.cpp"));
@@ -158,14 +192,12 @@ void check_on_gradescope(const BuiltCourse& course) {
   const CommandResult graded =
       test::run_command(without_network((autograder / "run_autograder").string()));
   REQUIRE_MESSAGE(graded.status == 0, graded.output);
+  CHECK(points_in(autograder) == 1);
   const json j = test::json_in(autograder / "results" / "results.json");
-  test::check_gradescope(j);
-  double points = 0;
-  for (const json& each : j.at("tests")) points += each.at("score").get<double>();
-  CHECK(points == 1);
   CHECK(j.at("tests")[3].at("visibility") == "after_due_date");
   CHECK(test::contains(j.at("tests")[2].at("output"), "✗"));
   CHECK_FALSE(test::contains(j.dump(), "Ann"));
+  check_own_check_of_gradescope(course, autograder);
 }
 
 }  // namespace

@@ -1,0 +1,150 @@
+#include "judge/class/roster.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "judge/class/file_kinds.hpp"
+#include "support/text_file.hpp"
+#include "tumble/core/require.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+using ColumnNames = std::vector<std::string>;
+
+const ColumnNames id_columns = {"identifier", "sid", "student id", "user id", "participant", "id"};
+const ColumnNames name_columns = {"full name", "student", "student name", "name"};
+const ColumnNames first_name_columns = {"first name", "firstname", "given name"};
+const ColumnNames last_name_columns = {"last name", "lastname", "surname", "family name"};
+const ColumnNames email_columns = {"email address", "email", "e-mail", "e-mail address"};
+const ColumnNames login_columns = {"sis login id", "login",           "username", "user",
+                                   "github",       "github username", "folder"};
+const ColumnNames time_columns = {"last modified (submission)", "submission time", "submitted at",
+                                  "handed in"};
+
+std::string digits_at_the_end(const std::string& text) {
+  const std::size_t last = text.find_last_not_of("0123456789");
+  return last == std::string::npos ? text : text.substr(last + 1);
+}
+
+/// Letters and digits alone: "doejane" for "Doe, Jane".
+std::string squeezed(const std::string& name) {
+  std::string text;
+  for (const char c : lower_case(name))
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80)) text += c;
+  return text;
+}
+
+Lms lms_of(const CsvTable& table) {
+  if (table.column({"identifier"})) return Lms::moodle;
+  const bool canvas = table.header.size() > 3 && table.header[0] == "Student" &&
+                      table.header[1] == "ID" && table.column({"section"});
+  if (canvas) return Lms::canvas;
+  return table.column({"sid"}) && table.column({"email"}) ? Lms::gradescope : Lms::none;
+}
+
+/// Reads the members out of the table.
+class RosterReader {
+ public:
+  explicit RosterReader(Roster& roster) : roster_(roster) {}
+
+  void read() {
+    for (std::size_t i = 0; i < roster_.table.rows.size(); ++i) {
+      const Member member = member_in(i);
+      const bool nobody = member.who.name.empty() && member.who.id.empty() &&
+                          member.who.email.empty() && member.login.empty();
+      if (!nobody && !is_canvas_own(i)) roster_.members.push_back(member);
+    }
+  }
+
+ private:
+  std::string cell(std::size_t row, const ColumnNames& columns) const {
+    const auto column = roster_.table.column(columns);
+    return column ? roster_.table.rows[row][*column] : "";
+  }
+
+  Member member_in(std::size_t row) const {
+    Member member;
+    member.row = row;
+    member.who.name = cell(row, name_columns);
+    const std::string first = cell(row, first_name_columns), last = cell(row, last_name_columns);
+    if (member.who.name.empty())
+      member.who.name = first + (first.empty() || last.empty() ? "" : " ") + last;
+    member.who.id = cell(row, id_columns);
+    if (roster_.lms == Lms::moodle) member.who.id = digits_at_the_end(member.who.id);
+    member.who.email = cell(row, email_columns);
+    member.login = cell(row, login_columns);
+    member.handed_in = cell(row, time_columns);
+    if (member.handed_in == "-") member.handed_in.clear();
+    return member;
+  }
+
+  /// Canvas's rows for the points and for a student that is not one.
+  bool is_canvas_own(std::size_t row) const {
+    const std::string& first = roster_.table.rows[row].front();
+    return roster_.lms == Lms::canvas && (first.find("Points Possible") != std::string::npos ||
+                                          first == "Student, Test" || cell(row, {"id"}).empty());
+  }
+
+  Roster& roster_;
+};
+
+/// Is a member of the class meant by the name of a folder, or by what a platform has called it?
+bool is_named(const Member& member, const Submission& submission) {
+  for (const std::string* name : {&submission.student, &submission.who.name, &submission.who.email})
+    for (const std::string& own : {member.who.name, member.who.id, member.who.email, member.login,
+                                   member.who.email.substr(0, member.who.email.find('@'))})
+      if (!squeezed(own).empty() && squeezed(*name) == squeezed(own)) return true;
+  return false;
+}
+
+}  // namespace
+
+const Member* Roster::find(const Submission& submission) const {
+  const Member* found = nullptr;
+  for (const Member& member : members)
+    if (!submission.who.id.empty() && member.who.id == submission.who.id) return &member;
+  for (const Member& member : members)
+    if (is_named(member, submission)) {
+      if (found) return nullptr;  // two of one name
+      found = &member;
+    }
+  return found;
+}
+
+Roster read_roster(const std::filesystem::path& file) {
+  Roster roster;
+  roster.table = read_csv(support::read_text(file), file.string());
+  roster.lms = lms_of(roster.table);
+  RosterReader(roster).read();
+  std::string columns;
+  for (const std::string& name : roster.table.header)
+    columns += (columns.empty() ? "" : ", ") + name;
+  require(!roster.members.empty(), file.string(),
+          " names nobody: it needs a column called name, email or id; it has: ", columns);
+  return roster;
+}
+
+RosterMatch match(const Roster& roster, std::vector<Submission>& submissions) {
+  RosterMatch result;
+  std::set<std::size_t> handed_in;
+  for (Submission& submission : submissions) {
+    const Member* member = roster.find(submission);
+    if (!member) {
+      result.strangers.push_back(submission.student);
+      continue;
+    }
+    handed_in.insert(member->row);
+    if (!member->who.name.empty()) submission.who.name = member->who.name;
+    if (!member->who.id.empty()) submission.who.id = member->who.id;
+    if (!member->who.email.empty()) submission.who.email = member->who.email;
+    if (submission.handed_in.empty()) submission.handed_in = member->handed_in;
+  }
+  std::copy_if(roster.members.begin(), roster.members.end(), std::back_inserter(result.missing),
+               [&](const Member& member) { return !handed_in.contains(member.row); });
+  return result;
+}
+
+}  // namespace tumble::judge

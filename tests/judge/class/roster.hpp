@@ -1,0 +1,43 @@
+#pragma once
+/// @file
+/// Who is in the class: a table of one's own, Moodle's grading worksheet, Canvas's gradebook, or
+/// Gradescope's roster. Its columns are known by their names.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "judge/class/csv_table.hpp"
+#include "judge/class/lms.hpp"
+#include "judge/class/submissions.hpp"
+
+namespace tumble::judge {
+
+struct Member {
+  Identity who;
+  std::string login;      ///< or another name that a folder could have
+  std::string handed_in;  ///< when, if the table says so
+  std::size_t row = 0;    ///< in the table
+};
+
+struct Roster {
+  CsvTable table;
+  Lms lms = Lms::none;  ///< whose table it is
+  std::vector<Member> members;
+
+  /// Who has handed this in; null if nobody in the class, or not one alone.
+  const Member* find(const Submission& submission) const;
+};
+
+/// @throws std::invalid_argument if the file is no table, or has no column with names
+Roster read_roster(const std::filesystem::path& file);
+
+struct RosterMatch {
+  std::vector<Member> missing;         ///< those of the class who have handed in nothing
+  std::vector<std::string> strangers;  ///< who has handed in and is not in the class
+};
+
+/// Gives each submission its student's name, number and time from the roster.
+RosterMatch match(const Roster& roster, std::vector<Submission>& submissions);
+
+}  // namespace tumble::judge

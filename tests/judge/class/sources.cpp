@@ -1,0 +1,227 @@
+#include "judge/class/sources.hpp"
+
+#include <algorithm>
+
+#include "judge/build/submission.hpp"
+#include "judge/class/archive.hpp"
+#include "judge/class/file_kinds.hpp"
+#include "judge/class/file_names.hpp"
+#include "judge/class/utf16.hpp"
+#include "judge/course/progress.hpp"
+#include "support/text_file.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+constexpr std::size_t most_archives = 20;  // in a student's folder
+
+/// Is any folder of the path, or the file, hidden or an operating system's own?
+bool is_nobodys(const fs::path& path) {
+  return std::any_of(path.begin(), path.end(), [](const fs::path& part) {
+    return part.string().starts_with(".") || is_clutter(part.string());
+  });
+}
+
+/// "a.docx, main.cpp and 12 more"
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 6;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (i == 0 ? "" : ", ") + escaped(names[i]);
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+/// A file that is read for being small and no link; else nothing.
+std::optional<std::string> small_text(const fs::path& file) {
+  constexpr std::uintmax_t most = 4 * largest_submission;
+  std::error_code unreadable;
+  if (!fs::is_regular_file(fs::symlink_status(file, unreadable))) return std::nullopt;
+  if (const auto size = fs::file_size(file, unreadable); unreadable || size > most)
+    return std::nullopt;
+  try {
+    return support::read_text(file);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;  // the judge will say so
+  }
+}
+
+}  // namespace
+
+Sources::Sources(const Course& course, const std::vector<Unit>& counted,
+                 const Submission& submission)
+    : course_(&course), refused_(submission.refused), notes_(submission.notes) {
+  const fs::path whole = fs::absolute(submission.path).lexically_normal();
+  folder_ = fs::is_directory(whole) ? whole : own_.path();
+  if (!refused_.empty()) return;
+  for (Part part : parts_of(submission)) {
+    part.path = fs::absolute(part.path).lexically_normal();
+    add(part);
+    if (!refused_.empty()) return;
+  }
+  choose(course, counted);
+}
+
+fs::path Sources::of(const Unit& unit) const {
+  const auto found = of_unit_.find(unit.id());
+  return found == of_unit_.end() ? folder_ / unit.chapter / (unit.name + ".cpp") : found->second;
+}
+
+std::optional<std::string> Sources::handed_in(const Unit& unit) const {
+  const auto found = handed_in_.find(unit.id());
+  if (found == handed_in_.end()) return std::nullopt;
+  return found->second.string();
+}
+
+std::string Sources::as_handed_in(std::string text) const {
+  for (const auto& [unit, name] : handed_in_)
+    for (const std::string& file : spellings(of_unit_.at(unit)))
+      text = replaced(std::move(text), file, escaped(name.string()));
+  for (const fs::path& folder : {own_.path(), folder_})
+    for (const std::string& start : spellings(folder / ""))
+      text = replaced(std::move(text), start, "");
+  return text;
+}
+
+/// A path as the console says it: it shortens what lies in the course's own tree.
+std::vector<std::string> Sources::spellings(const fs::path& path) const {
+  const fs::path inside = path.lexically_relative(fs::absolute(course_->root).lexically_normal());
+  if (inside.empty() || *inside.begin() == ".." || *inside.begin() == ".") return {path.string()};
+  return {path.string(), inside.string()};
+}
+
+void Sources::keep(const fs::path& folder, const std::vector<Unit>& units) const {
+  for (const Unit& unit : units) {
+    const fs::path kept = kept_source(folder, unit);
+    const auto text = handed_in(unit) ? small_text(of(unit)) : std::nullopt;
+    if (text)
+      support::write_text_and_folders(kept, *text);
+    else
+      fs::remove(kept);
+  }
+}
+
+void Sources::add(const Part& part) {
+  if (fs::is_directory(fs::symlink_status(part.path)))
+    add_folder(part.name, part.path);
+  else if (!archive_stem(part.path.filename().string()).empty())
+    add_archive(part.name, part.path);
+  else
+    add_file(part.name, part.path);
+}
+
+void Sources::add_folder(const std::string& within, const fs::path& folder) {
+  std::error_code unreadable;
+  const fs::directory_iterator first(folder, unreadable);
+  if (unreadable) {
+    refused_ = "cannot be read: " + unreadable.message();
+    return;
+  }
+  for (const fs::path& path : files_below(folder)) {
+    const fs::path name = fs::path(within) / path;
+    const bool is_archive = !archive_stem(path.filename().string()).empty();
+    if (is_archive && !is_nobodys(path))
+      add_archive(name.string(), folder / path);
+    else
+      add_file(name, folder / path);
+  }
+}
+
+/// @param within its name where it is one of several things; empty if it is all that was handed in
+void Sources::add_archive(const std::string& within, const fs::path& archive) {
+  if (++archives_ > most_archives) {
+    if (archives_ == most_archives + 1)
+      notes_.push_back("more than " + std::to_string(most_archives) +
+                       " archives in it: the others were not read");
+    return;
+  }
+  Unpacked unpacked = unpack(archive);
+  if (!unpacked.refused.empty()) {
+    if (within.empty())
+      refused_ = unpacked.refused;
+    else
+      refused_archives_.push_back(within + " in it, which " + unpacked.refused);
+    return;
+  }
+  for (const auto& [path, text] : unpacked.files) {
+    const fs::path name = (fs::path(within) / path).lexically_normal();
+    support::write_text_and_folders(own_.path() / name, text);
+    add_file(name, own_.path() / name);
+  }
+  for (const std::string& path : unpacked.others)
+    if (!is_nobodys(path) && !path.ends_with("/"))
+      others_.push_back((fs::path(within) / path).lexically_normal().string());
+  const std::string before = within.empty() ? "" : within + "/";
+  for (const std::string& note : unpacked.notes) notes_.push_back(before + note);
+}
+
+void Sources::add_file(const fs::path& name, const fs::path& file) {
+  if (!source_stem(name.filename().string()).empty())
+    files_[name] = file;
+  else if (!is_nobodys(name))
+    others_.push_back(name.string());
+}
+
+void Sources::choose(const Course& course, const std::vector<Unit>& counted) {
+  std::vector<fs::path> names;
+  for (const auto& [name, file] : files_) names.push_back(name);
+  const auto chosen = choose_files(course, counted, names);
+  for (const auto& [unit, file] : chosen) {
+    handed_in_[unit] = file.path;
+    of_unit_[unit] = files_.at(file.path);
+  }
+  bool any = false;
+  for (const Unit& unit : counted) {
+    if (!chosen.contains(unit.id())) continue;
+    any = true;
+    note_ties(unit, chosen.at(unit.id()));
+    convert(unit.id());
+  }
+  if (any || refused_archives_.empty()) {
+    for (const std::string& archive : refused_archives_) notes_.push_back("not read: " + archive);
+    if (!any) note_nothing_found();
+  } else {
+    refused_ = "has " + refused_archives_.front();
+  }
+}
+
+void Sources::note_ties(const Unit& unit, const ChosenFile& chosen) {
+  const std::uint64_t counted = fingerprint(files_.at(chosen.path));
+  const bool differ =
+      std::any_of(chosen.others.begin(), chosen.others.end(),
+                  [&](const fs::path& other) { return fingerprint(files_.at(other)) != counted; });
+  if (differ)
+    notes_.push_back(std::to_string(chosen.others.size() + 1) + " files for " + unit.number +
+                     ": counted " + escaped(chosen.path.string()));
+}
+
+void Sources::note_nothing_found() {
+  std::vector<std::string> found = others_;
+  for (const auto& [name, file] : files_)
+    if (!is_nobodys(name)) found.push_back(name.string());
+  std::sort(found.begin(), found.end(), [](const std::string& a, const std::string& b) {
+    return natural_less(fs::path(a), fs::path(b));
+  });
+  notes_.push_back("no exercise found in it; it " +
+                   (found.empty() ? std::string("is empty") : "holds " + some_of(found)));
+}
+
+void Sources::convert(const std::string& unit) {
+  const std::optional<std::string> bytes = small_text(of_unit_.at(unit));
+  if (!bytes) return;
+  const std::optional<std::string> text = utf8_of_utf16(*bytes);
+  if (!text) return;
+  const fs::path name = handed_in_.at(unit), file = own_.path() / name;
+  support::write_text_and_folders(file, *text);
+  of_unit_[unit] = file;
+  notes_.push_back(escaped(name.string()) + " is UTF-16: read as UTF-8");
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,162 @@
+/// @file
+/// Tables that platforms write, and what they take back.
+#include "judge/class/roster.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "judge/build/work_folder.hpp"
+#include "judge/class/feedback.hpp"
+#include "judge/class/gradescope_metadata.hpp"
+#include "judge/class/lms_grades.hpp"
+#include "project/harness/refusal.hpp"
+#include "project/judge/class/archives.hpp"
+
+using namespace tumble::judge;
+
+namespace {
+
+Roster roster_in(const std::string& text) {
+  const WorkFolder folder;
+  std::ofstream(folder.path() / "class.csv", std::ios::binary) << text;
+  return read_roster(folder.path() / "class.csv");
+}
+
+CourseSettings homework() {
+  Course course;
+  course.units = {{"4.1", "04_quaternions", "product", "", {}, {}}};
+  CourseSettings settings = default_settings(course);
+  settings.title = "Homework 1";
+  return settings;
+}
+
+StudentRecord graded(const std::string& name, const std::string& id, bool passed) {
+  UnitRecord unit;
+  unit.unit = "04_quaternions/product", unit.number = "4.1", unit.passed = passed;
+  unit.summary = passed ? "passed" : "wrong", unit.source = 17;
+  unit.explanation = "a < b";
+  StudentRecord record{name + "_" + id, 1, 0, "", {unit}};
+  record.who = {name, id, ""};
+  return record;
+}
+
+}  // namespace
+
+TEST_CASE("tables: quotes, separators, byte order marks") {
+  const CsvTable table = read_csv(
+      "\xef\xbb\xbf"
+      "a;\"b;\"\"c\"\"\nd\";e\r\n1;2\r\n\r\n",
+      "t.csv");
+  CHECK(table.header == std::vector<std::string>{"a", "b;\"c\"\nd", "e"});
+  REQUIRE(table.rows.size() == 1);
+  CHECK(table.rows[0] == std::vector<std::string>{"1", "2", ""});
+  CHECK(read_csv(tumble::test::utf16("x\ty\n1\t2\n"), "t").header.size() == 2);
+  CHECK_REFUSED(read_csv("a,b\n\"1,2\n", "t.csv"), "t.csv, line 2: a quote is not closed");
+  CHECK_REFUSED(read_csv("a\n1,2\n", "t.csv"),
+                "t.csv: the row of 1 has 2 fields, the header has 1");
+  CHECK_REFUSED(read_csv("", "t.csv"), "t.csv is empty");
+  CHECK(without_formula("=1+1") == "'=1+1");
+  CHECK(without_formula("-") == "-");
+}
+
+TEST_CASE("rosters: each platform's own table") {
+  const Roster moodle = roster_in(
+      "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Last modified "
+      "(submission),Last modified (grade),Feedback comments\n"
+      "Participant 4711001,Ann Meyer,ann@x.edu,Submitted,,4.00,\"Tuesday, 1 December 2026, 11:59 "
+      "PM\",-,\nParticipant 4711002,Ben Kim,ben@x.edu,No submission,,4.00,-,-,\n");
+  CHECK(moodle.lms == Lms::moodle);
+  REQUIRE(moodle.members.size() == 2);
+  CHECK(moodle.members[0].who.id == "4711001");
+  CHECK(moodle.members[0].handed_in == "Tuesday, 1 December 2026, 11:59 PM");
+  CHECK(moodle.members[1].handed_in == "");
+
+  const Roster canvas = roster_in(
+      "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1 (98765)\n"
+      "    Points Possible,,,,,4\n\"Doe, Jane\",12345,u1,jdoe,A,\n\"Student, Test\",99,,,A,\n");
+  CHECK(canvas.lms == Lms::canvas);
+  REQUIRE(canvas.members.size() == 1);
+  CHECK(canvas.members[0].login == "jdoe");
+
+  const Roster gradescope = roster_in("First Name,Last Name,SID,Email\nJane,Doe,7,j@x.edu\n");
+  CHECK(gradescope.lms == Lms::gradescope);
+  CHECK(gradescope.members[0].who.name == "Jane Doe");
+}
+
+TEST_CASE("rosters: whose submission it is") {
+  const Roster roster = roster_in(
+      "name,email,id\n\"Doe, Jane\",jane@x.edu,1\nAnn Lee,ann@x.edu,2\nAnn Lee,lee@x.edu,3\n");
+  const auto number_of = [&](Submission submission) {
+    const Member* member = roster.find(submission);
+    return member ? member->who.id : "";
+  };
+  CHECK(number_of({"doejane_12345", "", false, {}, {"doejane", "12345", ""}}) == "1");
+  CHECK(number_of({"jane", ""}) == "1");
+  CHECK(number_of({"JANE@x.edu", ""}) == "1");
+  CHECK(number_of({"Ann Lee", ""}) == "");  // which of the two?
+  CHECK(number_of({"x", "", false, {}, {"Ann Lee", "3", ""}}) == "3");
+  CHECK(number_of({"bob", ""}) == "");
+}
+
+TEST_CASE("Moodle: its worksheet, filled in") {
+  const Roster roster = roster_in(
+      "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Last modified "
+      "(grade),Feedback "
+      "comments\nParticipant 1,Ann,a@x,Submitted,,4.00,-,\nParticipant 2,Ben,b@x,No submission,,"
+      "4.00,-,\n");
+  StudentRecord absent{"Ben", 1, 0, "", {}};
+  absent.who = {"Ben", "2", "b@x"};
+  absent.absent = true;
+  const CsvTable table = read_csv(
+      lms_grades(Lms::moodle, homework(), {graded("Ann", "1", true), absent}, &roster), "m");
+  CHECK(table.header == roster.table.header);
+  REQUIRE(table.rows.size() == 2);
+  CHECK(table.rows[0][3] == "Submitted");
+  CHECK(table.rows[0][4] == "1");
+  CHECK(table.rows[0][7].starts_with("<p>1 of 1 points</p>"));
+  CHECK(table.rows[1][4] == "");  // no points are not zero points
+}
+
+TEST_CASE("Canvas: the gradebook's column is found, and its other columns kept") {
+  const Roster roster = roster_in(
+      "Student,ID,SIS User ID,SIS Login ID,Section,Quiz (1),Homework 1 (98765)\n"
+      "    Points Possible,,,,,3,4\n\"Doe, Jane\",12345,u1,jdoe,A,3,\n");
+  const std::string csv =
+      lms_grades(Lms::canvas, homework(), {graded("Doe, Jane", "12345", true)}, &roster);
+  CHECK(csv ==
+        "Student,ID,SIS User ID,SIS Login ID,Section,Homework 1 (98765)\n"
+        "    Points Possible,,,,,1\n\"Doe, Jane\",12345,u1,jdoe,A,1\n");
+}
+
+TEST_CASE("Gradescope: who is who") {
+  const auto all = read_gradescope_metadata(
+      "---\r\nsubmission_1:\r\n  :submitters:\r\n  - :name: \"A \\\"B\\\" C\"\r\n    :sid: null\r\n"
+      "    :email: a@x.edu\r\n  :created_at: 2026-11-12 22:43:59 Z\r\n"
+      "  :history:\r\n  - :id: 7\r\n    :name: nobody\r\n'submission_2':\r\n  :submitters: []\r\n");
+  REQUIRE(all.size() == 2);
+  REQUIRE(all.at("submission_1").submitters.size() == 1);
+  CHECK(all.at("submission_1").submitters[0].name == "A \"B\" C");
+  CHECK(all.at("submission_1").submitters[0].id == "");
+  CHECK(all.at("submission_1").created_at == "2026-11-12 22:43:59 Z");
+  CHECK(all.at("submission_2").submitters.empty());
+  CHECK_REFUSED(read_gradescope_metadata("- a\n- b\n"), "it is no list of submissions");
+  CHECK_REFUSED(read_gradescope_metadata(""), "it names no submission");
+}
+
+TEST_CASE("feedback: what a student reads, and what not yet") {
+  CourseSettings settings = homework();
+  const StudentRecord record = graded("Ann <b>", "1", false);
+  CHECK(feedback_text(settings, record).find("4.1 product: wrong, 0 of 1") != std::string::npos);
+  CHECK(feedback_text(settings, record).find("a < b") != std::string::npos);
+  const std::string page = feedback_html(settings, record);
+  CHECK(page.find("Ann &lt;b&gt;: <b>0 of 1 points</b>") != std::string::npos);
+  CHECK(page.find("a &lt; b") != std::string::npos);
+  CHECK(page.find("http") == std::string::npos);  // it needs nobody
+  settings.hidden = {"04_quaternions/product"};
+  settings.due = "2999-01-01T00:00:00Z";
+  CHECK(feedback_html(settings, record).find("a &lt; b") == std::string::npos);
+  CHECK(feedback_text(settings, record).find("shown after the due date") != std::string::npos);
+  settings.due = "1999-01-01T00:00:00Z";
+  CHECK(feedback_text(settings, record).find("a < b") != std::string::npos);
+}
