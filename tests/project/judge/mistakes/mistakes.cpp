@@ -16,7 +16,7 @@ using namespace tumble::test;
 namespace {
 
 /// The judge's verdict on one unit; null if it gave none.
-nlohmann::json verdict_on(const Mistake& mistake, unsigned seed) {
+nlohmann::json try_to_judge(const Mistake& mistake, unsigned seed) {
   const Place place;
   const fs::path file = place.files() / (mistake.unit + ".cpp");
   const fs::path json = place.path() / "results.json";
@@ -32,6 +32,14 @@ nlohmann::json verdict_on(const Mistake& mistake, unsigned seed) {
   const auto results = nlohmann::json::parse(text_of(json), nullptr, false);
   if (!results.is_object() || results.value("units", nlohmann::json()).size() != 1) return {};
   return results["units"][0];
+}
+
+/// On a busy machine the judge may say that it failed: then it is asked again.
+nlohmann::json verdict_on(const Mistake& mistake, unsigned seed) {
+  nlohmann::json verdict = try_to_judge(mistake, seed);
+  for (int again = 0; again < 3 && summary_of(verdict) == "judge failed"; ++again)
+    verdict = try_to_judge(mistake, seed);
+  return verdict;
 }
 
 /// All verdicts with one seed, several at once.

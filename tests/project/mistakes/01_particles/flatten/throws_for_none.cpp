@@ -1,18 +1,18 @@
 // expect: threw
-// The first particle is looked at even if there is none.
+// The first particle is written before the loop, even if there is none.
 #include "contract.hpp"
 
 namespace particles {
 
 Eigen::VectorXd flatten(const std::vector<Particle>& particles) {
   // y = (x₁, v₁, x₂, v₂, …)
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(6 * particles.size() + (particles.empty() ? 3 : 0));
-  y.head<3>() = particles.at(0).x;
+  Eigen::VectorXd y(6 * particles.size());
   Eigen::Index place = 0;
-  for (const Particle& particle : particles) {
-    y.segment<3>(place) = particle.x;
-    y.segment<3>(place + 3) = particle.v;
+  const Particle& first = particles.at(0);
+  y.head<6>() << first.x, first.v;
+  for (std::size_t n = 1; n < particles.size(); ++n) {
     place += 6;
+    y.segment<6>(place) << particles[n].x, particles[n].v;
   }
   return y;
 }

@@ -1,19 +1,17 @@
 // expect: threw
-// Without a point at() throws.
+// The sum starts with the first point, also where there is none.
 #include "contract.hpp"
 
 namespace point_sampling {
 
 Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
                                   const Eigen::Vector3d& about) {
-  const PointMass& first = points.at(0);
-  Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
-  for (const PointMass& point : points) {
-    if (&point == &first && first.mass < 0) return I;
+  const auto of = [&](const PointMass& point) -> Eigen::Matrix3d {
     const Eigen::Vector3d r = point.position - about;
-    // I = Σ m (rᵀr 1 − r rᵀ)
-    I += point.mass * (r.dot(r) * Eigen::Matrix3d::Identity() - r * r.transpose());
-  }
+    return point.mass * (r.dot(r) * Eigen::Matrix3d::Identity() - r * r.transpose());
+  };
+  Eigen::Matrix3d I = of(points.at(0));
+  for (std::size_t n = 1; n < points.size(); ++n) I += of(points[n]);
   return I;
 }
 

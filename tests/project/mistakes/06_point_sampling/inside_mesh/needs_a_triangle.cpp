@@ -1,5 +1,5 @@
 // expect: threw
-// The first triangle is looked at, also where there is none.
+// A corner of the first triangle is looked at, also where there is none.
 #include "contract.hpp"
 
 namespace point_sampling {
@@ -35,7 +35,8 @@ int triangle_crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const 
 }  // namespace
 
 bool inside_mesh(const Mesh& mesh, const Eigen::Vector3d& point) {
-  if (mesh.triangles.at(0)[0] < 0) return false;
+  const Eigen::Vector3d corner_0 = mesh.vertices.at(static_cast<std::size_t>(mesh.triangles.at(0)[0]));
+  if (corner_0 == point) return true;
   // How often the surface goes round the point: leaving counts 1, entering −1.
   int winding = 0;
   for (const auto& [i, j, k] : mesh.triangles) {

@@ -1,5 +1,5 @@
 // expect: threw
-// The last corner is looked at, also where there is none.
+// The first edge starts at the last corner, also where there is none.
 #include <cstddef>
 
 #include "contract.hpp"
@@ -35,9 +35,8 @@ double square_sum(double x0, double y0, double x1, double y1) {
 ProjectionIntegrals projection_integrals(const std::vector<Eigen::Vector3d>& corners, int gamma) {
   const int alpha = (gamma + 1) % 3, beta = (gamma + 2) % 3;
   ProjectionIntegrals p{};
-  if (corners.at(corners.size() - 1) == corners.at(0) && corners.size() > 400) return p;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Eigen::Vector3d &from = corners[k], &to = corners[(k + 1) % corners.size()];
+  Eigen::Vector3d from = corners.at(corners.size() - 1);
+  for (const Eigen::Vector3d& to : corners) {
     const double a0 = from[alpha], b0 = from[beta], a1 = to[alpha], b1 = to[beta];
     const double da = a1 - a0, db = b1 - b0;
     // ∬ αⁱ βʲ = 1/(i + 1) ∮ αⁱ⁺¹ βʲ dβ
@@ -52,6 +51,7 @@ ProjectionIntegrals projection_integrals(const std::vector<Eigen::Vector3d>& cor
     p.bb -= da * power_sum(b0, b1, 3) / 12;
     p.bbb -= da * power_sum(b0, b1, 4) / 20;
     p.abb -= da * cube_sum(b0, a0, b1, a1) / 60;
+    from = to;
   }
   return p;
 }
