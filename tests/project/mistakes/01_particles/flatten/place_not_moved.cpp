@@ -1,0 +1,18 @@
+// expect: wrong
+// All particles are written to the same place; the rest is never set.
+#include "contract.hpp"
+
+namespace particles {
+
+Eigen::VectorXd flatten(const std::vector<Particle>& particles) {
+  // y = (x₁, v₁, x₂, v₂, …)
+  Eigen::VectorXd y(6 * particles.size());
+  Eigen::Index place = 0;
+  for (const Particle& particle : particles) {
+    y.segment<3>(place) = particle.x;
+    y.segment<3>(place + 3) = particle.v;
+  }
+  return y;
+}
+
+}  // namespace particles

@@ -1,0 +1,18 @@
+// expect: threw
+// NaN is refused with an exception.
+#include <stdexcept>
+#include <algorithm>
+
+#include "contract.hpp"
+
+namespace solvers {
+
+double adaptive_step_size(double h, double error, int order) {
+  constexpr double safety = 0.9, shortest = 0.2, longest = 10;
+  if (std::isnan(error)) throw std::invalid_argument("the error is NaN");
+  // ‖e‖ s^(q+1) = 1, so s = ‖e‖^(−1/(q+1))
+  const double factor = safety * std::pow(error, -1.0 / (order + 1));
+  return h * std::clamp(factor, shortest, longest);
+}
+
+}  // namespace solvers

@@ -1,0 +1,20 @@
+// expect: wrong
+// The size of a component is stored in an int.
+#include "contract.hpp"
+
+namespace solvers {
+
+double error_norm(const Eigen::VectorXd& error, const Eigen::VectorXd& y0,
+                  const Eigen::VectorXd& y1, const Tolerances& tolerances) {
+  if (error.size() == 0) return 0;
+  double sum = 0;
+  for (Eigen::Index i = 0; i < error.size(); ++i) {
+    const int size = static_cast<int>(std::max(std::abs(y0[i]), std::abs(y1[i])));
+    const double allowed = tolerances.absolute + tolerances.relative * size;
+    sum += (error[i] / allowed) * (error[i] / allowed);
+  }
+  // ‖e‖ = √(1/n Σ (eᵢ / allowedᵢ)²)
+  return std::sqrt(sum / static_cast<double>(error.size()));
+}
+
+}  // namespace solvers

@@ -1,0 +1,14 @@
+// expect: wrong
+// Every column is made from the first one.
+#include "contract.hpp"
+
+namespace rotation_matrices {
+
+Eigen::Matrix3d rotation_dot(const Eigen::Matrix3d& R, const Eigen::Vector3d& omega) {
+  // Ṙ = [ω]× R: every column, an axis of the body, moves as ω × axis.
+  Eigen::Matrix3d rate;
+  for (int i = 0; i < 3; ++i) rate.col(i) = skew(omega) * R.col(0);
+  return rate;
+}
+
+}  // namespace rotation_matrices

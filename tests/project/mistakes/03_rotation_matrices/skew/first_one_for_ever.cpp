@@ -1,0 +1,19 @@
+// expect: wrong
+// The matrix is static: that of the first vector stays.
+#include "contract.hpp"
+
+namespace rotation_matrices {
+
+Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
+  // a × b = (a_y b_z − a_z b_y, a_z b_x − a_x b_z, a_x b_y − a_y b_x)
+  static Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+  if (!S.isZero(0)) return S;
+  // clang-format off
+  S <<    0, -a[2],  a[1],
+       a[2],     0, -a[0],
+      -a[1],  a[0],     0;
+  // clang-format on
+  return S;
+}
+
+}  // namespace rotation_matrices

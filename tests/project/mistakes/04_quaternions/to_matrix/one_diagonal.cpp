@@ -1,0 +1,20 @@
+// expect: wrong
+// All three numbers on the diagonal are those of x.
+#include "contract.hpp"
+
+namespace quaternions {
+
+Eigen::Matrix3d to_matrix(const Quaternion& q) {
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  // R = 1 + s (w [v]× + [v]×²) with s = 2/|q|²
+  const double s = 2 / q.squaredNorm();
+  Eigen::Matrix3d R;
+  // clang-format off
+  R << 1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),
+       s * (x * y + w * z),     1 - s * (y * y + z * z), s * (y * z - w * x),
+       s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (y * y + z * z);
+  // clang-format on
+  return R;
+}
+
+}  // namespace quaternions

@@ -1,0 +1,16 @@
+// expect: wrong
+// noalias() is said of a vector that stands on both sides.
+#include "contract.hpp"
+
+namespace momentum {
+
+Eigen::Vector3d angular_velocity(const Eigen::Matrix3d& R, const Eigen::Matrix3d& I_body_inv,
+                                 const Eigen::Vector3d& L) {
+  // ω = R I_body⁻¹ Rᵀ L: into the body's axes, where the tensor is constant, and back.
+  Eigen::Vector3d L_body = L;
+  L_body.noalias() = R.transpose() * L_body;
+  const Eigen::Vector3d omega_body = I_body_inv * L_body;
+  return R * omega_body;
+}
+
+}  // namespace momentum

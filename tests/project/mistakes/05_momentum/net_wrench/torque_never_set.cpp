@@ -1,0 +1,22 @@
+// expect: wrong
+// The torque was never set: {} does not set the numbers of Eigen.
+#include "contract.hpp"
+
+namespace momentum {
+
+Wrench net_wrench(double mass, const Eigen::Vector3d& x, const Eigen::Matrix3d& R,
+                  const Eigen::Vector3d& g, const std::vector<ForceAtBodyPoint>& forces) {
+  // The weight m g acts at the centre of mass: no arm, no torque.
+  Wrench net{};
+  net.force = mass * g;
+  for (const auto& [force, p_body] : forces) {
+    // p = x + R p_body
+    const Eigen::Vector3d p = x + R * p_body;
+    // F = m g + Σ Fᵢ,  τ = Σ (pᵢ − x) × Fᵢ
+    net.force += force;
+    net.torque += torque(force, p, x);
+  }
+  return net;
+}
+
+}  // namespace momentum

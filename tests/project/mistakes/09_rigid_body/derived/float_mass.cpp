@@ -1,0 +1,16 @@
+// expect: wrong
+// The mass is a float.
+#include "contract.hpp"
+
+namespace rigid_body {
+
+Derived derived(const Body& body, const State& state) {
+  const Eigen::Matrix3d R = quaternions::to_matrix(state.q);
+  // v = P/m
+  const Eigen::Vector3d v = state.P / static_cast<float>(body.mass);
+  // ω = R I_body⁻¹ Rᵀ L
+  const Eigen::Vector3d omega = momentum::angular_velocity(R, body.I_body_inv, state.L);
+  return {R, v, omega};
+}
+
+}  // namespace rigid_body

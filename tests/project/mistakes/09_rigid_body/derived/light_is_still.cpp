@@ -1,0 +1,16 @@
+// expect: wrong
+// A light body is taken to be at rest.
+#include "contract.hpp"
+
+namespace rigid_body {
+
+Derived derived(const Body& body, const State& state) {
+  const Eigen::Matrix3d R = quaternions::to_matrix(state.q);
+  // v = P/m
+  const Eigen::Vector3d v = body.mass < 1e-9 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(state.P / body.mass);
+  // ω = R I_body⁻¹ Rᵀ L
+  const Eigen::Vector3d omega = momentum::angular_velocity(R, body.I_body_inv, state.L);
+  return {R, v, omega};
+}
+
+}  // namespace rigid_body

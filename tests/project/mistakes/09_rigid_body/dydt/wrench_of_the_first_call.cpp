@@ -1,0 +1,16 @@
+// expect: wrong
+// The wrench is static: that of the first call stays.
+#include "contract.hpp"
+
+namespace rigid_body {
+
+PackedState dydt(const Body& body, const WrenchAt& wrench, double t, const PackedState& y) {
+  const State state = unpack(y);
+  const Derived now = derived(body, state);
+  static const Wrench push = wrench(t, state);
+  // d/dt (x, q, P, L) = (v, ½⟨0, ω⟩q, F, τ)
+  const Quaternion qdot = quaternions::quaternion_dot(state.q, now.omega);
+  return pack({now.v, qdot, push.force, push.torque});
+}
+
+}  // namespace rigid_body
