@@ -46,7 +46,7 @@ ConfinedCompiler::ConfinedCompiler(const Course& course, fs::path folder,
                    .memory_bytes = 4ull << 30,
                    .file_bytes = 256ull << 20,
                    .processes = 64};
-  walls_.other_user = others_may_compile(course);
+  walls_.other_user = others_may_compile(course) && others_may_enter(folder_.parent_path());
   walls_.files.write = {folder_, "/dev/null"};
   walls_.files.read = system_files(tools_);
   walls_.files.read.insert(walls_.files.read.end(), reads.begin(), reads.end());
@@ -101,6 +101,7 @@ WorkerProgram confined_worker(const fs::path& folder, const fs::path& worker) {
   fs::permissions(empty, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
   Walls walls;
   walls.folder = empty;
+  walls.other_user = others_may_enter(folder.parent_path());
   walls.files.read = {worker};
   walls.system_calls = CallRules::worker;
   return {worker, walls, {}};

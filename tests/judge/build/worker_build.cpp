@@ -119,6 +119,7 @@ class Builder {
     if (step.output.find("Permission denied") != std::string::npos) {
       result.outcome = BuildOutcome::forbidden_include;
       result.detail = messages_about(source(), step.output, false);
+      result.explained = false;  // it may be our own file that cannot be read here
       return false;
     }
     return succeeded(step, result, false) && sees_nothing_forbidden(rule, result);

@@ -16,6 +16,10 @@ std::vector<MissingWall> missing_walls(const Course& course) {
   if (!one_user && !others_may_compile(course))
     missing.push_back({Wall::other_user, "other users may not enter " + course.root.string() +
                                              ", so the compiler runs as root"});
+  if (!one_user && !others_may_enter(fs::temp_directory_path()))
+    missing.push_back({Wall::other_user, "other users may not enter " +
+                                             fs::temp_directory_path().string() +
+                                             ", so students' code runs as root"});
   return missing;
 }
 

@@ -310,11 +310,7 @@ class Printer {
   }
 
   void explain_misconception(const Misconception& misconception) {
-    out_ << "\n      "
-         << paint((misconception.section.empty() ? "What it shows: “"
-                                                 : "These are the numbers of a known mistake: “") +
-                      misconception.name + "”.",
-                  Colour::yellow)
+    out_ << "\n      " << paint("It looks like “" + misconception.name + "”.", Colour::yellow)
          << "\n      " << wrapped(misconception.sentence, 6) << "\n";
     const fs::path page = course_.page(result_.unit);
     if (!misconception.section.empty() && fs::exists(page))

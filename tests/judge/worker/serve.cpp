@@ -17,7 +17,8 @@
 #include "not_implemented.hpp"
 
 #if TUMBLE_LINUX_WALLS
-extern "C" void __sanitizer_print_stack_trace() __attribute__((weak));  // where there are sanitizers
+extern "C" void __sanitizer_print_stack_trace()
+    __attribute__((weak));  // where there are sanitizers
 #endif
 
 namespace tumble::judge {

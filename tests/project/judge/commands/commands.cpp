@@ -109,7 +109,7 @@ TEST_CASE("check: what was asked, what came back, the misconception, and how to 
   for (const char* part :
        {"1.2 twice  wrong, 0 of 3 laws hold", "twice(f, t, y, h) was called with",
         "f = a function of the judge", "Calls of the functions that it was given: 2", "Your answer",
-        "Demanded", "These are the numbers of a known mistake: “time stands still”.",
+        "Demanded", "It looks like “time stands still”.",
         "To run only this case:  ./tumble check 1.2.1 --seed 5"})
     CHECK_MESSAGE(contains(output, part), output);
 

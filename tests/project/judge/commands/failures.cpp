@@ -79,11 +79,21 @@ TEST_CASE("a failure of the judge at one exercise is that exercise's verdict, th
 
 TEST_CASE("limits of the student's shell are lowered, not a wall that is missing") {
   const Student student;
-  for (const char* limit : {"ulimit -v 3000000; ", "ulimit -t 5; ", "ulimit -v 8000000 -t 20; "}) {
+  for (const char* limit :
+       {"ulimit -v 3000000; ", "ulimit -t 5; ", "ulimit -v 8000000; ulimit -t 20; "}) {
     const CommandResult checked = student.check(limit);
     CHECK_MESSAGE(says(checked.output, "2 of 2 exercises pass"), limit, checked.output);
     CHECK_MESSAGE(!says(checked.output, "the sandbox lacks a list"), checked.output);
   }
+}
+
+TEST_CASE("a temporary folder that other users may not enter is no student's fault") {
+  const Student student;  // its folder is such a one
+  const fs::path own = student.work.path() / "temporary";
+  fs::create_directory(own);
+  const CommandResult graded = student.grade("TMPDIR='" + own.string() + "' ");
+  CHECK_MESSAGE(graded.status == 0, graded.output);
+  CHECK_MESSAGE(says(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
 }
 
 TEST_CASE("a full disk is no student's zero: nothing is counted, and the next grading judges") {
