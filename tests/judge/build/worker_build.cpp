@@ -333,8 +333,8 @@ void require_machine_builds(const Job& job, Instrumentation instrumentation) {
   if (known.outcome == BuildOutcome::built) return;
   throw std::runtime_error("this machine cannot build now: the course's own file for " +
                            job.unit.number + " is “" + name_of(known.outcome) + "” too" +
-                           (known.detail.empty() ? "" : ", " + known.detail) +
-                           " (is the disk full, the memory used up, the compiler gone?)");
+                           " (is the disk full, the memory used up, the compiler gone?) " +
+                           known.detail.substr(0, 300));
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_CASE("grade: each student's points, and why") {
   const json bob = all.record("bob");
   CHECK(bob.at("units")[0].at("summary") == "does not compile");
   CHECK(bob.at("units")[1].at("cases")[0].at("misconceptions")[0] == "time stands still");
-  CHECK(contains(bob.at("units")[1].at("explanation"), "What it shows: “time stands still”."));
+  CHECK(contains(bob.at("units")[1].at("explanation"), "It looks like “time stands still”."));
   CHECK(contains(bob.at("units")[0].at("explanation"),
                  "The compiler does not accept 01_crossing/carry.cpp:"));
   CHECK(contains(all.record("eve").at("units")[0].at("explanation"),

@@ -106,7 +106,7 @@ TEST_CASE("a full disk is no student's zero: nothing is counted, and the next gr
   ::umount(small.c_str());
   CHECK_MESSAGE(graded.status == 2, graded.output);
   CHECK_MESSAGE(says(graded.output, "the judge failed at ann"), graded.output);
-  CHECK_MESSAGE(!says(graded.output, "does not compile"), graded.output);
+  CHECK_MESSAGE(says(student.csv(), "the judge failed at 1.1, 1.2: no verdict\",,"), student.csv());
   CHECK(student.grade().status == 0);
   CHECK_MESSAGE(says(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
 }
