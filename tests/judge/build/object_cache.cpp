@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "judge/course/stable_hash.hpp"
+#include "support/json_bytes.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge {
@@ -12,14 +13,7 @@ namespace tumble::judge {
 namespace {
 
 using nlohmann::json;
-
-/// Any bytes, as JSON can keep them.
-json bytes_of(const std::string& text) { return json::binary({text.begin(), text.end()}); }
-
-std::string text_in(const json& bytes) {
-  const auto& binary = bytes.get_binary();
-  return {binary.begin(), binary.end()};
-}
+using support::bytes_of, support::text_in;
 
 }  // namespace
 

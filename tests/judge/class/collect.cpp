@@ -91,9 +91,9 @@ fs::path innermost(const Course& course, const fs::path& folder, bool was_zip) {
 }
 
 /// Collects from one folder.
-class Collector {
+class SubmissionCollector {
  public:
-  Collector(ClassWork& work, const fs::path& folder, Lms lms)
+  SubmissionCollector(ClassWork& work, const fs::path& folder, Lms lms)
       : work_(work), folder_(folder), lms_(lms) {}
 
   void collect() {
@@ -259,7 +259,7 @@ void collect_one(const Course& course, const fs::path& given, const std::optiona
           " looks like one student's work: give the folder that holds the students' folders");
   const Lms lms = from.value_or(recognised(folder));
   const std::size_t before = all.submissions.size(), left_before = all.left_out.size();
-  Collector(all, folder, lms).collect();
+  SubmissionCollector(all, folder, lms).collect();
   for (std::size_t i = left_before; i < all.left_out.size(); ++i)  // no path of the work folder
     if (all.left_out[i].what.starts_with(unpacked.string() + "/"))
       all.left_out[i].what =

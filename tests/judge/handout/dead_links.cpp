@@ -14,9 +14,10 @@ namespace {
 constexpr const char* a_link = R"(!?\[([^\[\]]*)\]\(([^()\s]+)\))";
 
 /// A page, and where its links may lead.
-class Page {
+class MarkdownPage {
  public:
-  Page(fs::path page, const std::set<fs::path>& paths) : page_(std::move(page)), paths_(paths) {}
+  MarkdownPage(fs::path page, const std::set<fs::path>& paths)
+      : page_(std::move(page)), paths_(paths) {}
 
   /// Prose, without fences.
   std::string cleaned(const std::string& prose) const {
@@ -94,7 +95,7 @@ class Page {
 
 std::string without_dead_links(const std::string& text, const fs::path& path,
                                const std::set<fs::path>& paths) {
-  const Page page(path, paths);
+  const MarkdownPage page(path, paths);
   std::istringstream in(text);
   std::string result, prose;
   bool code = false;

@@ -3,28 +3,22 @@
 #include <nlohmann/json.hpp>
 
 #include "judge/protocol/message.hpp"
+#include "support/json_bytes.hpp"
 
 namespace tumble::judge {
 
 namespace {
 
 using nlohmann::json;
-
-/// Any bytes: what a student's code prints need not be UTF-8.
-json bytes_of(const std::string& text) { return json::binary({text.begin(), text.end()}); }
-
-std::string text_in(const json& bytes) {
-  const auto& binary = bytes.get_binary();
-  return {binary.begin(), binary.end()};
-}
+using support::bytes_of, support::text_in;
 
 /// Values travel as in the messages between judge and worker.
-json bytes_of(const List& values) { return bytes_of(encode({Kind::answer, 0, values})); }
+json message_of(const List& values) { return bytes_of(encode({Kind::answer, 0, values})); }
 
 List values_in(const json& bytes) { return decode(text_in(bytes)).content; }
 
-json bytes_of(const std::optional<Value>& value) {
-  return value ? bytes_of(List{*value}) : json(nullptr);
+json message_of(const std::optional<Value>& value) {
+  return value ? message_of(List{*value}) : json(nullptr);
 }
 
 std::optional<Value> value_in(const json& j) {
@@ -41,12 +35,12 @@ json json_of(const Finding& finding) {
   for (const Misconception& each : finding.misconceptions) misconceptions.push_back(json_of(each));
   json question = nullptr;
   if (finding.question)
-    question = {bytes_of(finding.question->arguments), finding.question->evaluations};
+    question = {message_of(finding.question->arguments), finding.question->evaluations};
   return {{"outcome", static_cast<int>(finding.outcome)},
           {"detail", bytes_of(finding.detail)},
           {"question", question},
-          {"answer", bytes_of(finding.answer)},
-          {"demanded", bytes_of(finding.demanded)},
+          {"answer", message_of(finding.answer)},
+          {"demanded", message_of(finding.demanded)},
           {"tolerance", finding.tolerance},
           {"misconceptions", misconceptions},
           {"printed", bytes_of(finding.printed)},
