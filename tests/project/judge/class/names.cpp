@@ -11,14 +11,14 @@
 using namespace tumble::judge;
 
 TEST_CASE("names: the order that people expect") {
-  for (const auto& [less, more] : {std::pair{"v2", "v10"},
-                                   {"a", "B"},
-                                   {"hw1", "hw1-fixed"},
-                                   {"draft", "final"},
-                                   {"007", "8"},
-                                   {"x", "x1"}}) {
-    CHECK_MESSAGE(natural_less(std::string(less), std::string(more)), less);
-    CHECK_FALSE_MESSAGE(natural_less(std::string(more), std::string(less)), less);
+  struct InOrder {
+    std::string less, more;
+  };
+  for (const InOrder& names :
+       {InOrder{"v2", "v10"}, InOrder{"a", "B"}, InOrder{"hw1", "hw1-fixed"},
+        InOrder{"draft", "final"}, InOrder{"007", "8"}, InOrder{"x", "x1"}}) {
+    CHECK_MESSAGE(natural_less(names.less, names.more), names.less);
+    CHECK_FALSE_MESSAGE(natural_less(names.more, names.less), names.less);
   }
   CHECK_FALSE(natural_less(std::string("a"), std::string("a")));
   CHECK(natural_less(std::string("A"), std::string("a")));  // never equal
