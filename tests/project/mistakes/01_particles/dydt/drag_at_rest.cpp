@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The direction of the drag is v/|v|, which is NaN at rest.
 #include "contract.hpp"
 

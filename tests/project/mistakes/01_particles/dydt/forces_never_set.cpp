@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The forces are added to vectors that were never set.
 #include "contract.hpp"
 

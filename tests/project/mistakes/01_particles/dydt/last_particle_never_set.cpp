@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The loop over the rates ends one particle early.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named whole-number division
 // The drag has a factor 1/2 from the textbook, which is 0 here.
 #include "contract.hpp"
 

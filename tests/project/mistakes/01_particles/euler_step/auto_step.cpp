@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named not a number
 // The step is an auto expression of a slope that is gone.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named evaluated too often
 // The right-hand side is evaluated anew for each component.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named float
 // The step is a float.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The loop ends one component early.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named the argument as it came
 // For a negative step the state is returned as it is.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // All particles are written to the same place; the rest is never set.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The positions go through a float.
 #include "contract.hpp"
 

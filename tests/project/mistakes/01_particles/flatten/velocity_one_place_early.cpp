@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The velocity starts at place 2 of the particle, not 3.
 #include "contract.hpp"
 

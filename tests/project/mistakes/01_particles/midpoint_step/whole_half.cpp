@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named Euler's method
 // Half of the step is stored in an int.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named infinite
 // Only the first slope is multiplied by h/6.
 #include "contract.hpp"
 

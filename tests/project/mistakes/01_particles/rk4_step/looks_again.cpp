@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named evaluated too often
 // The slope at the start is evaluated a second time.
 #include "contract.hpp"
 

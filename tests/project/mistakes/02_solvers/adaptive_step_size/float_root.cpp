@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The root is taken of a float.
 #include <algorithm>
 

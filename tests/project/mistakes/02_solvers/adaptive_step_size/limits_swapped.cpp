@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | crashed
 // The limits are given in the wrong order.
 #include <algorithm>
 

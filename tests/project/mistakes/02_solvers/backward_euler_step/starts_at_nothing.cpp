@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The first guess was never set.
 #include <algorithm>
 

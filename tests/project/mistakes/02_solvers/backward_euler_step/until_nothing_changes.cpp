@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: hung
 // The rounds end only where the correction is exactly 0.
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The sum is a float.
 #include "contract.hpp"
 

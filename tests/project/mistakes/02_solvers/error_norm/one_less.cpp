@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named infinite
 // The sum is divided by n - 1.
 #include "contract.hpp"
 

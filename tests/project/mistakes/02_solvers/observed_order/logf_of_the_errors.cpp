@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The logarithms of the errors are floats.
 #include "contract.hpp"
 

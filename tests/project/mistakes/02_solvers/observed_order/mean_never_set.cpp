@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named never set | may be named not a number
 // The mean of the steps was never set to 0.
 #include "contract.hpp"
 

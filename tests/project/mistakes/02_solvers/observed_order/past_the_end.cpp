@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: crashed
 // The loops run to the size and not below it.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The sums in the loop hide those outside.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The columns are floats.
 #include "contract.hpp"
 

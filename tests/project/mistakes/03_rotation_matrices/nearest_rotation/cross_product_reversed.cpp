@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // One of the cross products is reversed.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The determinant is that of M in all steps.
 #include "contract.hpp"
 

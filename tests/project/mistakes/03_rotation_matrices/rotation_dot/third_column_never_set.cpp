@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The loop over the columns ends at the second.
 #include "contract.hpp"
 

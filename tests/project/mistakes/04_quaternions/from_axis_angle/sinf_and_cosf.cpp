@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // Sine and cosine are floats.
 #include <cmath>
 

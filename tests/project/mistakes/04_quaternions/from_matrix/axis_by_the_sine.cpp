@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The axis is divided by the sine, which is 0 for no turn and for half a turn.
 #include <cmath>
 #include "contract.hpp"

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // Where z is largest nothing is set.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named infinite
 // The result is an auto expression of a conjugate that is gone.
 #include "contract.hpp"
 

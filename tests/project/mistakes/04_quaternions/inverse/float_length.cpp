@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float | named infinite
 // The squared length is a float, which overflows.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named infinite
 // The length is squared twice and rooted once, which overflows.
 #include "contract.hpp"
 

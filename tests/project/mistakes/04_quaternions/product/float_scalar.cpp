@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The scalar part is a float.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The point goes through floats.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named sign of the angle's cosine only
 // Where b is far the angle is turned, but not b.
 #include <cmath>
 

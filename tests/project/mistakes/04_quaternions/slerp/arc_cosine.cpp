@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The arc cosine of a rounded product may be NaN.
 #include <cmath>
 

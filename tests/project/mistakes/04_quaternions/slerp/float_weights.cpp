@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The weights are floats.
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named the long way round
 // The goal is turned in a block of its own.
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named stuck where b is close to a
 // Nearer than 1e-4 rad a is returned.
 #include <cmath>
 

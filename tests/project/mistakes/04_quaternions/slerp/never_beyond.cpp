@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named the argument as it came
 // t is kept between 0 and 1.
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named divided by the length, not its square
 // Only a length of exactly 1 is right.
 #include "contract.hpp"
 

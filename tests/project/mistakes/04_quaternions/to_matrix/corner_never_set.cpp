@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The last number was never set.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float | named infinite
 // 2/|q|² is a float.
 #include "contract.hpp"
 

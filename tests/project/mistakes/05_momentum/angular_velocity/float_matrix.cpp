@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float | named not a number
 // The tensor is made of floats.
 #include "contract.hpp"
 

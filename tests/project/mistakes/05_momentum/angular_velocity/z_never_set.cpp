@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The loop ends at the second component.
 #include "contract.hpp"
 

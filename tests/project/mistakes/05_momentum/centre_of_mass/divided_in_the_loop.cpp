@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The sum is divided by the mass after each point.
 #include "contract.hpp"
 

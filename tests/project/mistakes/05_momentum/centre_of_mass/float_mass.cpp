@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float | named not a number
 // The sum of the masses is a float.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // Masses below 1e-10 kg are skipped.
 #include "contract.hpp"
 

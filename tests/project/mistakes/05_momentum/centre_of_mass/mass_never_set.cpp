@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named never set | may be named not a number
 // The sum of the masses was never set to 0.
 #include "contract.hpp"
 

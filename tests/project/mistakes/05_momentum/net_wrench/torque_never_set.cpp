@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The torque was never set: {} does not set the numbers of Eigen.
 #include "contract.hpp"
 

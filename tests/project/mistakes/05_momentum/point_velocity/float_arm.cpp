@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float | named the argument as it came
 // The arm is made of floats.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named the argument as it came
 // A slow turn is taken for none.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The torque is made from its length and direction, which has none for parallel ones.
 #include <cmath>
 #include "contract.hpp"

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The places are floats before they are subtracted.
 #include "contract.hpp"
 

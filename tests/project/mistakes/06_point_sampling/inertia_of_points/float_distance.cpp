@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The squared distance is a float.
 #include "contract.hpp"
 

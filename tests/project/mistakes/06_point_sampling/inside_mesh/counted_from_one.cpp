@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: crashed
 // The vertices are taken to be counted from 1.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float | named the argument as it came
 // The mass is a float.
 #include "contract.hpp"
 

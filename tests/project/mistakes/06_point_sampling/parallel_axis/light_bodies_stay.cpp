@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named the argument as it came
 // For a light body nothing is done.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // What is added is one of the three diagonal numbers that was set.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named the argument as it came
 // From another point than the centre the tensor is returned as it is.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The product is made of floats.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named R on both sides
 // In the sums the second factor has its indices swapped.
 #include "contract.hpp"
 

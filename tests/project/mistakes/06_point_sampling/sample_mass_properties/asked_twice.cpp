@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named evaluated too often
 // Each cell is asked for twice.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The size of a cell is a float.
 #include "contract.hpp"
 

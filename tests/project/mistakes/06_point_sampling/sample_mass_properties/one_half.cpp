@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named whole-number division
 // 1/2 is 0: the corner of a cell is taken.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The list starts with n³ points, and the cells come after them.
 #include "contract.hpp"
 

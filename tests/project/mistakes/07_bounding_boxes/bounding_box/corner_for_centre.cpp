@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named corner for the centre
 // The centre is the lower corner.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named half the size
 // The size holds half of each edge.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named last point left out
 // The loop ends one point early.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named mean of the points
 // The centre is the mean of the points.
 #include "contract.hpp"
 

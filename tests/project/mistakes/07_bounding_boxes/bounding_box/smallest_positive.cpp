@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named smallest positive double for the lowest
 // The largest coordinate starts at the smallest positive double.
 #include <limits>
 #include "contract.hpp"

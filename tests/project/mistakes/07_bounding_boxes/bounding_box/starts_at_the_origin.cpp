@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named started at the origin
 // The search starts at the origin, which need not be in the box.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // 1/12 is a float.
 #include "contract.hpp"
 

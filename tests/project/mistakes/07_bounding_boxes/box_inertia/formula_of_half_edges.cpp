@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named a third for a twelfth
 // The formula is that of half edges.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named moved the wrong way
 // from and to are swapped.
 #include "contract.hpp"
 

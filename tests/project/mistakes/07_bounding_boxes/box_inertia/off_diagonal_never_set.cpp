@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The zeros of the tensor in the box were never set.
 #include "contract.hpp"
 

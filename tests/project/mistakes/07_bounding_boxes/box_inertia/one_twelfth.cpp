@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named whole-number division
 // 1/12 is 0.
 #include "contract.hpp"
 

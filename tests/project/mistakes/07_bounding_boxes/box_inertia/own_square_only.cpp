@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named each axis with its own edge
 // Each moment has the square of its own edge.
 #include "contract.hpp"
 

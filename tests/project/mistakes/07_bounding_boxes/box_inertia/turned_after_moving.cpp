@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named moved before it was turned
 // The tensor is turned after it was moved.
 #include "contract.hpp"
 

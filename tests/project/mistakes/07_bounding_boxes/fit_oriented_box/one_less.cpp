@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The scatter is divided by n - 1, which is 0 for one point.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named along the world's axes
 // Only the diagonal of the scatter is used.
 #include "contract.hpp"
 

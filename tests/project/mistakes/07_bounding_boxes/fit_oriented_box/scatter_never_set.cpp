@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // The scatter was never set to 0.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named scatter about the origin
 // 1 / n is a quotient of whole numbers: the mean is 0.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named normal in the order x, y, z | named not a number
 // α, β, γ are taken to be x, y, z.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The stretch is a float.
 #include "contract.hpp"
 

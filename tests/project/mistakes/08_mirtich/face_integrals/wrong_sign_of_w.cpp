@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named w with the wrong sign
 // C has the wrong sign.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named centre measured from the middle of the box
 // The centre is left where it was moved to.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named only the mass made positive
 // The mass of a body inside out is positive.
 #include <cmath>
 #include "contract.hpp"

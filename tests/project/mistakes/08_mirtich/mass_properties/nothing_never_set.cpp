@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named never set | may be named not a number
 // The answer for no body was never set.
 #include "contract.hpp"
 

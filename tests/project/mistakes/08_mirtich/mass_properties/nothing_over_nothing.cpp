@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // Without a volume the centre is 0/0.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named a tiny body taken for none
 // Bodies with a volume below 1e-12 are taken for none.
 #include <cmath>
 #include "contract.hpp"

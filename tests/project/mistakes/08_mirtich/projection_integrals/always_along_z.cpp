@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named always along z
 // The axes are always x and y.
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named only the area without its sign
 // The area is made positive, and nothing else is.
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The area is summed in a float.
 #include <cstddef>
 

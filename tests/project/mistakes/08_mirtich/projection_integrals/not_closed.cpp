@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named last edge left out
 // The edge from the last corner to the first is missing.
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named whole-number division
 // 1/60 is 0.
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The axis with the largest number of n is taken, not with the largest in size.
 #include <cstddef>
 

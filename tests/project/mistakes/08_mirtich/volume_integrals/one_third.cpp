@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named whole-number division
 // 1/3 is 0.
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named never set | may be named not a number
 // The sums were never set to 0.
 #include <cstddef>
 

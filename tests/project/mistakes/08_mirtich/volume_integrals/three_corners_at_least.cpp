@@ -1,4 +1,4 @@
-// expect: wrong | threw
+// expect: threw | wrong | named faces left out that begin straight
 // The normal is that of the first three corners, which need not be there.
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float | named infinite
 // The mass is a float.
 #include "contract.hpp"
 

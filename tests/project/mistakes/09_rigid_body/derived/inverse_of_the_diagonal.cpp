@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named diagonal only
 // Only the diagonal of the inverse is used.
 #include "contract.hpp"
 

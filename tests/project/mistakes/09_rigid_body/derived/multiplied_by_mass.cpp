@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named multiplied by the mass
 // P is multiplied by the mass.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named tensor for its inverse
 // The tensor itself is taken for its inverse.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named asked more than once
 // The wrench is evaluated twice.
 #include "contract.hpp"
 

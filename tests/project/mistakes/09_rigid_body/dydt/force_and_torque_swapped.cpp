@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named force and torque swapped
 // Force and torque have changed places.
 #include "contract.hpp"
 

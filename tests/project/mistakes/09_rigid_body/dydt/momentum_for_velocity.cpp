@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named momentum for velocity
 // The rate of the position is the momentum.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named always at time zero
 // The wrench is evaluated at time 0.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named torque turned as well
 // The torque is turned, although it is in world axes.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named float
 // The position goes through floats.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named momenta swapped
 // P and L have changed places.
 #include "contract.hpp"
 

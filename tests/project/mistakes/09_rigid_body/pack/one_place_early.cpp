@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number | may be named never set
 // P starts at place 6, on top of the last number of q.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named Euler's method
 // The steps are Euler's.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named always from the start
 // Each step starts from the start.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named never normalised
 // q is normalised in a copy.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // The loop runs to steps and not below it.
 #include "contract.hpp"
 

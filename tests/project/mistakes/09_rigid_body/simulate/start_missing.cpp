@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named start left out
 // The start is not among the states.
 #include "contract.hpp"
 

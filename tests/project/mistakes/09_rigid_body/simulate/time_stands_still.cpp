@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named time stands still
 // All steps start at t0.
 #include "contract.hpp"
 

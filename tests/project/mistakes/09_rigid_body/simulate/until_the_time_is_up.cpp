@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: hung
 // The loop ends where the time is exactly t1.
 #include "contract.hpp"
 

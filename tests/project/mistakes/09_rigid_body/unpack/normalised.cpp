@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named normalised
 // q is normalised on the way.
 #include "contract.hpp"
 

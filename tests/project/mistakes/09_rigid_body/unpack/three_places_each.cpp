@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named three places for the quaternion
 // P and L are read as if q had three numbers.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named difference not relative
 // The difference of the moments is not divided.
 #include <algorithm>
 

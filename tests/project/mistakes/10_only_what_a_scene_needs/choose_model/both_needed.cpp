@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named orientation only if both want it
 // Orientation counts only if both are so.
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named a ball taken for a top
 // A ball is found to be a top first.
 #include <algorithm>
 

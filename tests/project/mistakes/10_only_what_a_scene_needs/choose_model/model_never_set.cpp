@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named never set | may be named not a number
 // The model of a full body was never set.
 #include <algorithm>
 

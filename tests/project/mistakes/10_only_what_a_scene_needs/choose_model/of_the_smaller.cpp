@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named fraction of the smaller one
 // The difference is divided by the smaller moment.
 #include <algorithm>
 

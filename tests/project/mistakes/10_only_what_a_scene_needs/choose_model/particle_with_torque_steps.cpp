@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named steps for the turning of a particle
 // A particle needs steps if a torque acts.
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named never set | may be named not a number
 // For a particle the steps were never set.
 #include <algorithm>
 

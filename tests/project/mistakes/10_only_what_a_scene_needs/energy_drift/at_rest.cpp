@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // A body at rest is not looked for.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named sign kept
 // The largest is sought among the numbers with their signs.
 #include <algorithm>
 #include <cmath>

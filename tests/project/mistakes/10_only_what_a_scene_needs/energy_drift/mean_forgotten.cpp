@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named line through the first point
 // The numbers of the states are not measured from their mean.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // Of one state the trend is 0/0.
 #include <algorithm>
 #include <cmath>

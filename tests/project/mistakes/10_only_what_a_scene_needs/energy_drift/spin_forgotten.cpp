@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named only the flight
 // The energy of the turning is missing.
 #include <algorithm>
 #include <cmath>

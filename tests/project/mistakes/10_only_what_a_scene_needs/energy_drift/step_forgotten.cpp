@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named per state, not per second
 // The trend is not divided by the step.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named sign of the time lost
 // The step is made positive.
 #include <algorithm>
 #include <cmath>

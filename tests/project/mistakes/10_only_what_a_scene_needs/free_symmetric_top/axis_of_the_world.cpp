@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named z of the world for the axis
 // The part of L along the world's z is taken.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named the argument as it came
 // Where both moments are equal nothing turns.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named turn about L at |L|/C
 // The turn about L is divided by C.
 #include "contract.hpp"
 

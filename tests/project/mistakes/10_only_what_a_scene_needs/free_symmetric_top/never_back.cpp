@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named time without its sign
 // Times before 0 are taken as times after it.
 #include <cmath>
 #include "contract.hpp"

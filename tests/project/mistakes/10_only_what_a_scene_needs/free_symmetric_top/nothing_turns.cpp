@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named not a number
 // Without an angular momentum the axis is 0/0.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named own turn backwards
 // The rate about the axis has the wrong sign.
 #include "contract.hpp"
 

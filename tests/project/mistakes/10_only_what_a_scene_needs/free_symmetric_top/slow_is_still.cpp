@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named the argument as it came
 // A small angular momentum is taken for none.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | named factors swapped
 // The two turns have changed places.
 #include "contract.hpp"
 
