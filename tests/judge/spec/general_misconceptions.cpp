@@ -58,10 +58,10 @@ bool is_marked(double x) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);
   constexpr std::uint64_t without_sign = ~std::uint64_t{0} >> 1;
-  constexpr double far_beyond =
-      1e290;  // 0xfefe… is −5.3e303; sums and products with it are as large
-  if (std::isfinite(x)) return std::abs(x) > far_beyond || bits == 0xaaaaaaaaaaaaaaaaull;
-  return (bits & without_sign) == without_sign;
+  // 0xfefe… is −5.3e303; sums with it, and products with numbers of usual size, are about as large.
+  const bool is_near = std::abs(x) > 5e300 && std::abs(x) < 5e306;
+  return std::isfinite(x) ? is_near || bits == 0xaaaaaaaaaaaaaaaaull
+                          : (bits & without_sign) == without_sign;
 }
 
 bool contains_mark(const Value& value) {
@@ -91,31 +91,43 @@ bool is_argument(const Finding& finding) {
   });
 }
 
-}  // namespace
+bool is_huge(double x) { return std::abs(x) > 1e150; }
+bool is_nan(double x) { return std::isnan(x); }
+bool is_infinite(double x) { return std::isinf(x); }
 
-std::vector<Misconception> general_misconceptions(const Finding& finding) {
-  if (finding.outcome != Outcome::wrong || !finding.answer) return {};
+/// Whether the numbers of the question or of the right answer are so large that a mark is none.
+bool is_about_huge_numbers(const Finding& finding) {
+  return (finding.demanded && contains(*finding.demanded, is_huge)) ||
+         (finding.question && contains(finding.question->arguments, is_huge));
+}
+
+/// Names of the memory that an answer comes from, and of numbers that are none.
+std::vector<Misconception> names_of_content(const Finding& finding) {
   const Value& answer = *finding.answer;
-  const bool is_due = (finding.demanded && contains_mark(*finding.demanded)) ||
-                      (finding.question && contains_mark(finding.question->arguments));
-  if (contains_mark(answer) && !is_due)
-    return {{"never set",
-             "Part of your answer comes from a variable that was never set. In C++ it holds "
-             "whatever was "
-             "in its memory before; here that is a mark, so that it shows.",
-             ""}};
-  if (contains(answer, [](double x) { return std::isnan(x); }))
-    return {{"not a number",
-             "Your answer contains NaN: 0 was divided by 0, or a root or an arc cosine was taken "
-             "of what "
-             "it is not defined for, or a matrix was never set. Look for a divisor that these "
-             "arguments "
-             "make zero.",
-             ""}};
-  if (contains(answer, [](double x) { return std::isinf(x); }))
+  if (contains_mark(answer) && !is_about_huge_numbers(finding))
+    return {
+        {"never set",
+         "Part of your answer comes from a variable that was never set, or that is gone: an auto "
+         "may hold an expression of Eigen whose operands are. Such memory holds anything. Here it "
+         "has a mark, so that it shows.",
+         ""}};
+  if (contains(answer, is_nan))
+    return {
+        {"not a number",
+         "Your answer contains NaN: 0 was divided by 0, a root or an arc cosine was taken of what "
+         "it is not defined for, or a matrix was never set or is gone. Look for a divisor that "
+         "these arguments make zero.",
+         ""}};
+  if (contains(answer, is_infinite))
     return {{"infinite",
              "Your answer contains infinity: something is divided by 0, or grows without end.",
              ""}};
+  return {};
+}
+
+/// Names of what an answer is to the right one, or to an argument.
+std::vector<Misconception> names_of_likeness(const Finding& finding) {
+  const Value& answer = *finding.answer;
   if (is_argument(finding))
     return {{"the argument as it came", "Your answer is one of the arguments, unchanged.", ""}};
   if (!finding.demanded) return {};
@@ -123,13 +135,23 @@ std::vector<Misconception> general_misconceptions(const Finding& finding) {
   const auto meets = [&](const Value& value) {
     return largest_difference(value, demanded) <= finding.tolerance;
   };
-  if (const auto rows_for_columns = transposed(answer);
-      rows_for_columns && meets(*rows_for_columns))
+  const std::optional<Value> other_way = transposed(answer);
+  const bool is_transpose = other_way && meets(*other_way), is_negative = meets(negated(answer));
+  if (is_transpose && is_negative) return {};  // of a skew-symmetric matrix: it may be either
+  if (is_transpose)
     return {{"rows for columns", "Your matrix is the transpose of the one that is demanded.", ""}};
-  if (count_nonzero(demanded) >= 2 && meets(negated(answer)))
+  if (is_negative && count_nonzero(demanded) >= 2)
     return {{"the opposite sign",
              "Every number of your answer has the wrong sign, and the right size.", ""}};
   return {};
+}
+
+}  // namespace
+
+std::vector<Misconception> general_misconceptions(const Finding& finding, Inputs inputs) {
+  if (finding.outcome != Outcome::wrong || !finding.answer) return {};
+  const std::vector<Misconception> names = names_of_content(finding);
+  return names.empty() && inputs == Inputs::general ? names_of_likeness(finding) : names;
 }
 
 }  // namespace tumble::judge

@@ -8,9 +8,13 @@
 
 namespace tumble::judge {
 
-/// What the numbers of a wrong answer show: "never set", "not a number", "infinite", "the opposite sign", "rows
-/// for columns", "the argument as it came". Empty if they show nothing. They have no section of a
-/// page.
-std::vector<Misconception> general_misconceptions(const Finding& finding);
+/// What a case asks with. Only of general inputs can be said what an answer is to them: of a zero
+/// or an identity much is equal to much.
+enum class Inputs { general, special };
+
+/// What the numbers of a wrong answer show: "never set", "not a number", "infinite", "the opposite
+/// sign", "rows for columns", "the argument as it came". Empty if they show nothing. They have no
+/// section of a page.
+std::vector<Misconception> general_misconceptions(const Finding& finding, Inputs inputs);
 
 }  // namespace tumble::judge

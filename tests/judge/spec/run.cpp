@@ -108,7 +108,10 @@ std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
     std::erase_if(names, [&](const Misconception& misconception) {
       return !fails_too(run, each.number, misconception.name);
     });
-    if (names.empty()) names = general_misconceptions(*each.finding);
+    // By convention the first case of a spec asks with inputs of every kind.
+    if (names.empty())
+      names = general_misconceptions(*each.finding,
+                                     each.number == 1 ? Inputs::general : Inputs::special);
   }
   return cases;
 }

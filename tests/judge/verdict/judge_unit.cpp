@@ -39,7 +39,8 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
   if (failed == result.cases.end() || result.untouched()) return;
   Finding& finding = *failed->finding;
   const std::string source = support::read_text(job.source);
-  name_from_source(finding, source);
+  for (CaseResult& each : result.cases)
+    if (each.finding) name_from_source(*each.finding, source);
   if (!judgement.locate_crashes || !is_worth_another_run(finding, source)) return;
   const int cpu_seconds = finding.outcome == Outcome::hung ? 3 : 10;  // sanitizers are slow
   finding.place = crash_place(job, {job.unit.id(), result.seed, failed->number}, cpu_seconds);

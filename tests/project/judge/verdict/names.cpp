@@ -23,7 +23,7 @@ Finding wrong(Value answer, Value demanded, List arguments = {}) {
 }
 
 std::string name_of_numbers(const Finding& finding) {
-  const std::vector<Misconception> names = general_misconceptions(finding);
+  const std::vector<Misconception> names = general_misconceptions(finding, Inputs::general);
   return names.empty() ? "" : names.front().name;
 }
 
@@ -55,6 +55,10 @@ TEST_CASE("names: what the numbers show") {
 
 TEST_CASE("names: a number that is one of many, or right, or of the wrong shape gets none") {
   CHECK(name_of_numbers(wrong(List{-1., 2., 3.}, right)) == "");
+  // A skew-symmetric matrix: its transpose is its negative.
+  const Value skew = List{List{0., 1.}, List{-1., 0.}}, other = List{List{0., -1.}, List{1., 0.}};
+  CHECK(name_of_numbers(wrong(skew, other)) == "");
+  CHECK(general_misconceptions(wrong(List{-1., -2., -3.}, right), Inputs::special).empty());
   CHECK(name_of_numbers(wrong(-1., 1.)) == "");  // one number alone proves no sign
   CHECK(name_of_numbers(wrong(List{1., 2.}, right)) == "");
   CHECK(name_of_numbers(wrong(List{}, right)) == "");
