@@ -63,10 +63,15 @@ inline std::string trimmed(const std::string& text) {
 }
 
 /// "forbidden | crashed" → {"forbidden", "crashed"}
+/// "wrong | crashed": a bar within a word, as in |L|, divides nothing.
 inline std::vector<std::string> alternatives(const std::string& text) {
-  std::istringstream in(text);
+  const std::string bar = " | ";
   std::vector<std::string> words;
-  for (std::string word; std::getline(in, word, '|');) words.push_back(trimmed(word));
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(bar, start), text.size());
+    words.push_back(trimmed(text.substr(start, end - start)));
+    start = end + bar.size();
+  }
   return words;
 }
 

@@ -1,4 +1,4 @@
-// expect: wrong | named the argument as it came
+// expect: wrong
 // For a negative step the state is returned as it is.
 #include "contract.hpp"
 

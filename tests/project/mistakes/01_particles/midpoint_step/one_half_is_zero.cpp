@@ -1,4 +1,4 @@
-// expect: wrong | named Euler's method | named whole-number division
+// expect: wrong | named whole-number division
 // 1/2 is 0: both slopes are at the start.
 #include "contract.hpp"
 

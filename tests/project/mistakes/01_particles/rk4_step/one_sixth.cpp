@@ -1,4 +1,4 @@
-// expect: wrong | named one sixth is zero | named whole-number division
+// expect: wrong | named whole-number division
 // 1/6 is 0: nothing moves.
 #include "contract.hpp"
 

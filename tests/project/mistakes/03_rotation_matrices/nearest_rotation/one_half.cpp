@@ -1,4 +1,4 @@
-// expect: wrong | named not a number | named whole-number division
+// expect: wrong | named whole-number division
 // 1/2 is 0.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | passed
 // The product is an auto expression of a matrix that is gone.
 #include "contract.hpp"
 

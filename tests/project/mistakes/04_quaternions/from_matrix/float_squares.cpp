@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | may be named float
 // The squares are floats.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong | may be named infinite
+// expect: wrong | may be named infinite | may be named never set
 // The result is an auto expression of a conjugate that is gone.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong | named float | named the argument as it came
+// expect: wrong | named float
 // The arm is made of floats.
 #include "contract.hpp"
 

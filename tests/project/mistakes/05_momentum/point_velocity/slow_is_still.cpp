@@ -1,4 +1,4 @@
-// expect: wrong | named the argument as it came
+// expect: wrong
 // A slow turn is taken for none.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | wrongly named behind some triangle
 // The answer is always yes.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | wrongly named behind some triangle
 // The count is static and goes on in the next call.
 #include "contract.hpp"
 

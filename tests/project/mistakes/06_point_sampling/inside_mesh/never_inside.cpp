@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | wrongly named hits behind the point too
 // The answer is always no.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong | named float | named the argument as it came
+// expect: wrong | named float
 // The mass is a float.
 #include "contract.hpp"
 

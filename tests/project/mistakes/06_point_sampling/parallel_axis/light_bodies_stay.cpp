@@ -1,4 +1,4 @@
-// expect: wrong | named the argument as it came
+// expect: wrong
 // For a light body nothing is done.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | wrongly named equal to the last digit
 // The tolerance is taken to be in degrees.
 #include <algorithm>
 

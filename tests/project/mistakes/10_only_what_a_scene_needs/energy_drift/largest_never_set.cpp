@@ -1,4 +1,4 @@
-// expect: wrong | may be named never set | may be named not a number
+// expect: wrong | may be named never set | may be named not a number | passed
 // The largest size was never set to 0.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// expect: wrong | named the argument as it came
+// expect: wrong
 // Where both moments are equal nothing turns.
 #include "contract.hpp"
 

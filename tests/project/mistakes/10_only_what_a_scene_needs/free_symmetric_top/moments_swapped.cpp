@@ -1,4 +1,4 @@
-// expect: wrong | named turn about L at |L|/C
+// expect: wrong | may be named turn about L at |L|/C
 // The turn about L is divided by C.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong | named the argument as it came
+// expect: wrong
 // A small angular momentum is taken for none.
 #include "contract.hpp"
 
