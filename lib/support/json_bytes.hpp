@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Any bytes inside JSON: a text that need not be UTF-8, in a message that is written as MessagePack.
+/// Any bytes inside JSON: a text that need not be UTF-8, in a message that is written as
+/// MessagePack.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -68,6 +68,7 @@ void say_timeless(const CourseSettings& settings, const std::vector<StudentRecor
 std::vector<std::string> failures_of(const std::vector<FailedStudent>& failed,
                                      const std::vector<StudentRecord>& records) {
   std::vector<std::string> lines;
+  lines.reserve(failed.size());
   for (const FailedStudent& each : failed) lines.push_back(each.student + ": " + each.why);
   for (const StudentRecord& record : records)
     for (const UnitRecord& unit : record.units)

@@ -94,6 +94,7 @@ std::vector<Distortion> distortions() {
       {"one too long", [](List& list) { list.push_back(list.empty() ? Value(1.) : list.back()); }},
       {"huge", [](List& list) { list.resize(30'000, list.empty() ? Value(1.) : list.back()); }}};
   std::vector<Distortion> all;
+  all.reserve(20);
   for (const auto& [name, x] : numbers)
     all.push_back({name, [x = x](const Value& v) { return with_numbers(v, x); }});
   for (const double place : {0., 0.5, 1.})

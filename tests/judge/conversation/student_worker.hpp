@@ -40,7 +40,8 @@ class StudentWorker : public Answerer {
   void read_last_words();
   /// The pipe for answers is at its end: says how the worker has ended.
   [[noreturn]] void no_answer_came();
-  /// The deadline has passed: gives another one to a program that this machine keeps from computing.
+  /// The deadline has passed: gives another one to a program that this machine keeps from
+  /// computing.
   void wait_longer_or_stop();
   [[noreturn]] void stop(Outcome outcome, const std::string& detail);
 

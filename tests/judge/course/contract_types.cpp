@@ -11,7 +11,7 @@ namespace {
 std::string without_comment(const std::string& line) { return line.substr(0, line.find("//")); }
 
 /// "Body" of "const rigid_body::Body&".
-std::string bare(std::string type) {
+std::string bare(const std::string& type) {
   static const std::regex around(R"(\bconst\b|[&\s]|^.*::(?![^<]*>))");
   return std::regex_replace(type, around, "");
 }

@@ -25,7 +25,8 @@ std::string with_short_lines(const std::string& text) {
 }
 
 std::string shortened(const std::string& text, std::size_t most) {
-  const std::string all = with_short_lines(text), end = "\n  … the rest is left out.\n";
+  std::string all = with_short_lines(text);
+  const std::string end = "\n  … the rest is left out.\n";
   if (all.size() <= most) return all;
   return beginning(all, most - std::min(most, end.size())) + end;
 }

@@ -13,7 +13,7 @@ namespace tumble::judge {
 /// not judged yet are in it with no points, so that it is valid and complete at any time.
 /// @param figure an SVG of the student's engine, or empty
 /// Source: Gradescope, "Autograder Specifications", "Output format".
-std::string gradescope_results(const CourseSettings& settings, const StudentRecord& record,
+std::string gradescope_results(const CourseSettings& settings, const StudentRecord& all,
                                const std::string& figure);
 
 /// PrairieLearn's results.json: points of every test, a score from 0 to 1; a submission that could
@@ -21,7 +21,7 @@ std::string gradescope_results(const CourseSettings& settings, const StudentReco
 /// units show their points and nothing else: the platform has no dates for tests.
 /// @param figure as above
 /// Source: PrairieLearn, "External grading", "Grading results".
-std::string prairielearn_results(const CourseSettings& settings, const StudentRecord& record,
+std::string prairielearn_results(const CourseSettings& settings, const StudentRecord& all,
                                  const std::string& figure);
 
 /// Classroom 50's result.json, schema classroom50/result/v1: its scores are whole numbers, so
@@ -29,11 +29,11 @@ std::string prairielearn_results(const CourseSettings& settings, const StudentRe
 /// @param environment what the runner says: CLASSROOM, ASSIGNMENT, SUBMISSION_TAG, …
 /// @throws std::invalid_argument naming the variable that is missing
 /// Source: Classroom 50, "Advanced Autograding" and result-v1.schema.json.
-std::string classroom50_result(const CourseSettings& settings, const StudentRecord& record,
+std::string classroom50_result(const CourseSettings& settings, const StudentRecord& all,
                                const std::map<std::string, std::string>& environment);
 
 /// A table of the verdicts and what is to be read about them, in GitHub's Markdown: a release's
 /// body, a job's summary. Hidden units as with PrairieLearn.
-std::string markdown_results(const CourseSettings& settings, const StudentRecord& record);
+std::string markdown_results(const CourseSettings& settings, const StudentRecord& all);
 
 }  // namespace tumble::judge

@@ -55,6 +55,7 @@ void judge_all(const Course& course, const std::vector<Unit>& units,
     load_spec(unit);  // before anything can be called a student's fault
   const WorkFolder work;
   std::vector<Job> jobs;
+  jobs.reserve(units.size());
   for (const Unit& unit : units)
     jobs.push_back({course, unit, source(unit), work.path() / (unit.chapter + "-" + unit.name)});
 

@@ -11,29 +11,49 @@ namespace tumble::judge {
 
 namespace {
 
+/// Where a character of a source stands.
+enum class In { code, line, block, text, character };
+
+/// What begins between two characters of code, if anything but code.
+In begun_at(char last, char c, char next) {
+  if (c == '/' && next == '/') return In::line;
+  if (c == '/' && next == '*') return In::block;
+  if (c == '"') return In::text;
+  const bool is_separator = std::isalnum(static_cast<unsigned char>(last)) != 0;  // of 1'000'000
+  return c == '\'' && !is_separator ? In::character : In::code;
+}
+
+/// Whether this character is the last of what it stands in.
+bool ends(In in, char last, char c) {
+  switch (in) {
+    case In::line:
+      return c == '\n';
+    case In::block:
+      return last == '*' && c == '/';
+    case In::text:
+      return c == '"';
+    case In::character:
+      return c == '\'';
+    case In::code:
+      break;
+  }
+  return false;
+}
+
 /// The code without what the compiler skips: each character of a comment or a text is a blank.
 std::string code_of(const std::string& source) {
-  enum class In { code, line, block, text, character } in = In::code;
+  In in = In::code;
   std::string code = source;
   for (std::size_t i = 0; i < source.size(); ++i) {
-    const char c = source[i], next = i + 1 < source.size() ? source[i + 1] : ' ';
+    const char last = i > 0 ? source[i - 1] : ' ', c = source[i];
     const In before = in;
-    if (in == In::code && c == '/' && next == '/')
-      in = In::line;
-    else if (in == In::code && c == '/' && next == '*')
-      in = In::block;
-    else if (in == In::code && c == '"')
-      in = In::text;
-    else if (in == In::code && c == '\'' && (i == 0 || !std::isalnum(source[i - 1])))
-      in = In::character;
-    else if (in == In::line && c == '\n')
-      in = In::code;
-    else if (in == In::block && c == '/' && source[i - 1] == '*')
-      in = In::code;
-    else if ((in == In::text && c == '"') || (in == In::character && c == '\''))
+    if (in == In::code)
+      in = begun_at(last, c, i + 1 < source.size() ? source[i + 1] : ' ');
+    else if (ends(in, last, c))
       in = In::code;
     if ((in != In::code || before != In::code) && c != '\n') code[i] = ' ';
-    if ((in == In::text || in == In::character) && c == '\\') code[++i] = ' ';
+    const bool is_escape = (in == In::text || in == In::character) && c == '\\';
+    if (is_escape && i + 1 < source.size()) code[++i] = ' ';
   }
   return code;
 }

@@ -17,8 +17,9 @@
 #include "not_implemented.hpp"
 
 #if TUMBLE_LINUX_WALLS
-extern "C" void __sanitizer_print_stack_trace()
-    __attribute__((weak));  // where there are sanitizers
+// Theirs is the name, where there are sanitizers; else it is null.
+extern "C" void __sanitizer_print_stack_trace()  // NOLINT(bugprone-reserved-identifier)
+    __attribute__((weak));
 #endif
 
 namespace tumble::judge {

@@ -37,7 +37,8 @@ struct Argument<std::function<Result(Arguments...)>> {
 };
 
 /// Fills the stack that the next call will use with the mark of what is never set. A result that is
-/// built where the caller wants it has no other one: the compiler fills a function's own variables only.
+/// built where the caller wants it has no other one: the compiler fills a function's own variables
+/// only.
 void mark_stack();
 
 template <class Result, class... Arguments, std::size_t... i>
