@@ -143,8 +143,9 @@ TEST_CASE("grade: killed in the middle, it goes on, and nothing is lost") {
   for (int i = 0; i < 600 && !done(); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   REQUIRE(done());
-  test::run_command("pkill -KILL -f '" + test::variable("TUMBLE_FIXTURE_JUDGE").string() +
-                    " grade '");
+  // This one, and no other test's.
+  test::run_command("pkill -KILL -f '^" + test::variable("TUMBLE_FIXTURE_JUDGE").string() +
+                    " grade .*" + all.work.path().string() + "'");
   killed.join();
   std::map<std::string, json> before;
   for (const auto& [file, time] : all.times()) before[file] = json_in(all.out / "students" / file);
