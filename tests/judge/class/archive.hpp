@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 struct Unpacked {
   std::map<std::string, std::string> files;  ///< the source files, by their paths in it
   std::string refused;                       ///< empty if it was read
-  std::vector<std::string> others = {};      ///< paths of what is no source file
+  std::vector<std::string> others = {};      ///< paths of files that are not source files
   std::vector<std::string> notes = {};       ///< which archives in it were not read, and why
 };
 

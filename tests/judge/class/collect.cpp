@@ -242,7 +242,7 @@ class SubmissionCollector {
 fs::path unpacked_folder(const fs::path& given, const WorkFolder& work, std::size_t number,
                          ClassWork& all) {
   const bool is_archive = fs::is_regular_file(given) && !archive_stem(file_of(given)).empty();
-  require(fs::is_directory(given) || is_archive, escaped(given.string()), " is no folder");
+  require(fs::is_directory(given) || is_archive, escaped(given.string()), " is not a folder");
   if (!is_archive) return given;
   fs::path to = work.path() / std::to_string(number) / archive_stem(file_of(given));
   fs::create_directories(to);

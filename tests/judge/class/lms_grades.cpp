@@ -44,7 +44,7 @@ Cells gradescope_cells(const CourseSettings& settings, const StudentRecord& reco
           {"Submission Time", record.handed_in}};
 }
 
-/// A table with these columns: the roster's rows first, then whoever is not in it.
+/// A table with these columns: the roster's rows first, then the students that it does not list.
 class GradeTable {
  public:
   GradeTable(const std::vector<std::string>& columns, const Roster* own) {

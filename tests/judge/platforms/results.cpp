@@ -92,7 +92,7 @@ std::string indented(const std::string& text) {
 constexpr const char* about_the_figure =
     "An engine with your functions: its error against its time, beside the library's.";
 
-/// What is no answer: files that do not compile, and where the judge itself has failed.
+/// Verdicts that cost no attempt: a file does not compile, or the judge itself failed.
 std::vector<const UnitRecord*> not_gradable(const StudentRecord& record) {
   std::vector<const UnitRecord*> units;
   for (const UnitRecord& unit : record.units)

@@ -11,7 +11,7 @@ namespace tumble::judge {
 
 namespace {
 
-/// Where a character of a source stands.
+/// The part of a source that contains a character.
 enum class In { code, line, block, text, character };
 
 /// What begins between two characters of code, if anything but code.
@@ -23,7 +23,7 @@ In begun_at(char last, char c, char next) {
   return c == '\'' && !is_separator ? In::character : In::code;
 }
 
-/// Whether this character is the last of what it stands in.
+/// Whether this character ends the comment or the literal that contains it.
 bool ends(In in, char last, char c) {
   switch (in) {
     case In::line:

@@ -9,7 +9,7 @@
 
 namespace tumble::judge {
 
-/// Whether `word` stands in the code of `source`: not in comments, texts, or as a part of another
+/// Whether the code of `source` contains `word`: not in comments, texts, or as a part of another
 /// word.
 bool mentions(const std::string& source, const std::string& word);
 

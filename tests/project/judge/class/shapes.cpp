@@ -157,13 +157,13 @@ TEST_CASE("shapes: clones of repositories") {
   check_rows(place, expected);
 }
 
-TEST_CASE("shapes: what is no class is refused") {
+TEST_CASE("shapes: anything but a class is refused") {
   const Place place;
   test::write_files(place.handed_in / "ann", test::both("exercises/01_crossing/"));
   const CommandResult one = place.grade(place.handed_in / "ann");
   CHECK(one.status == 2);
   CHECK(says(one.output, "looks like one student's work: give the folder that holds"));
-  CHECK(says(place.grade(place.work.path() / "nowhere").output, "is no folder"));
+  CHECK(says(place.grade(place.work.path() / "nowhere").output, "is not a folder"));
   test::write_archive(place.handed_in / "ann.zip", test::both());
   CHECK(says(place.grade(place.handed_in).output, "two submissions have the name ann"));
   fs::remove_all(place.handed_in / "ann");

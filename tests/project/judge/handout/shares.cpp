@@ -79,7 +79,7 @@ TEST_CASE("runs: comments and types do not count, names and signs do") {
   CHECK(share_in(runs_of(text), set_of(runs_of("a = b + c * e;"))) == doctest::Approx(1.0 / 3));
 }
 
-TEST_CASE("hand-out: no solution stands in a file beside the library") {
+TEST_CASE("hand-out: no file beside the library contains a solution") {
   if (!can_hand_out()) return;
   const std::vector<Shares> all = shares_in(HandedOut(all_chapters()));
   CHECK(all.size() >= 47);

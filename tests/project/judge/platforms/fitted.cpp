@@ -71,7 +71,8 @@ TEST_CASE("fitted: no character is cut in two") {
   for (int i = 0; i < 1000; ++i) umlauts += "ü";
   for (const char* shift : {"", "a"}) {
     const std::string cut = fitted(record_with(1, shift + umlauts)).units[0].explanation;
-    CHECK_NOTHROW(static_cast<void>(nlohmann::json(cut).dump()));  // it refuses what is no UTF-8
+    CHECK_NOTHROW(
+        static_cast<void>(nlohmann::json(cut).dump()));  // dump() refuses text that is not UTF-8
   }
 }
 

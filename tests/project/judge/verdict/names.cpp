@@ -80,7 +80,7 @@ TEST_CASE("names: the marks of memory that was never set, of gcc and of clang") 
   CHECK(name_of_numbers(wrong(List{1e300, 2.}, List{2e300, 2.}, {1e300})) == "");
 }
 
-TEST_CASE("names: whole-number division, where it stands in the code") {
+TEST_CASE("names: whole-number division, in code and nowhere else") {
   const Finding finding = wrong(List{0., 0., 0.}, right);
   CHECK(name_of_source(finding, "double a = 1/2 * x;") == "whole-number division");
   CHECK(name_of_source(finding, "double a = (1 / 12) * x;") == "whole-number division");

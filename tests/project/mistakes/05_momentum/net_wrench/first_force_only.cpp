@@ -1,5 +1,5 @@
 // expect: wrong
-// The return stands in the loop.
+// The return is inside the loop.
 #include "contract.hpp"
 
 namespace momentum {

@@ -1,5 +1,5 @@
 // expect: wrong | named evaluated too often
-// Each cell is asked for twice.
+// inside() is called twice for each cell.
 #include "contract.hpp"
 
 namespace point_sampling {

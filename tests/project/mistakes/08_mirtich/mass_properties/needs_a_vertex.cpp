@@ -1,5 +1,5 @@
 // expect: threw
-// The first vertex is asked for, also where there is none.
+// The first vertex is read, also where there is none.
 #include "contract.hpp"
 
 namespace mirtich {

@@ -1,5 +1,5 @@
 // expect: threw
-// The first state is asked for, also where there is none.
+// The first state is read, also where there is none.
 #include <algorithm>
 #include <cmath>
 
