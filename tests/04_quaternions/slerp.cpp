@@ -144,8 +144,10 @@ const Misconceptions<decltype(quaternions::slerp)> misconceptions{
       "The angle between a and b was made small, but b itself was not turned to the side of a.",
       "Slerp",
       [](const Quaternion& a, const Quaternion& b, double t) -> Quaternion {
-        const double cosine = std::fmin(std::abs(a.dot(b)), 1);
-        return cosine == 1 ? a : arc(a, b, std::acos(cosine), t);
+        // Exact for small angles too: who makes this mistake may have taken care of those.
+        const double angle = 2 * std::atan2((b - a).norm(), (b + a).norm());
+        const double acute = std::fmin(angle, pi - angle);
+        return acute == 0 ? a : arc(a, b, acute, t);
       }},
      {"straight line, not normalised",
       "The point is on the chord from a to b, inside the sphere: its length is not 1.", "Slerp",

@@ -381,9 +381,10 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
       "with notches or of several parts it may leave, come in and leave again.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, half_open) == 1; }},
-     {"hits behind the point too",
-      "Nothing is ever inside. That is so when the whole line is looked at: a line goes in as "
-      "often as it comes out. A ray begins at the point.",
+     {"nothing is inside",
+      "Your answer is always false. Do hits behind the point count too? A line goes in as often as "
+      "it "
+      "comes out, so its hits are never odd in number. A ray begins at the point.",
       "Is a point inside?", [](const Mesh&, const Vec3&) { return false; }},
      {"planes for triangles",
       "Where the ray meets the plane of a triangle was counted, wherever in the plane that is. It "
@@ -409,6 +410,8 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
                std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
                            [&](const Triangle& t) { return is_behind(mesh, t, p); });
       }},
+     {"everything is inside", "Your answer is always true, even for a mesh without triangles.",
+      "Is a point inside?", [](const Mesh&, const Vec3&) { return true; }},
      {"behind some triangle",
       "A point was taken to be inside if it is on the inner side of any triangle. There is "
       "one such on the far side of every body.",

@@ -77,7 +77,7 @@ Vec3 shuffled(Vec3 m) {
 /// A body of any size that spins somehow for some time. Its moments will count as equal if they
 /// differ by up to `limit` of the larger one.
 Task any_task(double limit) {
-  const double turn = std::pow(10, any_number(1, 3));
+  const double turn = std::pow(10, any_number(-1, 3));  // a few degrees, or many turns
   Task task{};
   task.scene.omega = std::pow(10, any_number(-1, 4));
   task.scene.duration = turn / task.scene.omega;

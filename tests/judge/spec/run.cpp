@@ -4,6 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
 
 #include "judge/spec/general_misconceptions.hpp"
 #include "judge/spec/impostor.hpp"
@@ -67,11 +70,11 @@ DOCTEST_REGISTER_REPORTER("collector", 0, Collector);
 
 namespace {
 
-std::vector<CaseResult> run_cases(const SpecRun& run, Answerer& answerer) {
+/// Runs the cases that are wanted in `session`.
+std::vector<CaseResult> run_cases(const SpecRun& run, const Session& session) {
   std::vector<CaseResult> collected;
   results = &collected;
   first_number = run.only_case > 0 ? run.only_case : 1;
-  Session session(run.unit, answerer, run.seed);
   doctest::Context context;
   context.setOption("reporters", "collector");
   context.setOption("order-by", "file");
@@ -88,25 +91,81 @@ std::vector<CaseResult> run_cases(const SpecRun& run, Answerer& answerer) {
   return collected;
 }
 
-/// Whether misconception `name` fails this case too: only then does it explain why an answer does.
-bool fails_too(const SpecRun& run, std::size_t case_number, const std::string& name) {
-  const std::vector<Misconception>& all = misconceptions_of(run.unit);
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Misconception& each) { return each.name == name; });
-  Impostor impostor(static_cast<std::size_t>(found - all.begin()));
-  const std::vector<CaseResult> again = run_cases({run.unit, run.seed, case_number}, impostor);
-  return !again.front().passed();
+/// Whether a value has a real number in it.
+bool contains_number(const Value& value) {
+  if (value.as<double>()) return true;
+  const List* list = value.as<List>();
+  return list && std::any_of(list->begin(), list->end(), contains_number);
 }
+
+/// Which misconceptions explain the answers of a whole run. Each one was found where a case failed,
+/// from the questions until then; what came later may speak against it.
+class Explanations {
+ public:
+  Explanations(const SpecRun& run, const std::vector<CaseResult>& cases, const Session& session)
+      : run_(run), cases_(cases), session_(session) {}
+
+  /// Whether misconception `name` fails this case too, and does not contradict the other ones.
+  bool explains(const std::string& name, std::size_t case_number) {
+    const auto known = verdicts_.find(name);
+    const Verdict& verdict = known != verdicts_.end()
+                                 ? known->second
+                                 : verdicts_.emplace(name, tried(name)).first->second;
+    return verdict.holds && verdict.failed.count(case_number) > 0;
+  }
+
+ private:
+  struct Verdict {
+    std::set<std::size_t> failed;  ///< the cases that the misconception fails
+    bool holds = false;
+  };
+
+  Verdict tried(const std::string& name) const {
+    const std::vector<Misconception>& all = misconceptions_of(run_.unit);
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Misconception& each) { return each.name == name; });
+    const auto k = static_cast<std::size_t>(found - all.begin());
+    Impostor impostor(k);
+    const Session of_misconception(run_.unit, impostor, run_.seed);
+    Verdict verdict;
+    for (const CaseResult& each : run_cases(run_, of_misconception))
+      if (!each.passed()) verdict.failed.insert(each.number);
+    verdict.holds = agrees(k, verdict.failed);
+    return verdict;
+  }
+
+  /// Not if a case passed that the misconception fails, nor if most wrong answers are other ones
+  /// than its own. (Some may be: a file can have two mistakes.) Yes or no is soon the same by
+  /// chance: there all of them have to be its own.
+  bool agrees(std::size_t k, const std::set<std::size_t>& failed) const {
+    int same = 0, other = 0;
+    bool has_numbers = true;
+    for (const CaseResult& each : cases_) {
+      if (each.passed() && failed.count(each.number) > 0) return false;
+      if (each.passed() || each.finding->outcome != Outcome::wrong) continue;
+      ++(session_.gives_the_same_in_case(each.number, k) ? same : other);
+      has_numbers = has_numbers && each.finding->answer && contains_number(*each.finding->answer);
+    }
+    return has_numbers ? same >= other : other == 0;
+  }
+
+  const SpecRun& run_;
+  const std::vector<CaseResult>& cases_;
+  const Session& session_;
+  std::map<std::string, Verdict> verdicts_;
+};
 
 }  // namespace
 
 std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
-  std::vector<CaseResult> cases = run_cases(run, answerer);
+  Session session(run.unit, answerer, run.seed);
+  std::vector<CaseResult> cases = run_cases(run, session);
+  Explanations explanations(run, cases, session);
   for (CaseResult& each : cases) {
     if (!each.finding) continue;
     std::vector<Misconception>& names = each.finding->misconceptions;
     std::erase_if(names, [&](const Misconception& misconception) {
-      return !fails_too(run, each.number, misconception.name);
+      return !explanations.explains(misconception.name, each.number);
     });
     // By convention the first case of a spec asks with inputs of every kind.
     if (names.empty())

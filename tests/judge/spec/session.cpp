@@ -54,7 +54,7 @@ Session& Session::current() {
 
 void Session::start_case(std::size_t number) {
   finding_.reset();
-  first_call_of_case_ = calls_.size();
+  cases_.push_back({number, calls_.size()});
   random_.emplace(stable_hash(unit_, seed_ * 0x9e3779b97f4a7c15 + number));
   answerer_.start_case();
 }
@@ -140,7 +140,7 @@ std::size_t Session::ask(Call call) {
 
 void Session::unusable(const std::string& why) {
   if (finding_ || judge_failure_) return;  // which is why the case threw
-  if (calls_.size() == first_call_of_case_) {
+  if (calls_.size() == cases_.back().first_call) {
     judge_failure_ = std::make_exception_ptr(std::runtime_error("its spec threw: " + why));
     return;
   }
@@ -199,12 +199,22 @@ std::vector<Misconception> Session::matching_misconceptions(std::size_t number,
   const std::vector<Misconception>& all = misconceptions_of(unit_);
   std::vector<Misconception> matching;
   for (std::size_t k = 0; k < all.size(); ++k)
-    if (gives_the_same(k) && !(unmet && meets(k))) matching.push_back(all[k]);
+    if (gives_the_same(k, 0, calls_.size()) && !(unmet && meets(k))) matching.push_back(all[k]);
   return matching;
 }
 
-bool Session::gives_the_same(std::size_t misconception) const {
-  return std::all_of(calls_.begin(), calls_.end(), [&](const Call& call) {
+bool Session::gives_the_same_in_case(std::size_t number, std::size_t misconception) const {
+  const auto begun = std::find_if(cases_.begin(), cases_.end(),
+                                  [&](const Case& each) { return each.number == number; });
+  if (begun == cases_.end()) throw std::logic_error("that case has not begun");
+  const auto next = std::next(begun);
+  return gives_the_same(misconception, begun->first_call,
+                        next == cases_.end() ? calls_.size() : next->first_call);
+}
+
+bool Session::gives_the_same(std::size_t misconception, std::size_t first, std::size_t last) const {
+  const auto at = [&](std::size_t i) { return calls_.begin() + static_cast<std::ptrdiff_t>(i); };
+  return std::all_of(at(first), at(last), [&](const Call& call) {
     try {
       const Value other = call.misconception(misconception, call.functions);
       // The student's arithmetic may take another way to the same wrong number.

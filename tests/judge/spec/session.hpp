@@ -57,6 +57,8 @@ class Session {
   /// What ended the case that ran last; the first finding counts.
   std::optional<Finding> take_finding();
   void found(Finding finding);
+  /// Whether misconception k gives the same to every question of case `number`.
+  bool gives_the_same_in_case(std::size_t number, std::size_t misconception) const;
   /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong
   /// answer.
   void rethrow_judge_failure() const;
@@ -81,14 +83,17 @@ class Session {
   /// The misconceptions that give the same numbers everywhere, and do not meet `unmet`.
   std::vector<Misconception> matching_misconceptions(std::size_t number,
                                                      const CloseTo* unmet) const;
-  bool gives_the_same(std::size_t misconception) const;
+  bool gives_the_same(std::size_t misconception, std::size_t first, std::size_t last) const;
 
   std::string unit_;
   Answerer& answerer_;
   std::uint64_t seed_;
   std::optional<support::Random> random_;
   std::vector<Call> calls_;
-  std::size_t first_call_of_case_ = 0;
+  struct Case {
+    std::size_t number, first_call;
+  };
+  std::vector<Case> cases_;   ///< that have begun
   std::size_t recorded_ = 0;  ///< numbers that are kept of answers and evaluations
   std::optional<Finding> finding_;
   std::exception_ptr judge_failure_;

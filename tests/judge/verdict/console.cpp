@@ -80,6 +80,7 @@ class Printer {
       explain_untouched();
     else if (!result_.passed())
       explain_cases();
+    print_luck();
     print_warnings();
   }
 
@@ -315,6 +316,14 @@ class Printer {
     const fs::path page = course_.page(result_.unit);
     if (!misconception.section.empty() && fs::exists(page))
       out_ << "      Read " << relative(page) << ", “" << misconception.section << "”.\n";
+  }
+
+  void print_luck() {
+    if (result_.lucky_place.empty()) return;
+    out_ << "\n  Your answers are right by luck: they come from memory that is gone.\n    "
+         << paint(result_.lucky_place, Colour::yellow)
+         << "\n  An auto may hold an expression of Eigen, not its value. Write the type "
+            "instead.\n\n";
   }
 
   void print_warnings() {

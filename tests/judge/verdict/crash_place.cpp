@@ -1,5 +1,6 @@
 #include "judge/verdict/crash_place.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -90,8 +91,10 @@ std::string crash_place(const Job& job, const SpecRun& run, int cpu_seconds) {
   build.worker.walls.limits.cpu_seconds = cpu_seconds;
   StudentWorker worker(build.worker);
   const std::vector<CaseResult> again = run_spec(run, worker);
-  if (again.empty() || again.front().passed()) return {};
-  const Finding& finding = *again.front().finding;
+  const auto failed = std::find_if(again.begin(), again.end(),
+                                   [](const CaseResult& each) { return !each.passed(); });
+  if (failed == again.end()) return {};
+  const Finding& finding = *failed->finding;
   // A wrong answer is as wrong with sanitizers: then what was printed is the student's own.
   if (finding.outcome == Outcome::wrong) return {};
   return place_in_report(finding.printed, job.source.filename().string(), build.worker);

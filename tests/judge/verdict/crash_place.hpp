@@ -12,8 +12,8 @@
 
 namespace tumble::judge {
 
-/// "product.cpp:7: division by zero" for the one case of `run`, empty if the run with sanitizers
-/// finds nothing. For a loop without end, the line where its time was up.
+/// "product.cpp:7: division by zero" for the first case of `run` that fails with sanitizers, empty
+/// if these find nothing. For a loop without end, the line where its time was up.
 /// @param cpu_seconds how long it may compute
 std::string crash_place(const Job& job, const SpecRun& run, int cpu_seconds);
 

@@ -32,6 +32,15 @@ bool is_worth_another_run(const Finding& finding, const std::string& source) {
          (finding.misconceptions.empty() || mentions(source, "auto"));
 }
 
+/// Looks whether right answers come from memory that is gone: an auto of Eigen's, whose operands
+/// nothing has overwritten yet. With other flags they would be wrong.
+void look_for_luck(UnitResult& result, const Job& job, const Judgement& judgement) {
+  if (!judgement.locate_crashes || !result.passed()) return;
+  if (!keeps_an_expression(support::read_text(job.source))) return;
+  constexpr int cpu_seconds = 10;  // sanitizers are slow
+  result.lucky_place = crash_place(job, {job.unit.id(), result.seed}, cpu_seconds);
+}
+
 /// Says of the first case that fails where and why, as far as that can be found out.
 void look_closer(UnitResult& result, const Job& job, const Judgement& judgement) {
   const auto failed = std::find_if(result.cases.begin(), result.cases.end(),
@@ -69,6 +78,7 @@ UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerB
       if (each.finding) read_report(*each.finding, job, build);
   } else {
     look_closer(result, job, judgement);
+    look_for_luck(result, job, judgement);
   }
   return result;
 }

@@ -142,6 +142,20 @@ bool mentions(const std::string& source, const std::string& word) {
   return false;
 }
 
+bool keeps_an_expression(const std::string& source) {
+  const std::string code = code_of(source), word = "auto ";
+  for (auto at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
+    if (at > 0 && is_of_word(code[at - 1])) continue;
+    std::size_t next = skip_blanks(code, at + word.size());
+    while (next < code.size() && is_of_word(code[next])) ++next;
+    next = skip_blanks(code, next);
+    if (next >= code.size() || code[next] != '=') continue;
+    const std::size_t value = skip_blanks(code, next + 1);
+    if (value < code.size() && code[value] != '[') return true;
+  }
+  return false;
+}
+
 void name_from_source(Finding& finding, const std::string& source) {
   if (finding.outcome != Outcome::wrong || !finding.answer) return;
   if (const std::string quotient = whole_quotient(code_of(source)); !quotient.empty())

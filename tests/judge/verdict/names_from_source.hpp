@@ -13,6 +13,10 @@ namespace tumble::judge {
 /// word.
 bool mentions(const std::string& source, const std::string& word);
 
+/// Whether an auto holds what an expression gives ("auto x = a * b"), which with Eigen may be the
+/// expression itself: not a lambda, and not a reference.
+bool keeps_an_expression(const std::string& source);
+
 /// Puts a name to a wrong answer for which `source` holds the reason:
 /// - "whole-number division": 1/2 or 1/12 stands there, which is 0. It replaces other names, which
 /// take

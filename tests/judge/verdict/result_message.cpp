@@ -84,6 +84,7 @@ std::string encode_result(const UnitResult& result) {
                {"build", static_cast<int>(result.build)},
                {"build_detail", bytes_of(result.build_detail)},
                {"warnings", bytes_of(result.warnings)},
+               {"lucky_place", bytes_of(result.lucky_place)},
                {"cases", cases},
                {"seconds", result.seconds}};
   std::string message;
@@ -100,6 +101,7 @@ UnitResult decode_result(const std::string& message, const Job& job) {
   result.build = static_cast<BuildOutcome>(j.at("build").get<int>());
   result.build_detail = text_in(j.at("build_detail"));
   result.warnings = text_in(j.at("warnings"));
+  result.lucky_place = text_in(j.at("lucky_place"));
   for (const json& each : j.at("cases")) result.cases.push_back(case_of(each));
   result.seconds = j.at("seconds");
   return result;

@@ -22,6 +22,8 @@ struct UnitResult {
   std::vector<CaseResult> cases;  ///< empty if it was not built
   /// Why there is no verdict: the judge itself failed, or this machine. Empty if it did not.
   std::string judge_failure;
+  /// Where right answers come from memory that is gone, "torque.cpp:11: stack-use-after-scope".
+  std::string lucky_place;
   double seconds = 0;  ///< from the file to the verdict
 
   std::size_t passed_cases() const;

@@ -17,8 +17,7 @@ struct Mistake {
   std::string text;
   std::vector<std::string> outcomes;  ///< any of them will do
   std::vector<std::string> names;     ///< that the judge gives with every seed
-  std::vector<std::string> possible;  ///< names that are right too, and depend on the seed, or that
-                                      ///< are known to be wrong
+  std::vector<std::string> possible;  ///< names that are right too, and depend on the seed
 
   std::string path() const { return unit + "/" + name; }
   /// Is this name right?
@@ -32,8 +31,7 @@ struct Mistake {
 /// @throws std::invalid_argument if its first two lines do not say what to expect, and what is
 /// wrong
 inline Mistake read_mistake(const fs::path& file) {
-  const std::string key = "// expect: ", named = "named ", may_be = "may be named ",
-                    wrongly = "wrongly named ";
+  const std::string key = "// expect: ", named = "named ", may_be = "may be named ";
   const fs::path folder = file.parent_path();
   Mistake mistake{(folder.parent_path().filename() / folder.filename()).string(),
                   file.stem().string(),
@@ -50,8 +48,6 @@ inline Mistake read_mistake(const fs::path& file) {
       mistake.names.push_back(part.substr(named.size()));
     else if (part.starts_with(may_be))
       mistake.possible.push_back(part.substr(may_be.size()));
-    else if (part.starts_with(wrongly))
-      mistake.possible.push_back(part.substr(wrongly.size()));
     else
       mistake.outcomes.push_back(part);
   }

@@ -15,6 +15,13 @@ using namespace tumble::test;
 
 namespace {
 
+/// Right numbers from memory that is gone: the judge says so to whoever checks his own work.
+constexpr const char* by_luck = "passed by luck";
+
+bool expects(const Mistake& mistake, const std::string& outcome) {
+  return std::count(mistake.outcomes.begin(), mistake.outcomes.end(), outcome) == 1;
+}
+
 /// The judge's verdict on one unit; null if it gave none.
 nlohmann::json try_to_judge(const Mistake& mistake, unsigned seed) {
   const Place place;
@@ -22,12 +29,13 @@ nlohmann::json try_to_judge(const Mistake& mistake, unsigned seed) {
   const fs::path json = place.path() / "results.json";
   fs::create_directory(file.parent_path());
   std::ofstream(file, std::ios::binary) << mistake.text;
-  // --strict leaves out the second run with sanitizers, which finds places, not names.
-  const std::string command =
-      "cd " + place.path().string() + " && TMPDIR=" + place.temporary().string() +
-      " timeout -k 1 120 '" + variable("TUMBLE_JUDGE").string() + "' check " + mistake.unit +
-      " --strict --from " + place.files().string() + " --json " + json.string() + " --seed " +
-      std::to_string(seed) + " > /dev/null 2>&1 < /dev/null";
+  // --strict leaves out the second run with sanitizers, which finds places, not names, and luck.
+  const std::string command = "cd " + place.path().string() +
+                              " && TMPDIR=" + place.temporary().string() + " timeout -k 1 120 '" +
+                              variable("TUMBLE_JUDGE").string() + "' check " + mistake.unit +
+                              (expects(mistake, by_luck) ? " --from " : " --strict --from ") +
+                              place.files().string() + " --json " + json.string() + " --seed " +
+                              std::to_string(seed) + " > /dev/null 2>&1 < /dev/null";
   static_cast<void>(std::system(command.c_str()));
   const auto results = nlohmann::json::parse(text_of(json), nullptr, false);
   if (!results.is_object() || results.value("units", nlohmann::json()).size() != 1) return {};
@@ -69,10 +77,12 @@ void check(const Mistake& mistake, const nlohmann::json& verdict) {
   const std::string path = mistake.path();
   CAPTURE(path);
   REQUIRE(verdict.is_object());
-  CAPTURE(verdict.at("explanation").get<std::string>());
-  const std::string outcome = verdict.at("summary");
+  const std::string explanation = verdict.at("explanation");
+  CAPTURE(explanation);
+  const bool is_luck = explanation.find("right by luck") != std::string::npos;
+  const std::string outcome = is_luck ? by_luck : verdict.at("summary").get<std::string>();
   CAPTURE(outcome);
-  CHECK(std::count(mistake.outcomes.begin(), mistake.outcomes.end(), outcome) == 1);
+  CHECK(expects(mistake, outcome));
   const std::set<std::string> names = names_in(verdict);
   for (const std::string& name : names) {
     CAPTURE(name);

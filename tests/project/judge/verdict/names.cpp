@@ -98,3 +98,12 @@ TEST_CASE("names: a float, where 7 digits are right and there is one") {
   CHECK(name_of_source(finding, "double half = 0.5; // no float") == "");
   CHECK(name_of_source(wrong(List{1.1, 2., 3.}, right), "float a = x;") == "");
 }
+
+TEST_CASE("names: an auto that keeps an expression, not a lambda, a reference or a loop's element") {
+  CHECK(tumble::judge::keeps_an_expression("const auto torque = skew(arm) * force;"));
+  CHECK(tumble::judge::keeps_an_expression("auto  x\n = a * b;"));
+  for (const char* harmless :
+       {"const auto f = [&](double x) { return x; };", "const auto& x = a;", "for (auto x : list)",
+        "// auto x = a * b;", "auto [a, b] = pair;", "myauto x = a * b;", "auto f(int n) -> int"})
+    CHECK_MESSAGE(!tumble::judge::keeps_an_expression(harmless), harmless);
+}

@@ -1,4 +1,4 @@
-// expect: wrong | wrongly named whole numbers divided
+// expect: wrong
 // The step is shortened by tenths until the error fits: never, if it is infinite.
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// expect: wrong | passed
+// expect: wrong
 // Only the first entry is watched for changes.
 #include "contract.hpp"
 

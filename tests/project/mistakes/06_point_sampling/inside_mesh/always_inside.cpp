@@ -1,4 +1,4 @@
-// expect: wrong | wrongly named behind some triangle
+// expect: wrong | named everything is inside
 // The answer is always yes.
 #include "contract.hpp"
 

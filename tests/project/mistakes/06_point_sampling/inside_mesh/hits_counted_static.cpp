@@ -1,4 +1,4 @@
-// expect: wrong | wrongly named behind some triangle
+// expect: wrong
 // The count is static and goes on in the next call.
 #include "contract.hpp"
 

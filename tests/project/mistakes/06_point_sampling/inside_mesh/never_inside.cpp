@@ -1,4 +1,4 @@
-// expect: wrong | wrongly named hits behind the point too
+// expect: wrong | named nothing is inside
 // The answer is always no.
 #include "contract.hpp"
 

@@ -1,4 +1,4 @@
-// expect: wrong | wrongly named equal to the last digit
+// expect: wrong
 // The tolerance is taken to be in degrees.
 #include <algorithm>
 

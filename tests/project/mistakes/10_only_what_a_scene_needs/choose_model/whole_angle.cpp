@@ -1,4 +1,4 @@
-// expect: wrong | passed
+// expect: wrong
 // The angle is stored in an int.
 #include <algorithm>
 
