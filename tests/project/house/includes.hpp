@@ -39,7 +39,6 @@ inline bool starts_with(const fs::path& path, const fs::path& folder) {
 /// Submissions of students, and a project downstream: they are not built as part of this one.
 inline bool is_foreign(const fs::path& path) {
   return starts_with(path, "tests/project/attacks") ||
-         starts_with(path, "tests/project/mistakes") ||
          starts_with(path, "tests/project/install/downstream") ||
          starts_with(path, "tests/project/judge/course");  // a course with include roots of its own
 }

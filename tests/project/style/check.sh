@@ -28,7 +28,7 @@ check() {
 have() { command -v "$1" >/dev/null 2>&1 || { echo "left out: $1 is not installed"; return 1; }; }
 
 # Submissions are as their authors would write them.
-formatted() { git ls-files '*.hpp' '*.cpp' | grep -v '^tests/project/\(attacks\|mistakes\)/' | xargs clang-format --dry-run -Werror; }
+formatted() { git ls-files '*.hpp' '*.cpp' | grep -v '^tests/project/attacks/' | xargs clang-format --dry-run -Werror; }
 
 scripts() { git ls-files | xargs grep -lE '^#!/bin/(ba)?sh' -- | xargs shellcheck; }
 

@@ -18,10 +18,6 @@ namespace {
 /// Right numbers from memory that is gone: the judge says so to whoever checks his own work.
 constexpr const char* by_luck = "passed by luck";
 
-bool expects(const Mistake& mistake, const std::string& outcome) {
-  return std::count(mistake.outcomes.begin(), mistake.outcomes.end(), outcome) == 1;
-}
-
 /// The judge's verdict on one unit; null if it gave none.
 nlohmann::json try_to_judge(const Mistake& mistake, unsigned seed) {
   const Place place;
@@ -33,7 +29,7 @@ nlohmann::json try_to_judge(const Mistake& mistake, unsigned seed) {
   const std::string command = "cd " + place.path().string() +
                               " && TMPDIR=" + place.temporary().string() + " timeout -k 1 120 '" +
                               variable("TUMBLE_JUDGE").string() + "' check " + mistake.unit +
-                              (expects(mistake, by_luck) ? " --from " : " --strict --from ") +
+                              (mistake.expects(by_luck) ? " --from " : " --strict --from ") +
                               place.files().string() + " --json " + json.string() + " --seed " +
                               std::to_string(seed) + " > /dev/null 2>&1 < /dev/null";
   static_cast<void>(std::system(command.c_str()));
@@ -82,7 +78,7 @@ void check(const Mistake& mistake, const nlohmann::json& verdict) {
   const bool is_luck = explanation.find("right by luck") != std::string::npos;
   const std::string outcome = is_luck ? by_luck : verdict.at("summary").get<std::string>();
   CAPTURE(outcome);
-  CHECK(expects(mistake, outcome));
+  CHECK(mistake.expects(outcome));
   const std::set<std::string> names = names_in(verdict);
   for (const std::string& name : names) {
     CAPTURE(name);
@@ -131,6 +127,32 @@ TEST_CASE("mistakes: two at least for each exercise, 150 at least in all") {
   }
   CHECK(counts.size() == exercises);  // none for an exercise that is not there
   CHECK(mistakes.size() >= 150);
+}
+
+TEST_CASE("mistakes: a replacement that does not fit the solution is refused, with its line") {
+  const Place place;
+  const fs::path file = place.path() / "04_quaternions/product.mistakes";
+  fs::create_directory(file.parent_path());
+  const auto refusal_of = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    try {
+      MistakesReader(file).read();
+    } catch (const std::invalid_argument& why) {
+      return std::string(why.what());
+    }
+    return std::string();
+  };
+  const std::string head = "# a\nexpect: wrong\nWhat is wrong.\n";
+  CHECK(refusal_of(head + "-#include \"contract.hpp\"\n+\n") == "");
+  const auto says = [&](const std::string& text, const char* what) {
+    CHECK_MESSAGE(refusal_of(text).find(what) != std::string::npos, text);
+  };
+  says(head + "-there is no such line\n+x\n", ":6: these lines do not stand in the solution");
+  says(head + "-\n+x\n", "stand in the solution more than once");
+  says(head + "+x\n", ":4: no line of the solution is replaced");
+  says("# a\nWhat is wrong.\n", ":2: here should stand what to expect");
+  says("# a\nexpect: named b\nWhat is wrong.\n-x\n", "no outcome is expected");
+  says("stray\n", ":1: here should stand \"# name\"");
 }
 
 TEST_CASE("mistakes: each is caught with every seed, and no name is wrong") {
