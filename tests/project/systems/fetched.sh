@@ -3,6 +3,7 @@
 # them: nothing that is installed is found (FETCHCONTENT_TRY_FIND_PACKAGE_MODE=NEVER).
 #
 # usage: fetched.sh [--network] FOLDER [TARGET...]
+# status: 3 if the sources cannot be had here
 #
 # With --network CMake downloads the pinned versions, and compares their hashes. Without it, the
 # sources come from Debian's source packages, by apt-get and the system's own sources: other versions,
@@ -21,6 +22,7 @@ shift
 [ $# -gt 0 ] || set -- tumble_tour tumble_scenes tumble_test_main
 
 fail() { echo "fetched.sh: $*" >&2; exit 1; }
+no_sources() { echo "fetched.sh: $*" >&2; exit 3; }
 
 # apt-get with the system's own sources, read as sources of source packages, and lists of its own.
 write_source_list() {
@@ -40,7 +42,7 @@ apt() {
 # The folder with the sources of a Debian source package, as upstream has published them.
 unpack() { # package
   (cd "$folder/sources" && apt source --only-source --download-only "$1" >/dev/null) ||
-    fail "the source package $1 cannot be had"
+    no_sources "the source package $1 cannot be had"
   for archive in "$folder/sources/$1"_*.orig.tar.*; do
     case $archive in *.asc) continue ;; esac
     mkdir -p "$folder/sources/$1"
@@ -51,7 +53,7 @@ unpack() { # package
 fetch_from_debian() {
   mkdir -p "$folder/apt/sources.d" "$folder/apt/lists/partial" "$folder/sources"
   write_source_list
-  apt update >/dev/null 2>&1 || fail 'the lists of source packages cannot be read'
+  apt update >/dev/null 2>&1 || no_sources 'the lists of source packages cannot be read'
   for package in eigen3 cli11 nlohmann-json3 doctest; do unpack "$package"; done
 }
 

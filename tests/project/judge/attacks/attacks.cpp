@@ -18,7 +18,8 @@ std::vector<Judgement> judge_all(const std::vector<Submission>& submissions) {
     for (std::size_t i; (i = next++) < submissions.size();) judgements[i] = judge(submissions[i]);
   };
   std::vector<std::thread> threads;
-  for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+  // More than there are cores: some wait for the judge's limits of time, which costs nothing.
+  for (unsigned i = 0; i < std::thread::hardware_concurrency() + 2; ++i)
     threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   return judgements;
