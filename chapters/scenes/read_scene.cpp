@@ -1,8 +1,13 @@
 #include <algorithm>
-#include <fstream>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <set>
 
 #include "scenes/scene.hpp"
+#include "support/parsed_json.hpp"
 #include "support/place.hpp"
+#include "support/text_file.hpp"
 #include "tumble/mass.hpp"
 #include "tumble/mesh/read_mesh.hpp"
 
@@ -13,27 +18,19 @@ using support::Place;
 
 /// The mass properties of a shape at 1 kg/m³, in the shape's own coordinates.
 MassProperties of_shape(const Place& shape, const std::filesystem::path& folder) {
-  shape.require_only({"ball", "box", "cylinder", "cone", "capsule", "ellipsoid", "mesh"});
-  const auto round = [&](const char* name) -> std::pair<double, double> {
-    shape[name].require_only({"radius", "height"});
-    return {shape[name]["radius"].number(), shape[name]["height"].number()};
-  };
-  return shape.refused_here([&]() -> MassProperties {
-    if (shape.has("ball")) return mass_properties(Ball{shape["ball"].number()}, 1);
-    if (shape.has("box")) return mass_properties(Box{shape["box"].vector()}, 1);
-    if (shape.has("ellipsoid")) return mass_properties(Ellipsoid{shape["ellipsoid"].vector()}, 1);
-    if (shape.has("mesh"))
-      return mesh_mass_properties(read_mesh((folder / shape["mesh"].text()).string()), 1);
-    for (const char* name : {"cylinder", "cone", "capsule"}) {
-      if (!shape.has(name)) continue;
-      const auto [radius, height] = round(name);
-      if (name == std::string("cylinder")) return mass_properties(Cylinder{radius, height}, 1);
-      if (name == std::string("cone")) return mass_properties(Cone{radius, height}, 1);
-      return mass_properties(Capsule{radius, height}, 1);
-    }
-    throw std::invalid_argument(
-        "is empty: give one of ball, box, cylinder, cone, capsule, "
-        "ellipsoid, mesh");
+  const std::string kind =
+      shape.only_key({"ball", "box", "cylinder", "cone", "capsule", "ellipsoid", "mesh"});
+  const Place place = shape[kind.c_str()];
+  return place.refused_here([&]() -> MassProperties {
+    if (kind == "ball") return mass_properties(Ball{place.number()}, 1);
+    if (kind == "box") return mass_properties(Box{place.vector()}, 1);
+    if (kind == "ellipsoid") return mass_properties(Ellipsoid{place.vector()}, 1);
+    if (kind == "mesh") return mesh_mass_properties(read_mesh((folder / place.text()).string()), 1);
+    place.require_only({"radius", "height"});
+    const double radius = place["radius"].number(), height = place["height"].number();
+    if (kind == "cylinder") return mass_properties(Cylinder{radius, height}, 1);
+    if (kind == "cone") return mass_properties(Cone{radius, height}, 1);
+    return mass_properties(Capsule{radius, height}, 1);
   });
 }
 
@@ -80,19 +77,25 @@ Quat orientation_of(const Place& body) {
   place.require_only({"axis", "angle"});
   const Vec3 axis = place["axis"].vector();
   require(axis.norm() > 0, place.name(), ".axis is zero");
-  return exp_quaternion<double>(place["angle"].number() * axis.normalized());
+  const Place angle = place["angle"];
+  constexpr double turn = 2 * std::numbers::pi;
+  if (std::abs(angle.number()) > turn)
+    std::cerr << "tumble: note: " << angle.name() << " is " << angle.number() << " rad, "
+              << angle.number() / turn << " turns. " << angle.number() << " degrees would be "
+              << angle.number() * turn / 360 << " rad.\n";
+  return exp_quaternion<double>(angle.number() * axis.normalized());
 }
 
 /// Adds a force to a body. Points count from the origin of the shape, forces from the centre.
 void add_force(const Place& force, const Vec3& centre, SceneBody& body) {
-  force.require_only({"force", "drag", "spring"});
+  const std::string kind = force.only_key({"force", "drag", "spring"});
   const auto point = [&](const Place& at) -> Vec3 { return at.vector() - centre; };
-  if (force.has("force")) {
+  if (kind == "force") {
     const Place f = force["force"];
     f.require_only({"newton", "at"});
     const ForceAtBodyPoint push{f["newton"].vector(), f.has("at") ? point(f["at"]) : Vec3(0, 0, 0)};
     body.steady = body.steady + push.steady(body.body);
-  } else if (force.has("drag")) {
+  } else if (kind == "drag") {
     const Place d = force["drag"];
     d.require_only({"linear", "angular"});
     const BodyDrag drag{d.number_or("linear", 0), d.number_or("angular", 0)};
@@ -141,6 +144,27 @@ StopWhen read_stop(const Place& place, const std::vector<SceneBody>& bodies) {
           place["passes"].number()};
 }
 
+/// Refuses numbers beyond all that is: their squares and products would leave the range of doubles.
+void require_numbers_of_this_world(const nlohmann::json& value, const std::string& name) {
+  constexpr double most = 1e60;
+  if (value.is_number())
+    require(std::abs(value.get<double>()) <= most, name, " is ", value.dump(),
+            ": no number of a scene is larger than ", most);
+  if (value.is_object())
+    for (const auto& [key, each] : value.items())
+      require_numbers_of_this_world(each, name + "." + key);
+  if (value.is_array())
+    for (std::size_t i = 0; i < value.size(); ++i)
+      require_numbers_of_this_world(value[i], name + "[" + std::to_string(i) + "]");
+}
+
+void require_different_names(const std::vector<SceneBody>& bodies, const Place& list) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    require(names.insert(bodies[i].name).second, list.name(), "[", i, "] is called \"",
+            bodies[i].name, "\", and so is one before it");
+}
+
 Scene interpret(const Place& root, const std::filesystem::path& folder) {
   root.require_only(
       {"bodies", "gravity", "from", "duration", "tolerance", "record_every", "stop_when"});
@@ -150,6 +174,7 @@ Scene interpret(const Place& root, const std::filesystem::path& folder) {
   require(!bodies.empty(), root.name(), ".bodies is empty");
   for (std::size_t i = 0; i < bodies.size(); ++i)
     scene.bodies.push_back(read_body(bodies[i], i, folder, gravity));
+  require_different_names(scene.bodies, root["bodies"]);
   scene.task.t0 = root.number_or("from", 0);
   const double duration = root["duration"].number();
   require(duration >= 0, root.name(), ".duration is ", duration, ", less than 0");
@@ -169,15 +194,10 @@ Scene interpret(const Place& root, const std::filesystem::path& folder) {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  require(bool(stream), "cannot open ", file.string());
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(stream);
-  } catch (const nlohmann::json::parse_error& error) {
-    throw std::invalid_argument(file.string() + " is not JSON: " + error.what());
-  }
-  return interpret(Place(json, file.filename().string()), file.parent_path());
+  const std::string name = file.filename().string();
+  const nlohmann::json json = support::parsed_json(support::read_text(file), name);
+  require_numbers_of_this_world(json, name);
+  return interpret(Place(json, name), file.parent_path());
 }
 
 }  // namespace tumble::scenes

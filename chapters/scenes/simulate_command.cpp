@@ -173,7 +173,14 @@ void print_report(const SimulationReport& report) {
 
 void print(const Scene& scene, const Motions& motions) {
   std::cout << (motions.stopped ? "stopped at t = " : "until t = ")
-            << support::number(motions.end, 16) << " s\n\n";
+            << support::number(motions.end, 16) << " s\n";
+  if (scene.stop && !motions.stopped) {
+    const StopWhen& stop = *scene.stop;
+    std::cout << "stop_when: the "
+              << "xyz"[stop.coordinate] << " of " << scene.bodies[stop.body].name
+              << " did not pass " << support::number(stop.level, 6) << " m until then\n";
+  }
+  std::cout << '\n';
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const SceneBody& body = scene.bodies[i];
     const RigidBodyState<> s = motions.trajectories[i].at(motions.end);

@@ -2,6 +2,7 @@
 /// @file
 /// JSON that a person has written: what the format leaves open is refused, for it is a slip.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -11,6 +12,23 @@
 #include "tumble/core/require.hpp"
 
 namespace tumble::support {
+
+/// "line 3, column 7" of the byte with this number, from 1.
+inline std::string line_and_column(const std::string& text, std::size_t byte) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  const auto line = 1 + std::count(text.begin(), end, '\n');
+  const std::size_t before = text.substr(0, std::min(byte, text.size())).rfind('\n');
+  const std::size_t column = before == std::string::npos ? byte : byte - before - 1;
+  return "line " + std::to_string(line) + ", column " +
+         std::to_string(std::max<std::size_t>(1, column));
+}
+
+/// What the parser expected, without its own names for things.
+inline std::string what_was_expected(const std::string& what) {
+  const std::size_t dash = what.find(" - "), bracket = what.find("] ");
+  if (dash != std::string::npos) return what.substr(dash + 3);
+  return bracket != std::string::npos ? what.substr(bracket + 2) : what;
+}
 
 /// The value of a document in which no { … } has a key twice: all but the last would be lost.
 /// @param name of the file, for messages
@@ -35,8 +53,11 @@ inline nlohmann::json parsed_json(const std::string& text, const std::string& na
   };
   try {
     return Json::parse(text, each_key_once);
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument(name + " is no JSON: " + error.what());
+  } catch (const Json::parse_error& error) {
+    throw std::invalid_argument(name + " is no JSON: " + line_and_column(text, error.byte) + ": " +
+                                what_was_expected(error.what()));
+  } catch (const Json::exception& error) {  // a number that is too large
+    throw std::invalid_argument(name + " is no JSON: " + what_was_expected(error.what()));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -83,27 +84,43 @@ class Place {
   /// Refuses keys that mean nothing here: they may be misspelt.
   void require_only(std::initializer_list<const char*> known) const {
     require(value_.is_object(), name_, " is not { … }, but ", value_.dump());
-    std::string names;
-    for (const char* key : known) names += (names.empty() ? "" : ", ") + std::string(key);
     for (const auto& [key, value] : value_.items()) {
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
       const std::string meant = did_you_mean(key, {known.begin(), known.end()});
       require(false, name_, " has \"", key, "\", which means nothing here",
-              meant.empty() ? "; there are: " + names : meant);
+              meant.empty() ? "; there are: " + listed(known) : meant);
     }
   }
 
-  /// What `f()` gives; its refusals say where.
+  /// The one key of { … } that says which kind of thing this is.
+  /// @throws std::invalid_argument unless there is exactly one, and it is known
+  std::string only_key(std::initializer_list<const char*> known) const {
+    require_only(known);
+    require(!value_.empty(), name_, " is empty: give one of ", listed(known));
+    const std::string first = value_.begin().key(), last = std::prev(value_.end()).key();
+    require(value_.size() == 1, name_, " has \"", first, "\" and \"", last,
+            "\": give one of them here, and the other by itself");
+    return first;
+  }
+
+  /// What `f()` gives; its refusals say where, once.
   template <class F>
   auto refused_here(F&& f) const -> decltype(f()) {
     try {
       return f();
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(name_ + ": " + error.what());
+      const std::string what = error.what();
+      throw std::invalid_argument(what.starts_with(name_) ? what : name_ + ": " + what);
     }
   }
 
  private:
+  static std::string listed(std::initializer_list<const char*> names) {
+    std::string list;
+    for (const char* name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+    return list;
+  }
+
   const Json& value_;
   std::string name_;
 };

@@ -167,6 +167,57 @@ TEST_CASE("simulate: says where a scene is wrong, and what") {
   CHECK(mentions(scenes("simulate nowhere.json").output, "nowhere.json"));
 }
 
+TEST_CASE("simulate: one thing twice, nothing at all, and numbers of no world are refused") {
+  json scene = thrown_ball();
+  const auto with_force = [&](const json& force) {
+    scene["bodies"][0]["forces"] = json::array({force});
+    return refusal(scene);
+  };
+  const json push = {{"newton", {1, 0, 0}}}, drag = {{"linear", 1}};
+  CHECK(mentions(with_force({{"force", push}, {"drag", drag}}),
+                 "forces[0] has \"drag\" and \"force\""));
+  CHECK(
+      mentions(with_force(json::object()), "forces[0] is empty: give one of force, drag, spring"));
+  scene = thrown_ball();
+  scene["bodies"][0]["shape"] = {{"ball", 1}, {"box", {1, 1, 1}}};
+  CHECK(mentions(refusal(scene), "shape has \"ball\" and \"box\""));
+  scene["bodies"][0]["shape"] = json::object();
+  CHECK(mentions(refusal(scene), "shape is empty: give one of ball, box"));
+  scene = thrown_ball();
+  scene["bodies"].push_back(scene["bodies"][0]);
+  scene["bodies"][0]["name"] = "body 2";
+  CHECK(mentions(refusal(scene), "bodies[1] is called \"body 2\", and so is one before it"));
+  scene = thrown_ball();
+  scene["bodies"][0]["velocity"] = {0, -1e300, 0};
+  CHECK(mentions(refusal(scene), "bodies[0].velocity[1] is -1e+300"));
+  write("scene.json", "{\"duration\": 1,\n \"duration\": 2}");
+  CHECK(mentions(scenes("simulate scene.json").output, "scene.json has \"duration\" twice"));
+  write("scene.json", "{\"duration\": 1e999}");
+  CHECK(mentions(scenes("simulate scene.json").output, "scene.json", "1e999"));
+}
+
+TEST_CASE("simulate: messages name the place once, and speak no library's language") {
+  json scene = thrown_ball();
+  scene["bodies"][0]["shape"] = {{"cylinder", {{"radius", 1}}}};
+  const std::string said = refusal(scene);
+  CHECK(said.find("scene.json") == said.rfind("scene.json"));
+  write("scene.json", "{\n  \"bodies\": [}");
+  const std::string broken = scenes("simulate scene.json").output;
+  CHECK(mentions(broken, "line 2, column 14"));
+  CHECK(broken.find("json.exception") == std::string::npos);
+}
+
+TEST_CASE("simulate: an angle of many turns, and a level that is never passed, are said") {
+  json scene = thrown_ball();
+  scene["bodies"][0]["orientation"] = {{"axis", {0, 0, 1}}, {"angle", 90}};
+  scene["stop_when"] = {{"coordinate", "z"}, {"passes", -3}};
+  write("scene.json", scene.dump());
+  const CommandResult result = scenes("simulate scene.json");
+  CHECK(result.status == 0);
+  CHECK(mentions(result.output, "bodies[0].orientation.angle is 90 rad", "1.5708 rad"));
+  CHECK(mentions(result.output, "the z of body 1 did not pass -3 m"));
+}
+
 TEST_CASE("simulate: a name with a comma or a quote stays one field of the CSV") {
   json scene = thrown_ball();
   scene["bodies"][0]["name"] = "a,\"b\"";
