@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "scenes/scene.hpp"
@@ -103,28 +104,44 @@ void add_force(const Place& force, const Vec3& centre, SceneBody& body) {
     body.steady = body.steady + drag.steady(body.body);
   } else {
     const Place s = force["spring"];
-    s.require_only({"at", "anchor", "stiffness", "length"});
+    s.require_only({"at", "anchor", "stiffness", "length", "damping"});
     const SpringToWorld spring{point(s["at"]), s["anchor"].vector(), s["stiffness"].number(),
-                               s.number_or("length", 0)};
+                               s.number_or("length", 0), s.number_or("damping", 0)};
     s.refused_here([&] { spring.require_valid(); });
     body.springs.push_back(spring);
   }
 }
 
+/// Where the body starts and how it moves. Of a held body, `position` is that of the point that
+/// stays.
+RigidBodyState<> start_of(const Place& place, const RigidBody<>& body,
+                          const std::optional<HeldBody>& held) {
+  const Vec3 position = place.vector_or("position", Vec3::Zero());
+  const Vec3 omega = place.vector_or("omega", Vec3::Zero());
+  const Quat q = orientation_of(place);
+  if (!held)
+    return state_of_motion<double>(body, position, q, place.vector_or("velocity", Vec3::Zero()),
+                                   omega);
+  require(!place.has("velocity"), place.name(),
+          " is held at a point and has a velocity: it follows from omega");
+  return held->state(position, q, omega);
+}
+
 SceneBody read_body(const Place& place, std::size_t index, const std::filesystem::path& folder,
                     const Vec3& gravity) {
   place.require_only({"name", "shape", "density", "mass", "inertia", "position", "orientation",
-                      "velocity", "omega", "forces"});
+                      "velocity", "omega", "held_at", "forces"});
   const MassProperties mass = mass_of(place, folder);
   const RigidBody<> body = place.refused_here([&] { return RigidBody<>(mass); });
+  std::optional<HeldBody> held;
+  if (place.has("held_at")) held.emplace(body, place["held_at"].vector() - mass.centre);
   SceneBody result{
-      place.has("name") ? place["name"].text() : "body " + std::to_string(index + 1),
-      body,
-      state_of_motion<double>(body, place.vector_or("position", Vec3::Zero()),
-                              orientation_of(place), place.vector_or("velocity", Vec3::Zero()),
-                              place.vector_or("omega", Vec3::Zero())),
-      Weight{gravity}.steady(body),
-      {}};
+      .name = place.has("name") ? place["name"].text() : "body " + std::to_string(index + 1),
+      .body = body,
+      .start = start_of(place, body, held),
+      .steady = Weight{gravity}.steady(body),
+      .springs = {},
+      .held = held};
   if (place.has("forces"))
     for (const Place& force : place["forces"].elements()) add_force(force, mass.centre, result);
   return result;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tumble/simulate/simulate.hpp"
+#include "tumble/simulate/held.hpp"
 
 namespace tumble::scenes {
 
@@ -18,6 +18,7 @@ struct SceneBody {
   RigidBodyState<> start;
   SteadyForces steady;
   std::vector<SpringToWorld> springs;
+  std::optional<HeldBody> held = {};  ///< if a point of it stays where it is
 };
 
 /// When to stop: a coordinate of one body passes a level.

@@ -20,14 +20,18 @@ struct Motions {
 };
 
 Trajectory motion_of(const SceneBody& body, const SimulationTask& task) {
-  if (body.springs.empty()) return simulate(body.body, body.start, task, body.steady);
+  const auto simulated = [&](const auto&... forces) {
+    return body.held ? simulate(*body.held, body.start, task, forces...)
+                     : simulate(body.body, body.start, task, forces...);
+  };
+  if (body.springs.empty()) return simulated(body.steady);
   const auto springs = [list = body.springs](double t, const RigidBody<>& b,
                                              const Derived<>& now) -> Wrench<> {
     Wrench<> sum;
     for (const SpringToWorld& spring : list) sum += spring(t, b, now);
     return sum;
   };
-  return simulate(body.body, body.start, task, body.steady, springs);
+  return simulated(body.steady, springs);
 }
 
 Motions move(const Scene& scene) {

@@ -7,6 +7,7 @@
 
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
+#include "tumble/simulate/held.hpp"
 #include "tumble/simulate/simulate.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"

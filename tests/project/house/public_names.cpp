@@ -176,11 +176,11 @@ TEST_SUITE("public names") {
     for (const std::string& difference : differences(tables, headers)) FAIL_CHECK(difference);
   }
 
-  TEST_CASE("namespace tumble itself holds what a program needs: 130 names at most") {
+  TEST_CASE("namespace tumble itself holds what a program needs: 135 names at most") {
     const Headers headers = headers_below(project_root() / "lib/include/tumble");
     const std::size_t count = names_of("tumble", headers).size();
     CHECK(count > 100);
-    CHECK(count <= 130);
+    CHECK(count <= 135);
   }
 
   TEST_CASE("each kind of declaration is seen, and what is inside of something else is not") {

@@ -82,13 +82,14 @@ struct BodyDrag {
   }
 };
 
-/// A spring between a point of the body and a point of the world. Where they meet it has no
-/// direction and pulls with no force.
+/// A spring between a point of the body and a point of the world, with a damper beside it if one is
+/// wanted. Where the points meet it has no direction and pulls with no force.
 struct SpringToWorld {
   Vec3 p_body;         ///< [m], body coordinates
   Vec3 anchor;         ///< [m], world coordinates
   double stiffness;    ///< [N/m]
   double rest_length;  ///< [m]
+  double damping = 0;  ///< of the damper, per speed at which the length grows [N s/m]
 
   template <class T>
   Wrench<T> operator()(T, const RigidBody<T>&, const Derived<T>& now) const {
@@ -96,7 +97,9 @@ struct SpringToWorld {
     const Vector3<T> l = anchor.cast<T>() - p;
     const T length = l.norm();
     if (length == T(0)) return {};
-    const T tension = static_cast<T>(stiffness) * (length - static_cast<T>(rest_length));
+    T tension = static_cast<T>(stiffness) * (length - static_cast<T>(rest_length));
+    if (damping != 0)
+      tension -= static_cast<T>(damping) * point_velocity<T>(now, p_body.cast<T>()).dot(l) / length;
     return force_at_point<T>(tension / length * l, p, now.x);
   }
 
@@ -104,7 +107,7 @@ struct SpringToWorld {
   void require_valid() const {
     require(p_body.allFinite() && anchor.allFinite(), "spring from (", p_body.transpose(), ") to (",
             anchor.transpose(), "): not finite");
-    for (const double constant : {stiffness, rest_length})
+    for (const double constant : {stiffness, rest_length, damping})
       require(constant >= 0 && std::isfinite(constant), "spring to the world: ", constant,
               " is not a finite number ≥ 0");
   }

@@ -84,7 +84,7 @@ TEST_CASE("simulate: a thrown ball, with its momenta") {
 }
 
 TEST_CASE("simulate: the examples run, and stop where they should") {
-  for (const char* name : {"top", "thrown_box", "on_a_spring"}) {
+  for (const char* name : {"top", "pendulum", "thrown_box", "on_a_spring"}) {
     CAPTURE(std::string(name));
     const std::string file =
         std::string(std::getenv("TUMBLE_ROOT")) + "/chapters/scenes/examples/" + name + ".json";
@@ -216,6 +216,22 @@ TEST_CASE("simulate: an angle of many turns, and a level that is never passed, a
   CHECK(result.status == 0);
   CHECK(mentions(result.output, "bodies[0].orientation.angle is 90 rad", "1.5708 rad"));
   CHECK(mentions(result.output, "the z of body 1 did not pass -3 m"));
+}
+
+TEST_CASE("simulate: a held body turns about its point, which stays") {
+  json rod = {{"shape", {{"box", {0.1, 0.1, 1}}}},
+              {"mass", 2},
+              {"held_at", {0, 0, 0.5}},
+              {"position", {1, 2, 3}},
+              {"orientation", {{"axis", {1, 0, 0}}, {"angle", 1}}}};
+  const json scene = {{"bodies", {rod}}, {"gravity", {0, 0, -10}}, {"duration", 1}};
+  const json result = simulated(scene);
+  for (const json& record : result["records"])
+    CHECK(std::abs(distance(record["bodies"][0]["position"], {1, 2, 3}) - 0.5) < 1e-12);
+  CHECK(distance(result["end"]["bodies"][0]["position"], {1, 2, 3 - 0.5 * std::cos(1.)}) > 0.1);
+  rod["velocity"] = {1, 0, 0};
+  CHECK(mentions(refusal({{"bodies", {rod}}, {"duration", 1}}), "bodies[0] is held at a point",
+                 "velocity"));
 }
 
 TEST_CASE("simulate: a name with a comma or a quote stays one field of the CSV") {

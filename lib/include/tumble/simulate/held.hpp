@@ -1,0 +1,55 @@
+#pragma once
+/// @file
+/// Says how a body turns that is held at one of its points, as simulate() does for one that is
+/// free.
+
+#include "tumble/body/held_body.hpp"
+#include "tumble/simulate/simulate.hpp"
+
+namespace tumble {
+
+/// @addtogroup simulate
+/// @{
+
+namespace detail {
+
+/// The motion of the held body, from its turning about the point.
+inline Trajectory held_trajectory(const HeldBody& held, Trajectory turning) {
+  const std::vector<double> times = turning.times();
+  const SimulationReport report = turning.report();
+  const auto at = [held, turning = std::move(turning)](double t) {
+    return held.state_of(turning.at(t));
+  };
+  return {at, times, report};
+}
+
+}  // namespace detail
+
+/// The motion of a held body. A symmetric top that is held on its axis has a closed form under its
+/// weight; what else is steady is followed by Taylor series.
+/// @param start  at task.t0, as HeldBody::state() gives it
+/// @param forces BodyForce each, on the body with its centre of mass: the joint takes up what would
+///               move the point
+/// @return the states of the centre of mass, with L about it; the report is that of the turning
+/// @throws as simulate() of a free body, and std::invalid_argument if the held point moves
+template <BodyForce<double>... Forces>
+Trajectory simulate(const HeldBody& held, const RigidBodyState<>& start, SimulationTask task,
+                    const Forces&... forces) {
+  (detail::require_valid_force(forces), ...);
+  task.wanted = Wanted::trajectory;  // the path of the centre follows from the turning
+  const RigidBodyState<> from = held.turning_of(start);
+  const auto turned_by = [&](const auto&... torques) {
+    return detail::held_trajectory(held, simulate(held.about_point(), from, task, torques...));
+  };
+  if constexpr ((detail::SteadyForce<Forces> && ...)) {
+    const SteadyForces steady = detail::steady_forces(held.body(), forces...);
+    if (steady.linear_drag == 0) return turned_by(detail::about_point(held, steady));
+    return turned_by(detail::TorqueAboutPoint<SteadyForces>{held, steady});
+  } else {
+    return turned_by(detail::TorqueAboutPoint<Forces>{held, forces}...);
+  }
+}
+
+/// @}
+
+}  // namespace tumble

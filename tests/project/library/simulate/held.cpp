@@ -1,0 +1,133 @@
+#include "tumble/simulate/held.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "project/harness/inputs.hpp"
+#include "project/harness/refusal.hpp"
+#include "reference/double_double_motion.hpp"
+#include "tumble/quaternion/exp_log.hpp"
+#include "tumble/simulate/first_event.hpp"
+
+using namespace tumble;
+
+namespace {
+
+constexpr double g = 9.80665;
+
+/// A rod of length 1 m that is held at one end, its other end `angle` away from straight down.
+struct Pendulum {
+  RigidBody<> rod{2, Mat3(Vec3(2. / 12, 2. / 12, 1e-3).asDiagonal())};
+  HeldBody held{rod, Vec3(0, 0, 0.5)};
+  RigidBodyState<> start;
+
+  explicit Pendulum(double angle)
+      : start(held.state(Vec3(0, 0, 3), exp_quaternion<double>(Vec3(angle, 0, 0)), Vec3::Zero())) {}
+  double tensor() const { return held.about_point().I_body()(0, 0); }
+  double energy(const RigidBodyState<>& s) const {
+    return kinetic_energy(rod, s) + rod.mass() * g * s.x.z();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("HeldBody: a state is that of the centre of mass, and comes back from its turning") {
+  test::Random rng(811);
+  for (int i = 0; i < 100; ++i) {
+    const Mat3 axes = rng.rotation().toRotationMatrix();
+    const Vec3 moments(rng.uniform(1, 1.4), rng.uniform(1, 1.4), rng.uniform(1, 1.4));
+    const RigidBody<> body(rng.uniform(0.1, 10), axes * moments.asDiagonal() * axes.transpose());
+    const HeldBody held(body, rng.vector());
+    const Vec3 point = rng.vector();
+    const RigidBodyState<> state = held.state(point, rng.rotation(), rng.vector());
+    const RigidBodyState<> turning = held.turning_of(state);
+    CHECK((turning.x - point).norm() < 1e-14);
+    CHECK(turning.P.isZero(0));
+    // About the point: L of the centre, and that of its motion round the point.
+    CHECK((turning.L - (state.L + (state.x - point).cross(state.P))).norm() <
+          1e-14 * (1 + turning.L.norm()));
+    CHECK((pack(held.state_of(turning)) - pack(state)).norm() < 1e-13 * (1 + pack(state).norm()));
+  }
+}
+
+TEST_CASE("simulate a held body: the swing of a rod takes as long as the elliptic integral says") {
+  for (const double angle : {0.1, 1., 2.5}) {
+    const Pendulum pendulum(angle);
+    // T = 4 √(I/(m g d)) K(sin ½angle)
+    const double period =
+        4 * std::sqrt(pendulum.tensor() / (2 * g * 0.5)) * std::comp_ellint_1(std::sin(angle / 2));
+    const Trajectory swing =
+        simulate(pendulum.held, pendulum.start, {.t1 = period, .tolerance = 1e-11}, Weight{});
+    CHECK(swing.report().reached());
+    CHECK(angle_between(swing.end().q, pendulum.start.q) < 1e-9);
+    CHECK(angle_between(swing.at(period / 2).q, exp_quaternion<double>(Vec3(-angle, 0, 0))) < 1e-9);
+    for (const double t : {0.1 * period, 0.3 * period}) {
+      const RigidBodyState<> s = swing.at(t);
+      CHECK((s.x - Vec3(0, 0, 3)).norm() == doctest::Approx(0.5).epsilon(1e-14));
+      CHECK(std::abs(pendulum.energy(s) - pendulum.energy(pendulum.start)) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("simulate a held body: a spinning top on its tip has a closed form, and the right one") {
+  test::Random rng(812);
+  int closed = 0;
+  for (int i = 0; i < 20; ++i) {
+    const double A = rng.uniform(0.2, 2), C = A * rng.uniform(0.1, 1.9),
+                 height = rng.uniform(0.1, 1);
+    const RigidBody<> body(1.5, Mat3(Vec3(A, A, C).asDiagonal()));
+    const HeldBody top(body, Vec3(0, 0, -height));
+    const Quat q = rng.rotation();
+    const Vec3 omega = rng.vector() + rng.uniform(5, 30) * (q * Vec3::UnitZ());
+    const RigidBodyState<> start = top.state(Vec3::Zero(), q, omega);
+    const Trajectory motion = simulate(top, start, {.t1 = 3, .tolerance = 1e-10}, Weight{});
+    closed += motion.report().runs == 0;
+    const Vec3 J(A + 1.5 * height * height, A + 1.5 * height * height, C);
+    const auto truth = reference::turned(
+        {J, q, top.turning_of(start).L, Vec3(0, 0, -1.5 * g), Vec3(0, 0, height)}, 3);
+    CHECK(angle_between(motion.end().q, truth.q) < 1e-10);
+    CHECK((motion.end().x - truth.q * Vec3(0, 0, height)).norm() < 1e-10);
+  }
+  CHECK(closed >= 15);  // one whose axis passes next to the vertical is followed by series
+}
+
+TEST_CASE("simulate a held body: drag on the centre and a spring turn it as their torques say") {
+  const Pendulum pendulum(1);
+  const BodyDrag drag{0.3, 0};
+  const SpringToWorld spring{Vec3(0, 0, -0.5), Vec3(0, 1, 2), 4, 0.2, 0.1};
+  const Trajectory motion = simulate(pendulum.held, pendulum.start, {.t1 = 2, .tolerance = 1e-11},
+                                     Weight{}, drag, spring);
+  CHECK(motion.report().reached());
+  // In the plane: I φ̈ = torque, by RK4 with steps so short that nothing of them is left.
+  const double I = pendulum.tensor();
+  const auto acceleration = [&](double angle, double rate) {
+    const Vec3 down(0, std::sin(angle), -std::cos(angle)),
+        ahead(0, std::cos(angle), std::sin(angle));
+    const Vec3 end = Vec3(0, 0, 3) + down, l = spring.anchor - end;
+    const double length = l.norm(), growth = -(rate * ahead).dot(l) / length;
+    const Vec3 pull = (4 * (length - 0.2) + 0.1 * growth) / length * l;
+    return (-2 * g * 0.5 * std::sin(angle) - 0.3 * 0.25 * rate + pull.dot(ahead)) / I;
+  };
+  double angle = 1, rate = 0;
+  const int steps = 20000;
+  const double h = 2. / steps;
+  for (int i = 0; i < steps; ++i) {
+    const double k1 = acceleration(angle, rate), r2 = rate + h / 2 * k1;
+    const double k2 = acceleration(angle + h / 2 * rate, r2), r3 = rate + h / 2 * k2;
+    const double k3 = acceleration(angle + h / 2 * r2, r3), r4 = rate + h * k3;
+    const double k4 = acceleration(angle + h * r3, r4);
+    angle += h / 6 * (rate + 2 * r2 + 2 * r3 + r4);
+    rate += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  CHECK(angle_between(motion.end().q, exp_quaternion<double>(Vec3(angle, 0, 0))) < 1e-8);
+  const Trajectory damped = simulate(pendulum.held, pendulum.start, {.t1 = 2}, Weight{}, drag);
+  CHECK(pendulum.energy(damped.end()) < pendulum.energy(pendulum.start) - 0.1);
+}
+
+TEST_CASE("simulate a held body: a point that moves, or is none, is refused") {
+  Pendulum pendulum(1);
+  pendulum.start.P = Vec3(1, 0, 0);
+  CHECK_REFUSED(simulate(pendulum.held, pendulum.start, {}, Weight{}), "held body", "moves");
+  CHECK_REFUSED(HeldBody(pendulum.rod, Vec3(NAN, 0, 0)), "held body", "not finite");
+}
