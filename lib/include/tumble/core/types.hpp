@@ -1,4 +1,7 @@
 #pragma once
+#if __cplusplus < 202002L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
+#error "tumble is written in C++20: compile with -std=c++20 or newer"
+#endif
 /// @file
 /// The small fixed-size types that everything else is written in.
 ///
