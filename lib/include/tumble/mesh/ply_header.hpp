@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -98,9 +99,9 @@ class PlyHeaderReader {
     constexpr std::array<std::string_view, 3> names = {"ascii", "binary_little_endian",
                                                        "binary_big_endian"};
     const std::string_view word = text_.next_word();
-    const auto* const found = std::find(names.begin(), names.end(), word);
-    if (found == names.end()) text_.refuse("'", shown(word), "' is not a format of PLY");
-    header_.format = static_cast<PlyFormat>(found - names.begin());
+    const auto place = std::find(names.begin(), names.end(), word) - names.begin();
+    if (place == std::ssize(names)) text_.refuse("'", shown(word), "' is not a format of PLY");
+    header_.format = static_cast<PlyFormat>(place);
     expect("1.0");
   }
 

@@ -1,25 +1,18 @@
 #pragma once
 /// @file
-/// Opens a file, and reads all bytes of it.
+/// Opens a file, and reads all bytes of it. For wasm32-wasi there are streams, and no files.
 
 #include <algorithm>
+#ifndef __wasi__
 #include <fstream>
+#endif
+#include <istream>
 #include <stdexcept>
 #include <string>
 
 #include "tumble/core/require.hpp"
 
 namespace tumble::detail {
-
-/// @throws std::runtime_error when the file cannot be read
-inline std::ifstream open_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (file.is_open()) file.peek();  // a directory can be opened, but not read
-  if (!file.is_open() || file.bad())
-    detail::throw_error<std::runtime_error>(path + ": cannot be read");
-  file.clear();
-  return file;
-}
 
 /// The length of a file from its beginning [bytes]; 0 where that is not known, as in a pipe.
 inline std::size_t size_of(std::istream& file) {
@@ -48,11 +41,24 @@ inline std::string read_all(std::istream& in, std::size_t size, const std::strin
   return bytes;
 }
 
+#ifndef __wasi__
+/// @throws std::runtime_error when the file cannot be read
+inline std::ifstream open_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (file.is_open()) file.peek();  // a directory can be opened, but not read
+  if (!file.is_open() || file.bad())
+    detail::throw_error<std::runtime_error>(path + ": cannot be read");
+  file.clear();
+  return file;
+}
+
 /// All bytes of a file.
 /// @throws std::runtime_error when the file cannot be read
 inline std::string read_file(const std::string& path) {
   std::ifstream file = open_file(path);
   return read_all(file, size_of(file), path);
 }
+
+#endif
 
 }  // namespace tumble::detail

@@ -3,13 +3,13 @@
 /// Mesh files: OBJ, STL and PLY. What is read and refused: see parse_obj.hpp, parse_stl.hpp and
 /// parse_ply.hpp.
 
-#include <fstream>
 #include <string>
 
 #include "tumble/mesh/parse_mesh.hpp"
 #include "tumble/mesh/read_file.hpp"
 #include "tumble/mesh/read_obj.hpp"
 
+#ifndef __wasi__  // there are no files: parse_mesh() reads from memory
 namespace tumble {
 
 /// @addtogroup mesh
@@ -55,3 +55,4 @@ inline PolygonMesh read_mesh(const std::string& path) {
 /// @}
 
 }  // namespace tumble
+#endif

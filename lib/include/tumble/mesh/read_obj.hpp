@@ -2,7 +2,6 @@
 /// @file
 /// Wavefront OBJ files: see parse_obj.hpp for what is read and refused.
 
-#include <fstream>
 #include <istream>
 #include <optional>
 #include <stdexcept>
@@ -32,6 +31,7 @@ inline PolygonMesh read_obj(std::istream& in, const std::string& name) {
   return reader->mesh();
 }
 
+#ifndef __wasi__
 /// Reads a mesh from an OBJ file.
 /// @throws std::runtime_error when the file cannot be read
 /// @throws std::invalid_argument as parse_obj() does
@@ -39,5 +39,6 @@ inline PolygonMesh read_obj(const std::string& path) {
   std::ifstream file = detail::open_file(path);
   return read_obj(file, path);
 }
+#endif
 
 }  // namespace tumble::detail
