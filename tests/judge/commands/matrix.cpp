@@ -61,7 +61,8 @@ bool print_kill_matrix(std::ostream& out, const Course& course, const std::vecto
   out << "| unit | misconception | cases that fail | named |\n|---|---|---|---|\n";
   for (const Unit& unit : units) {
     load_spec(unit);
-    const std::vector<Misconception>& misconceptions = misconceptions_of(unit.id());
+    const std::string id = unit.id();
+    const std::vector<Misconception>& misconceptions = misconceptions_of(id);
     for (std::size_t k = 0; k < misconceptions.size(); ++k) {
       Kill kill = try_to_kill(unit, k, seed);
       kill.explained = is_explained(course.page(unit), misconceptions[k].section);
