@@ -115,14 +115,18 @@ const Member* Roster::find(const Submission& submission) const {
 }
 
 Roster read_roster(const std::filesystem::path& file) {
+  return roster_in(support::read_text(file), file.string());
+}
+
+Roster roster_in(const std::string& text, const std::string& name) {
   Roster roster;
-  roster.table = read_csv(support::read_text(file), file.string());
+  roster.table = read_csv(text, name);
   roster.lms = lms_of(roster.table);
   RosterReader(roster).read();
   std::string columns;
-  for (const std::string& name : roster.table.header)
-    columns += (columns.empty() ? "" : ", ") + name;
-  require(!roster.members.empty(), file.string(),
+  for (const std::string& column : roster.table.header)
+    columns += (columns.empty() ? "" : ", ") + column;
+  require(!roster.members.empty(), name,
           " names nobody: it needs a column called name, email or id; it has: ", columns);
   return roster;
 }

@@ -31,6 +31,8 @@ struct Roster {
 
 /// @throws std::invalid_argument if the file is no table, or has no column with names
 Roster read_roster(const std::filesystem::path& file);
+/// The same of a file's text, called by this name in messages.
+Roster roster_in(const std::string& text, const std::string& name);
 
 struct RosterMatch {
   std::vector<Member> missing;         ///< those of the class who have handed in nothing
