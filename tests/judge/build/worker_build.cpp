@@ -36,7 +36,7 @@ class Builder {
 
   WorkerBuild compiled_once(const std::string& text, const ObjectCache& cache) {
     if (std::optional<WorkerBuild> known = cache.find(unit_, text, object())) {
-      compiler_.hand_over({object()});
+      if (known->outcome == BuildOutcome::built) compiler_.hand_over({object()});
       return *known;
     }
     WorkerBuild result = compiled(text);

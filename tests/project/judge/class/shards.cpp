@@ -71,12 +71,17 @@ struct Dozen {
   CommandResult grade(const std::string& out, const std::string& options = "") const {
     return run(inputs() + "--out " + out + " " + options);
   }
-  /// Three shards, in folders a, b, c.
+  /// Three shards, in folders a, b, c: judged once, for all tests.
   void judge_three() const {
+    static const Dozen judged;
     for (const std::size_t k : {0u, 1u, 2u}) {
-      const CommandResult judged =
-          grade(std::string(1, "abc"[k]), "--shard " + std::to_string(k + 1) + "/3");
-      REQUIRE_MESSAGE(judged.status == 0, judged.output);
+      const std::string folder(1, "abc"[k]);
+      if (!fs::exists(judged.at(folder))) {
+        const CommandResult result =
+            judged.grade(folder, "--shard " + std::to_string(k + 1) + "/3");
+        REQUIRE_MESSAGE(result.status == 0, result.output);
+      }
+      fs::copy(judged.at(folder), at(folder), fs::copy_options::recursive);
     }
   }
   fs::path at(const std::string& path) const { return work.path() / path; }
@@ -116,7 +121,7 @@ void check_same(const Files& some, const Files& others) {
   CHECK(some.size() == others.size());
 }
 
-bool tells(const CommandResult& result, const std::string& part) {
+bool said_in(const CommandResult& result, const std::string& part) {
   return result.output.find(part) != std::string::npos;
 }
 
@@ -159,15 +164,15 @@ TEST_CASE("shards: what is none is refused, and what one is said") {
     const char *text = each.first, *message = each.second;
     const CommandResult refused = dozen.grade("out", std::string("--shard=") + text);
     CHECK_MESSAGE(refused.status == 2, text);
-    CHECK_MESSAGE(tells(refused, message), refused.output);
+    CHECK_MESSAGE(said_in(refused, message), refused.output);
     CHECK_FALSE(fs::exists(dozen.at("out")));
   }
-  CHECK(tells(dozen.run(""), "DIR is required"));
-  CHECK(tells(dozen.run("first --merge a"), "excludes"));
+  CHECK(said_in(dozen.run(""), "DIR is required"));
+  CHECK(said_in(dozen.run("first --merge a"), "excludes"));
   test::write_file(dozen.at("none.json"), R"({"several": "best"})");
   const CommandResult seedless = dozen.run("first second --course none.json --out out --shard 1/3");
   CHECK(seedless.status == 2);
-  CHECK_MESSAGE(tells(seedless, "--shard needs a \"seed\""), seedless.output);
+  CHECK_MESSAGE(said_in(seedless, "--shard needs a \"seed\""), seedless.output);
 }
 
 TEST_CASE("shards: merged they are what one machine makes, byte for byte") {
@@ -182,9 +187,9 @@ TEST_CASE("shards: merged they are what one machine makes, byte for byte") {
   CHECK(students == 12);  // eleven of the roster, and Zoe; each of them once
   const CommandResult merged = dozen.run("--merge a b c --out merged");
   REQUIRE_MESSAGE(merged.status == 0, merged.output);
-  CHECK(tells(merged, "tumble: 3 shards, 13 submissions"));  // one student's are two
-  CHECK(tells(merged, "not on the roster:\n  Zoe Late_199"));
-  CHECK(tells(merged, "notes.txt"));
+  CHECK(said_in(merged, "tumble: 3 shards, 13 submissions"));  // one student's are two
+  CHECK(said_in(merged, "not on the roster:\n  Zoe Late_199"));
+  CHECK(said_in(merged, "notes.txt"));
   const Files all = dozen.files_in("merged");
   CHECK(all.contains("moodle.csv"));
   CHECK(all.contains("feedback.zip"));
@@ -193,6 +198,7 @@ TEST_CASE("shards: merged they are what one machine makes, byte for byte") {
   check_same(without_times(dozen.files_in("one")), without_times(all));
 
   // With the same records, so that times are the same too: every byte.
+  fs::create_directories(dozen.at("again"));
   for (const char* kept : {"students", "sources", "attempts"})
     fs::copy(dozen.at("merged") / kept, dozen.at("again") / kept, fs::copy_options::recursive);
   const CommandResult again = dozen.grade("again");
@@ -206,26 +212,26 @@ TEST_CASE("shards: merged they are what one machine makes, byte for byte") {
 TEST_CASE("shards: beside each other in one folder") {
   const Dozen dozen;
   const CommandResult judged = test::run_command(
-      "cd '" + dozen.work.path().string() + "' && for k in 1 2 3; do '" +
+      "( cd '" + dozen.work.path().string() + "' && for k in 1 2 3; do '" +
       test::variable("TUMBLE_FIXTURE_JUDGE").string() + "' grade " + dozen.inputs() +
       "--jobs 1 --shard $k/3 & pids=\"$pids $!\"; done; for p in $pids; do wait $p || exit 9; "
       "done");
   REQUIRE_MESSAGE(judged.status == 0, judged.output);
   for (const char* shard : {"1/3", "2/3", "3/3"})
-    CHECK_MESSAGE(tells(judged, std::string("shard ") + shard + ": "), judged.output);
+    CHECK_MESSAGE(said_in(judged, std::string("shard ") + shard + ": "), judged.output);
   check_no_table(dozen, "grades");
   const CommandResult early =
       test::run_command("cd '" + dozen.work.path().string() + "' && '" +
                         test::variable("TUMBLE_FIXTURE_JUDGE").string() + "' report");
   CHECK(early.status == 2);
-  CHECK_MESSAGE(tells(early, "./tumble grade --merge grades"), early.output);
+  CHECK_MESSAGE(said_in(early, "./tumble grade --merge grades"), early.output);
   const CommandResult merged = dozen.run("--merge grades");
   REQUIRE_MESSAGE(merged.status == 0, merged.output);
   REQUIRE(dozen.grade("one").status == 0);
   check_same(without_times(dozen.files_in("one")), without_times(dozen.files_in("grades")));
   const CommandResult other_cut = dozen.grade("grades", "--shard 1/4");
   CHECK(other_cut.status == 2);
-  CHECK_MESSAGE(tells(other_cut, "a shard of another number of them"), other_cut.output);
+  CHECK_MESSAGE(said_in(other_cut, "a shard of another number of them"), other_cut.output);
 }
 
 TEST_CASE("shards: one of them is judged by one process at a time, all of a class by nobody else") {
@@ -236,18 +242,20 @@ TEST_CASE("shards: one of them is judged by one process at a time, all of a clas
                              test::variable("TUMBLE_FIXTURE_JUDGE").string() + "' grade " +
                              dozen.inputs() + "--out out --student 'Student 2' " + options);
   };
-  CHECK(tells(while_held("-x out/lock", "--shard 2/2"), "another grading is at work in out"));
-  CHECK(tells(while_held("-s out/lock", ""), "another grading is at work in out"));
   const std::string shard = std::to_string(judge::shard_number("Student 2_102", 2)),
                     other = shard == "1" ? "2" : "1";
+  CHECK(said_in(while_held("-x out/lock", "--shard " + shard + "/2"),
+                "another grading is at work in out"));
+  CHECK(said_in(while_held("-s out/lock", ""), "another grading is at work in out"));
   const std::string own = "-x out/shards/" + shard + "-of-2.lock";
-  CHECK(tells(while_held(own, "--shard " + shard + "/2"), "of shard " + shard + "/2"));
+  CHECK(said_in(while_held(own, "--shard " + shard + "/2"), "of shard " + shard + "/2"));
   const CommandResult beside = while_held("-s out/lock", "--shard " + shard + "/2");
   CHECK_MESSAGE(beside.status == 0, beside.output);
   const CommandResult elsewhere = while_held("-s out/lock", "--shard " + other + "/2");
   CHECK(elsewhere.status == 2);
-  CHECK_MESSAGE(tells(elsewhere, "'Student 2' is in shard " + shard + "/2, not in " + other + "/2"),
-                elsewhere.output);
+  CHECK_MESSAGE(
+      said_in(elsewhere, "'Student 2' is in shard " + shard + "/2, not in " + other + "/2"),
+      elsewhere.output);
 }
 
 TEST_CASE("shards: what does not belong together is not merged, and why is said") {
@@ -256,7 +264,7 @@ TEST_CASE("shards: what does not belong together is not merged, and why is said"
   const auto refused = [&](const std::string& folders, const std::string& message) {
     const CommandResult result = dozen.run("--merge " + folders + " --out merged");
     CHECK(result.status == 2);
-    CHECK_MESSAGE(tells(result, message), result.output);
+    CHECK_MESSAGE(said_in(result, message), result.output);
     CHECK_FALSE(fs::exists(dozen.at("merged")));
   };
   // A copy of shard 2 with one thing changed, beside the others.
@@ -309,9 +317,9 @@ TEST_CASE("shards: records that cannot be are named, and nothing is lost") {
   const auto refused = [&](const std::string& message) {
     const CommandResult result = dozen.run("--merge a b c --out merged");
     CHECK(result.status == 2);
-    CHECK_MESSAGE(tells(result, message), result.output);
+    CHECK_MESSAGE(said_in(result, message), result.output);
     CHECK_FALSE(fs::exists(dozen.at("merged")));
-    CHECK(tells(dozen.run("--merge a b c --out merged"), message));  // it was not put away
+    CHECK(said_in(dozen.run("--merge a b c --out merged"), message));  // it was not put away
   };
   const auto with = [&](const auto& how) {
     test::write_file(dozen.at(record), sound);
@@ -350,7 +358,7 @@ TEST_CASE("shards: what was not judged to the end leaves grades open, and says w
   fs::remove(dozen.at(own + "/students/" + student + ".json"));
   const CommandResult open = dozen.run("--merge a b c --out merged");
   CHECK(open.status == 1);
-  CHECK_MESSAGE(tells(open, "  shard " + number + "/3: 1 students"), open.output);
+  CHECK_MESSAGE(said_in(open, "  shard " + number + "/3: 1 students"), open.output);
   CHECK(test::text_of(dozen.at("merged/moodle.csv"))
             .find("Participant 101,Student 1,s101@example.edu,,") != std::string::npos);
   REQUIRE(dozen.grade(own, "--shard " + number + "/3").status == 0);
