@@ -97,8 +97,8 @@ class Builder {
     for (const fs::path& folder : {exercises / unit_.chapter, exercises})
       flags.insert(flags.end(), {"-I", folder.string()});
     if (sanitized_)
-      flags.insert(flags.end(), {"-fsanitize=address,undefined", "-fno-sanitize-recover=undefined",
-                                 "-fno-omit-frame-pointer"});
+      flags.insert(flags.end(), {"-g1", "-fsanitize=address,undefined",
+                                 "-fno-sanitize-recover=undefined", "-fno-omit-frame-pointer"});
     else if (tools_.compiler_id == "GNU")  // finds the .gch beside it
       flags.insert(flags.end(), {"-Winvalid-pch", "-include",
                                  fs::path(tools_.precompiled).replace_extension().string()});

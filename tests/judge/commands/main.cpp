@@ -5,6 +5,7 @@
 
 #include "judge/class/lms.hpp"
 #include "judge/commands/commands.hpp"
+#include "judge/commands/course_file.hpp"
 #include "judge/commands/needs.hpp"
 #include "judge/platforms/platform.hpp"
 #include "support/command_line.hpp"
@@ -41,7 +42,7 @@ class CommandLine {
   int run(int argc, char** argv) {
     if (argc > 1 && std::string(argv[1]) == "--needs") return print_needs(argc, argv);
     return tumble::support::run_command_line(app_, argc, argv,
-                                             [&] { return run_(read_course(TUMBLE_COURSE)); });
+                                             [&] { return run_(read_course(course_file)); });
   }
 
  private:
@@ -62,7 +63,7 @@ class CommandLine {
   int print_needs(int argc, char** argv) {
     try {
       app_.parse(argc, argv);
-      for (const std::string& target : needs_(read_course(TUMBLE_COURSE)))
+      for (const std::string& target : needs_(read_course(course_file)))
         std::cout << target << "\n";
     } catch (const std::exception&) {
       return 0;

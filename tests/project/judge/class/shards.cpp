@@ -215,7 +215,7 @@ TEST_CASE("shards: beside each other in one folder") {
       "( cd '" + dozen.work.path().string() + "' && for k in 1 2 3; do '" +
       test::variable("TUMBLE_FIXTURE_JUDGE").string() + "' grade " + dozen.inputs() +
       "--jobs 1 --shard $k/3 & pids=\"$pids $!\"; done; for p in $pids; do wait $p || exit 9; "
-      "done");
+      "done )");
   REQUIRE_MESSAGE(judged.status == 0, judged.output);
   for (const char* shard : {"1/3", "2/3", "3/3"})
     CHECK_MESSAGE(said_in(judged, std::string("shard ") + shard + ": "), judged.output);
