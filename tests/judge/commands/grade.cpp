@@ -143,9 +143,8 @@ int finish_shard(const Shard& shard, const GradesFolder& folder, const CourseSet
   std::cerr << "tumble: " << duration_text(taken.count()) << "; shard " << name_of(shard) << ", "
             << own.size() << " of " << all.size() << " submissions, is "
             << (status == 0 ? "judged" : "not complete") << ": "
-            << (folder.path / "students").string() << "\ntumble: there are no grades before all "
-            << shard.of
-            << " shards are: ./tumble grade --merge DIR... makes them of the shards' folders\n";
+            << (folder.path / "students").string() << "\ntumble: the tables come when all "
+            << shard.of << " are judged: ./tumble grade --merge DIR...\n";
   return status;
 }
 

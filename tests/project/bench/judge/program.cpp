@@ -38,7 +38,7 @@ void restrict_to([[maybe_unused]] std::size_t cores) {
   cpu_set_t all, some;
   if (cores == 0 || sched_getaffinity(0, sizeof all, &all) != 0) return;
   CPU_ZERO(&some);
-  for (int cpu = 0; cpu < CPU_SETSIZE && cores > 0; ++cpu)
+  for (std::size_t cpu = 0; cpu < CPU_SETSIZE && cores > 0; ++cpu)
     if (CPU_ISSET(cpu, &all)) {
       CPU_SET(cpu, &some);
       --cores;
