@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include "judge/build/work_folder.hpp"
@@ -134,17 +135,24 @@ class FolderLock {
   std::optional<GradingLock> own_;
 };
 
+/// Says a line, whole: other shards may speak on the same terminal.
+template <class... Words>
+void say(const Words&... words) {
+  std::ostringstream line;
+  (line << "tumble: " << ... << words) << "\n";
+  std::cerr << line.str();
+}
+
 /// Says what a shard is, and how it ended: tables are the whole class's.
 int finish_shard(const Shard& shard, const GradesFolder& folder, const CourseSettings& settings,
                  const std::vector<Submission>& all, const GradingRun& run) {
   const std::vector<Submission> own = in_shard(all, shard);
   const int status = say_end(records_of(folder, settings, own), run);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - run.start;
-  std::cerr << "tumble: " << duration_text(taken.count()) << "; shard " << name_of(shard) << ", "
-            << own.size() << " of " << all.size() << " submissions, is "
-            << (status == 0 ? "judged" : "not complete") << ": "
-            << (folder.path / "students").string() << "\ntumble: the tables come when all "
-            << shard.of << " are judged: ./tumble grade --merge DIR...\n";
+  say(duration_text(taken.count()), "; shard ", name_of(shard), ", ", own.size(), " of ",
+      all.size(), " submissions, is ", status == 0 ? "judged" : "not complete", ": ",
+      (folder.path / "students").string());
+  say("the tables come when all ", shard.of, " are judged: ./tumble grade --merge DIR...");
   return status;
 }
 
@@ -180,11 +188,10 @@ int grade(const Course& course, const GradeOptions& options) {
   if (options.seconds) grading.deadline = after(*options.seconds);
   if (shard) {
     write_manifest(folder, manifest(*shard, grading, options, work.roll));
-    std::cerr << "tumble: shard " << name_of(*shard) << ": " << submissions.size() << " of "
-              << all.size() << " submissions, " << settings.units.size() << " exercises each\n";
+    say("shard ", name_of(*shard), ": ", submissions.size(), " of ", all.size(), " submissions, ",
+        settings.units.size(), " exercises each");
   } else {
-    std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
-              << " exercises each\n";
+    say(submissions.size(), " submissions, ", settings.units.size(), " exercises each");
   }
   say_list("records:", set_damaged_aside(folder, shard ? submissions : all));
   GradingRun run;
