@@ -45,8 +45,10 @@ inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, 
   const Vec3 p = detail::reference_point(mesh);
   const detail::TetrahedronSums sums =
       fast ? detail::sum_in_doubles(mesh, p, loop) : detail::sum_in_pairs(mesh, p, loop);
+  const double triangles = static_cast<double>(mesh.corners.size());  // no more
   return detail::bounded(detail::with_factors(sums.raw), p, density,
-                         fast ? detail::unit_roundoff : 0x1p-104, sums.rounding);
+                         fast ? detail::errors_in_doubles(sums.rounding)
+                              : detail::errors_in_pairs(sums.rounding, triangles));
 }
 
 /// Mass properties of a mesh, and everything that was found about it.
