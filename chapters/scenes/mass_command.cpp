@@ -26,7 +26,7 @@ Answer answer(const MassCommand& command, const PolygonMesh& mesh) {
   Answer result{diagnose(mesh), true, {}};
   for (const MeshDefect& finding : result.findings)
     result.usable &=
-        command.accept ? !prevents_integrals(finding.kind) : !spoils_integrals(finding.kind);
+        command.accept ? !prevents_integrals(finding.kind) : !spoils_integrals(finding);
   if (!result.usable) return result;
   result.body = unchecked_mass_properties(mesh, command.density, accuracy_of(command.accuracy));
   if (!command.accept) require_volume(result.body);
@@ -37,7 +37,7 @@ Json finding_json(const MeshDefect& finding) {
   Json json = {{"kind", name_of(finding.kind)}, {"message", finding.message}};
   if (finding.face >= 0) json["face"] = finding.face + 1;
   if (finding.edge[0] >= 0) json["edge"] = {finding.edge[0] + 1, finding.edge[1] + 1};
-  json["refused"] = spoils_integrals(finding.kind);
+  json["refused"] = spoils_integrals(finding);
   return json;
 }
 

@@ -30,6 +30,8 @@ enum class Accuracy {
 struct MassOptions {
   Accuracy accuracy = Accuracy::tight;
   Policy policy = Policy::refuse;
+  double tolerance = 1e-6;  ///< the share of the volume that may count wrongly at a crossing
+  crossings::Search search = crossings::Search::usual;
   simd::LoopOptions loop = {};
 };
 
@@ -68,8 +70,8 @@ struct MeshMassProperties : BoundedMassProperties {
 inline MeshMassProperties mesh_mass_properties(const PolygonMesh& mesh, double density,
                                                const MassOptions& options = {}) {
   require_density(density);
-  const std::vector<MeshDefect> findings = diagnose(mesh, options.loop);
-  require_body(findings, options.policy);
+  const std::vector<MeshDefect> findings = diagnose(mesh, options.loop, options.search);
+  require_body(findings, options.policy, options.tolerance);
   const BoundedMassProperties body =
       unchecked_mass_properties(mesh, density, options.accuracy, options.loop);
   return {options.policy == Policy::refuse ? require_volume(body) : body, findings};
