@@ -38,7 +38,8 @@ struct IntegralErrors {
 
 /// Half the trace of the inertia tensor, for density 1: what its errors are measured by [m⁵].
 inline double inertia_size(const Moments<simd::DoubleDouble>& m) {
-  return double(m.xx + m.yy + m.zz - (m.x * m.x + m.y * m.y + m.z * m.z) / m.one);
+  const Vector3<simd::DoubleDouble> c = centre_from_reference(m);
+  return double(m.xx + m.yy + m.zz - (c.x() * m.x + c.y() * m.y + c.z() * m.z));
 }
 
 /// error / (size − error): how wrong a computed `size` is, relative to the true one; ∞ if the true

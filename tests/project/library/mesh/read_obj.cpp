@@ -109,9 +109,9 @@ TEST_CASE("read_obj: a line is counted once, however it ends") {
   check_refused("\r\r\n\n\r" + bad, "line 5:");
 }
 
-TEST_CASE("read_obj: what is after the numbers is passed over, a lone v or f is nothing") {
+TEST_CASE("read_obj: further numbers are passed over, a lone v or f is nothing") {
   const PolygonMesh mesh =
-      read(square + "v 1 2 3 0.5 0.5 nan\nv\nf\nf \nf 1/a 2/9999999999/ 5//\n");
+      read(square + "v 1 2 3 0.5 0.5 1e9\nv\nf\nf \nf 1/-1 2/9999999999/ 5//\n");
   CHECK(mesh.vertices.size() == 5);
   CHECK(mesh.corners == std::vector<int>{0, 1, 4});
   CHECK(read(square + "f 001 +2 -0002").corners == std::vector<int>{0, 1, 2});
