@@ -10,6 +10,7 @@
 #include "support/plot.hpp"
 #include "support/table.hpp"
 #include "support/text_file.hpp"
+#include "tumble/simd/instruction_set.hpp"
 
 namespace tumble::bench {
 namespace {
