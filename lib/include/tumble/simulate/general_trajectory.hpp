@@ -1,66 +1,113 @@
 #pragma once
 /// @file
-/// A body under any forces, by Dormand and Prince's method of order 8 on thirteen numbers that are
-/// of the size of 1.
+/// One run of a body under any forces, by Dormand and Prince's method of order 8 or, where the scene
+/// is stiff, by Radau IIA of order 5.
+///
+/// Time is counted from the start of the span: a late start costs no digits.
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <type_traits>
 #include <vector>
 
-#include "tumble/ode/dop853.hpp"
-#include "tumble/ode/integrate_adaptive.hpp"
+#include "tumble/core/largest.hpp"
+#include "tumble/core/step_at.hpp"
+#include "tumble/core/step_budget.hpp"
+#include "tumble/ode/counted_rhs.hpp"
+#include "tumble/ode/dop853_dense.hpp"
+#include "tumble/ode/radau5.hpp"
 #include "tumble/simulate/scaled_rhs.hpp"
 #include "tumble/simulate/stated_error.hpp"
+#include "tumble/simulate/trajectory.hpp"
 
 namespace tumble::detail {
 
-/// What is large and small in a scene: at least the motion through the body's own size, and the
-/// turn by one radian, in the whole time.
-template <class Rhs>
-MotionScale scale_of(const Rhs& rhs, const RigidBodyState<>& start, double t0, double t1) {
-  const RigidBody<>& body = rhs.body();
-  const double span = t1 - t0, inertia = body.I_body().trace() / 3;
-  const RigidBodyState<> rate = rhs.rate(t0, start);
-  const double own_length = std::sqrt(inertia / body.mass());
-  MotionScale scale;
-  scale.momentum =
-      std::max({start.P.norm(), rate.P.norm() * span, body.mass() * own_length / span});
-  scale.length = std::max(start.x.norm(), scale.momentum / body.mass() * span);
-  scale.angular_momentum = std::max({start.L.norm(), rate.L.norm() * span, inertia / span});
-  return scale;
-}
+/// How a run goes from one end of the span to the other.
+struct RunSettings {
+  double tolerance;            ///< of a step
+  double longest;              ///< step [s]
+  std::vector<double> breaks;  ///< times after t0 that no step goes across, ascending [s]
+  bool moved = false;          ///< whether start and time are some roundings beside
+  bool stiff = false;          ///< by Radau5
+  bool watched = false;        ///< whether to stop where the scene turns out to be stiff
+  double most_steps = 1e6;
+};
 
-/// One integration from t0 to t1 whose steps can be gone into again.
+/// Why a run ended.
+enum class RunEnd { complete, stiff, too_many_steps };
+
+/// The run.
+/// @tparam Rhs a RigidBodyRhs<double, …>
 template <class Rhs>
 class GeneralTrajectory {
  public:
-  static constexpr double error_exponent = 0.5, margin = 10, first_epsilon = 0.01;
+  static constexpr double error_exponent = 0.5, margin = 1;
+  using Numbers = PackedState<double>;
 
-  /// @param rhs a RigidBodyRhs<double, …>
-  /// @throws std::runtime_error as integrate_adaptive() does
-  GeneralTrajectory(const Rhs& rhs, const MotionScale& scale, const RigidBodyState<>& start,
-                    double t0, double t1, double tolerance)
-      : rhs_(rhs, scale) {
-    steps_.push_back({t0, rhs_.numbers(start)});
-    const auto keep = [this](double t, const Numbers& y) { steps_.push_back({t, y}); };
-    const auto solution =
-        integrate_adaptive<Dop853>(rhs_, steps_.front().y, t0, t1, {tolerance, tolerance}, keep);
-    rejected_ = solution.rejected;
-    evaluations_ = solution.evaluations;
+  /// @throws std::runtime_error if a force is not finite, or no step is short enough
+  GeneralTrajectory(const ScaledRhs<Rhs>& rhs, const RigidBodyState<>& start, double t0, double span,
+                    const RunSettings& settings)
+      : rhs_(rhs),
+        t0_(t0),
+        settings_(settings),
+        tolerance_{settings.tolerance, rhs.squares(least_sizes(rhs.body(), span))},
+        budget_(0, span, settings.most_steps) {
+    constexpr double roundings = 4;
+    const double part = settings.moved ? roundings * unit_roundoff : 0;
+    late_ = part * std::max(std::abs(t0), std::abs(t0 + span));
+    steps_.push_back({0, rhs_.numbers(settings.moved ? beside(start, part) : start)});
+    tolerance_.grow(steps_.back().y);
+    settings_.breaks.push_back(span);
+    for (const double end : settings_.breaks)
+      if (end_ == RunEnd::complete)
+        settings.stiff ? follow<Radau5>(end) : follow<Dop853>(end);
   }
 
+  RunEnd end() const { return end_; }
   int steps() const { return static_cast<int>(steps_.size()) - 1; }
+  double predicted_steps() const { return budget_.predicted(); }
+  double radians() const { return radians_; }
 
-  std::vector<double> times() const {
+  std::vector<double> times(double t1) const {
     std::vector<double> times;
-    for (const Step& step : steps_) times.push_back(step.t);
+    for (const Step& step : steps_) times.push_back(t0_ + step.s);
+    times.back() = t1;
     return times;
   }
 
-  /// Any t between t0 and t1: a part of the step that it is in.
-  RigidBodyState<> at(double t) const {
-    const auto later = [](double time, const Step& step) { return time < step.t; };
-    const Step& step = *(std::upper_bound(steps_.begin() + 1, steps_.end(), t, later) - 1);
-    return rhs_.state(t == step.t ? step.y : Dop853::step(rhs_, step.t, step.y, t - step.t));
+  RigidBodyState<> at(double t) const { return rhs_.state(numbers_at(t - t0_)); }
+
+  /// The largest difference at the ends of another run's steps: the angle between orientations
+  /// [rad], and all else a part of its largest size on the way.
+  double difference(const GeneralTrajectory& other) const {
+    const Eigen::Vector4d per_size =
+        tolerance_.squares.cwiseMax(other.tolerance_.squares).cwiseSqrt().cwiseInverse();
+    double most = 0;
+    for (const Step& step : other.steps_)
+      most = largest({most, difference(numbers_at(step.s), step.y, per_size)});
+    return most;
+  }
+
+  /// Moments [s after t0] at which forces are not what the run thinks they are, by more than a part
+  /// of its sizes: looked for wherever they were not looked at for longer than a time.
+  std::vector<double> surprises(double longest_unseen, double part) const {
+    std::vector<double> moments;
+    double fraction = 0;
+    for (std::size_t i = 0; i < dense_.size(); ++i) {
+      const double begin = steps_[i].s, h = steps_[i + 1].s - begin;
+      const Timed f = timed(begin);
+      const int count = static_cast<int>(h / longest_unseen);
+      for (int k = 0; k < count; ++k) {
+        fraction += 0.6180339887498949;  // the golden section: even, but in no step with anything
+        fraction -= std::floor(fraction);
+        const double theta = (k + fraction) / count, s = begin + theta * h;
+        const Numbers gap = h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta);
+        if (!(tolerance_.part(gap, tolerance_.squares) <= part)) moments.push_back(s);
+      }
+    }
+    return moments;
   }
 
   void account(SimulationReport& report) const {
@@ -71,15 +118,143 @@ class GeneralTrajectory {
   }
 
  private:
-  using Numbers = typename ScaledRhs<Rhs>::Numbers;
   struct Step {
-    double t;
+    double s;  ///< [s] after t0
     Numbers y;
   };
 
+  /// f(s, y), which before a break does not look behind it.
+  struct Timed {
+    const ScaledRhs<Rhs>& rhs;
+    double t0, last;
+
+    TUMBLE_INLINE Numbers operator()(double s, const Numbers& y) const {
+      return rhs(std::min(t0 + s, last), y);
+    }
+  };
+  Timed timed(double s) const {
+    const auto next = std::upper_bound(settings_.breaks.begin(), settings_.breaks.end() - 1, s);
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const bool ends = next == settings_.breaks.end() - 1;
+    return {rhs_, t0_ + late_, ends ? never : std::nextafter(t0_ + *next, -never)};
+  }
+
+  /// From where it is to a break, or to the end.
+  template <class Method>
+  void follow(double end) {
+    double s = steps_.back().s;
+    if (!(s < end)) return;
+    Numbers y = steps_.back().y;
+    const Timed clock = timed(s);
+    const runge_kutta::CountedRhs<const Timed> f(clock, evaluations_);
+    const Numbers dydt = f(s, y);
+    if (!dydt.allFinite()) stop("a force is not finite", s, end - s);
+    typename Method::template Stepper<Numbers, MotionTolerance> stepper(tolerance_, dydt);
+    double h = initial_step_size(f, s, y, dydt, end - s, Method::error_order, tolerance_);
+    while (s != end && end_ == RunEnd::complete) {
+      const double shortest = 8 * 0x1p-52 * std::max(s, 0.01 * settings_.breaks.back());
+      h = std::max(std::min(h, settings_.longest), shortest);
+      const bool last = end - s <= 1.01 * h;
+      if (last) h = end - s;
+      const runge_kutta::Attempt<Numbers> attempt = stepper.attempt(f, s, y, h);
+      if (attempt.accepted()) {
+        const double next = last ? end : s + h;
+        keep(attempt.y, next, h);
+        look_at(stepper, f, s, y, attempt.y, h);
+        stepper.tolerances().grow(attempt.y);
+        s = next;
+        y = attempt.y;
+      } else {
+        ++rejected_;
+        if (h <= shortest)
+          stop(attempt.error != attempt.error ? "a force is not finite" : "no step is short enough",
+               s, h);
+      }
+      count_step(s);
+      h = attempt.next_h;
+    }
+    tolerance_ = stepper.tolerances();
+  }
+
+  void keep(const Numbers& y, double s, double h) {
+    steps_.push_back({s, y});
+    radians_ += h * rhs_.omega(y);
+  }
+
+  /// What DOP853's stages tell beside where the step leads: the way between, and stiffness.
+  template <class Stepper, class F>
+  void look_at(const Stepper& stepper, const F& f, double s, const Numbers& y, const Numbers& y1,
+               double h) {
+    if constexpr (requires { stepper.stages_of_step(); }) {
+      if (dense_.size() < max_dense && !settings_.moved)
+        dense_.emplace_back(f, s, y, y1, h, stepper.stages_of_step());
+      if (settings_.watched && steps() > 100 && steps() % 4 == 0) watch(stepper, y, y1, h);
+    }
+  }
+
+  /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", IV.2; the numbers are
+  /// those of Hairer's program dop853.
+  template <class Stepper>
+  void watch(const Stepper& stepper, const Numbers& y, const Numbers& y1, double h) {
+    constexpr double limit_of_stability = 6.1, worth_it = 5000;
+    if (stepper.stiffness(y, y1, h) > limit_of_stability) {
+      if (++stiff_steps_ >= 15 && budget_.predicted() > worth_it) end_ = RunEnd::stiff;
+    } else if (stiff_steps_ > 0) {
+      --stiff_steps_;
+    }
+  }
+
+  void count_step(double s) {
+    budget_.count(s);
+    if (!budget_.hopeless()) return;
+    if (!settings_.stiff)
+      refuse_hopeless("simulate", budget_, settings_.most_steps, t0_ + s,
+                      "the body turns or swings too often; ask for a shorter time");
+    end_ = RunEnd::too_many_steps;
+  }
+
+  [[noreturn]] void stop(const char* why, double s, double h) const {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << "simulate: " << why << " at t = " << t0_ + s << " with a step of h = " << h
+         << ": the motion leaves what the forces are defined for; ask for a shorter time";
+    throw_error<std::runtime_error>(text.str());
+  }
+
+  Numbers numbers_at(double s) const {
+    if (s >= steps_.back().s) return steps_.back().y;
+    const std::size_t i = step_at(steps_, s, [](const Step& step) { return step.s; });
+    const Step& step = steps_[i];
+    const double h = steps_[i + 1].s - step.s;
+    if (s == step.s) return step.y;
+    if (i < dense_.size()) return dense_[i].at((s - step.s) / h);
+    const Timed f = timed(step.s);
+    return settings_.stiff ? Radau5::step(f, step.s, step.y, s - step.s)
+                           : Dop853::step(f, step.s, step.y, s - step.s);
+  }
+
+  static double difference(const Numbers& a, const Numbers& b, const Eigen::Vector4d& per_size) {
+    const Eigen::Vector4d p = a.segment<4>(3).normalized(), q = b.segment<4>(3).normalized();
+    const double angle = 2 * (p.dot(q) < 0 ? Eigen::Vector4d(p + q) : Eigen::Vector4d(p - q)).norm();
+    const Numbers off = a - b;
+    return largest({angle, per_size[0] * off.head<3>().norm(),
+                    per_size[2] * off.segment<3>(7).norm(),
+                    per_size[3] * off.tail<3>().norm() + angle});
+  }
+
+  /// Steps whose way between is kept (42 MB); for later ones it is computed anew.
+  static constexpr std::size_t max_dense = 50'000;
+
   ScaledRhs<Rhs> rhs_;
+  double t0_, late_ = 0;
+  RunSettings settings_;
+  MotionTolerance tolerance_;
+  StepBudget budget_;
   std::vector<Step> steps_;
-  int rejected_ = 0, evaluations_ = 0;
+  std::vector<Dop853Dense<Numbers>> dense_;
+  double radians_ = 0;
+  int rejected_ = 0, evaluations_ = 0, stiff_steps_ = 0;
+  RunEnd end_ = RunEnd::complete;
 };
 
 }  // namespace tumble::detail

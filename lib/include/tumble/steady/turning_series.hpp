@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "tumble/simd/instruction_set.hpp"
 #include "tumble/simd/pair.hpp"
@@ -23,6 +24,11 @@
 #include "tumble/steady/steady_torque.hpp"
 
 namespace tumble::detail {
+
+/// One coefficient of q and of ω.
+struct TurningTerm {
+  FourDoubles q, w;
+};
 
 /// The series of a body's turning about one moment.
 /// @tparam rank how many directions the torque has, 0 … 3
@@ -81,6 +87,21 @@ class TurningSeries {
     for (int k = order_ - 1; k >= 0; --k) {
       q = q * h + q_[k].q;
       w = w * h + w_[k].xyz;
+    }
+    return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2])};
+  }
+
+  /// Appends the series' terms to others.
+  void keep(std::vector<TurningTerm>& terms) const {
+    for (int k = 0; k <= order_; ++k) terms.push_back({q_[k].q, w_[k].xyz});
+  }
+
+  /// The same state from terms that were kept.
+  steady::TurningState at(const TurningTerm* terms, double h) const {
+    FourDoubles q = terms[order_].q, w = terms[order_].w;
+    for (int k = order_ - 1; k >= 0; --k) {
+      q = q * h + terms[k].q;
+      w = w * h + terms[k].w;
     }
     return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2])};
   }
