@@ -22,8 +22,8 @@ struct Answer {
   bool reached = false;
   double reference_error = 0;
   double seconds = 0;   ///< of simulate()
-  std::string refused;  ///< the message, if there was one
-  std::string method;
+  std::string refused = {};  ///< the message, if there was one
+  std::string method = {};
 
   double per_asked() const { return truth / asked; }
   double per_stated() const { return truth / stated; }

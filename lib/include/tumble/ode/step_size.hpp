@@ -46,7 +46,7 @@ namespace tumble::detail {
 /// @param dydt0 f(t0, y0)
 /// @param span  t1 − t0; its sign is the direction, and the step is not longer
 /// @param order q, where the error falls as h^(q+1)
-template <OdeState State, OdeRhs<State> F, class Tolerance>
+template <OdeState State, OdeRhs<State> F, class Tolerance = Tolerances>
 ScalarOf<State> initial_step_size(F&& f, ScalarOf<State> t0, const State& y0, const State& dydt0,
                                   ScalarOf<State> span, int order, const Tolerance& tolerances) {
   using std::abs, std::copysign, std::max, std::min, std::pow;

@@ -4,9 +4,9 @@
 /// stated_error.hpp, and a witness.
 ///
 /// What acts for a short time only may lie between all moments at which a run looks at it. So no
-/// step is longer than a part of the span, another one for each of the two runs; and between the
-/// moments of the better run a witness compares the forces with what the run thinks they are. What
-/// it finds is a break for new runs.
+/// step is longer than a part of the span, another one for each of the two runs, and none is much
+/// longer than those of the run before; and between the moments of the better run a witness compares
+/// the forces with what the run thinks they are. What it finds is a break for new runs.
 
 #include <algorithm>
 #include <vector>
@@ -52,8 +52,10 @@ class AnyForces {
       const double fine_tolerance = 0.1 * epsilon;
       const Run rough = run(epsilon, true);
       if (changes_method(rough)) continue;
+      guide_ = rough.ends();
       Run fine = run(fine_tolerance, false);
       if (changes_method(fine)) continue;
+      guide_ = fine.ends();
       rough.account(report_);
       fine.account(report_);
       if (is_surprised(fine)) continue;
@@ -75,6 +77,7 @@ class AnyForces {
     RunSettings settings{.tolerance = tolerance,
                          .longest = std::min(task_.longest_step, span_ / part),
                          .breaks = breaks_,
+                         .guide = guide_,
                          .moved = is_rough,
                          .stiff = stiff_,
                          .watched = !stiff_ && !stiff_in_vain_};
@@ -86,6 +89,7 @@ class AnyForces {
   /// Whether a run ended because another method is better.
   bool changes_method(const Run& run) {
     if (run.end() == RunEnd::complete) return false;
+    guide_.clear();
     stiff_ = run.end() == RunEnd::stiff;
     if (stiff_)
       explicit_steps_ = run.predicted_steps();
@@ -97,10 +101,9 @@ class AnyForces {
 
   /// Whether there are forces that the run has not seen. Their moments become breaks.
   bool is_surprised(const Run& run) {
-    constexpr double parts = 512;
     constexpr int enough = 8;
     if (rounds_ == enough) return false;
-    const std::vector<double> found = run.surprises(span_ / parts, task_.tolerance);
+    const std::vector<double> found = run.surprises(task_.tolerance);
     if (found.empty()) return false;
     ++rounds_;
     breaks_.insert(breaks_.end(), found.begin(), found.end());
@@ -112,7 +115,7 @@ class AnyForces {
   RigidBodyState<> start_;
   SimulationTask task_;
   double span_, lost_;
-  std::vector<double> breaks_;
+  std::vector<double> breaks_, guide_;
   bool stiff_ = false, stiff_in_vain_ = false;
   double explicit_steps_ = 0;
   int rounds_ = 0;

@@ -29,6 +29,7 @@ struct RunSettings {
   double tolerance;            ///< of a step
   double longest;              ///< step [s]
   std::vector<double> breaks;  ///< times after t0 that no step goes across, ascending [s]
+  std::vector<double> guide = {};  ///< the ends of another run's steps: what it has seen, see seen()
   bool moved = false;          ///< whether start and time are some roundings beside
   bool stiff = false;          ///< by Radau5
   bool watched = false;        ///< whether to stop where the scene turns out to be stiff
@@ -70,6 +71,13 @@ class GeneralTrajectory {
   double predicted_steps() const { return budget_.predicted(); }
   double radians() const { return radians_; }
 
+  /// The ends of the steps [s after t0].
+  std::vector<double> ends() const {
+    std::vector<double> ends;
+    for (const Step& step : steps_) ends.push_back(step.s);
+    return ends;
+  }
+
   std::vector<double> times(double t1) const {
     std::vector<double> times;
     for (const Step& step : steps_) times.push_back(t0_ + step.s);
@@ -91,18 +99,28 @@ class GeneralTrajectory {
   }
 
   /// Moments [s after t0] at which forces are not what the run thinks they are, by more than a part
-  /// of its sizes: looked for wherever they were not looked at for longer than a time.
-  std::vector<double> surprises(double longest_unseen, double part) const {
+  /// of its sizes. Wherever nobody has looked for a while, it is looked whether forces depend on the
+  /// time; where they do, and now and then, whether the way between the steps' ends obeys them.
+  std::vector<double> surprises(double part) const {
+    constexpr double looks = 2048;
+    constexpr int now_and_then = 16;
+    const double per_second = looks / settings_.breaks.back();
     std::vector<double> moments;
-    double fraction = 0;
+    int all = 0;
     for (std::size_t i = 0; i < dense_.size(); ++i) {
       const double begin = steps_[i].s, h = steps_[i + 1].s - begin;
+      const int count = static_cast<int>(h * per_second);
+      if (count == 0) continue;
       const Timed f = timed(begin);
-      const int count = static_cast<int>(h / longest_unseen);
+      const Derived<> there = rhs_.motion(steps_[i].y);
+      const Wrench<> then = rhs_.net(f.time(begin), there);
       for (int k = 0; k < count; ++k) {
-        fraction += 0.6180339887498949;  // the golden section: even, but in no step with anything
-        fraction -= std::floor(fraction);
-        const double theta = (k + fraction) / count, s = begin + theta * h;
+        // Nearly even, but in step with nothing.
+        const double theta = (k + 0.45 + 0.1 * golden_fraction(++all)) / count;
+        const double s = begin + theta * h;
+        const Wrench<> now = rhs_.net(f.time(s), there);
+        const bool same = now.force == then.force && now.torque == then.torque;
+        if (same && all % now_and_then != 0) continue;
         const Numbers gap = h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta);
         if (!(tolerance_.part(gap, tolerance_.squares) <= part)) moments.push_back(s);
       }
@@ -128,15 +146,30 @@ class GeneralTrajectory {
     const ScaledRhs<Rhs>& rhs;
     double t0, last;
 
-    TUMBLE_INLINE Numbers operator()(double s, const Numbers& y) const {
-      return rhs(std::min(t0 + s, last), y);
-    }
+    double time(double s) const { return std::min(t0 + s, last); }
+    TUMBLE_INLINE Numbers operator()(double s, const Numbers& y) const { return rhs(time(s), y); }
   };
   Timed timed(double s) const {
     const auto next = std::upper_bound(settings_.breaks.begin(), settings_.breaks.end() - 1, s);
     constexpr double never = std::numeric_limits<double>::infinity();
     const bool ends = next == settings_.breaks.end() - 1;
     return {rhs_, t0_ + late_, ends ? never : std::nextafter(t0_ + *next, -never)};
+  }
+
+  /// At most a few times as long as the guide's steps there: what one run has gone into, no other
+  /// jumps over.
+  double seen(double s, double h) {
+    constexpr double few = 4;
+    const std::vector<double>& guide = settings_.guide;
+    while (guide_at_ + 2 < guide.size() && guide[guide_at_ + 1] <= s) ++guide_at_;
+    for (std::size_t i = guide_at_; i + 1 < guide.size() && guide[i] < s + h; ++i)
+      h = std::min(h, std::max(0.0, guide[i] - s) + few * (guide[i + 1] - guide[i]));
+    return h;
+  }
+
+  static double golden_fraction(int i) {
+    const double x = 0.6180339887498949 * i;
+    return x - std::floor(x);
   }
 
   /// From where it is to a break, or to the end.
@@ -153,7 +186,7 @@ class GeneralTrajectory {
     double h = initial_step_size(f, s, y, dydt, end - s, Method::error_order, tolerance_);
     while (s != end && end_ == RunEnd::complete) {
       const double shortest = 8 * 0x1p-52 * std::max(s, 0.01 * settings_.breaks.back());
-      h = std::max(std::min(h, settings_.longest), shortest);
+      h = std::max(seen(s, std::min(h, settings_.longest)), shortest);
       const bool last = end - s <= 1.01 * h;
       if (last) h = end - s;
       const runge_kutta::Attempt<Numbers> attempt = stepper.attempt(f, s, y, h);
@@ -253,6 +286,7 @@ class GeneralTrajectory {
   std::vector<Step> steps_;
   std::vector<Dop853Dense<Numbers>> dense_;
   double radians_ = 0;
+  std::size_t guide_at_ = 0;
   int rejected_ = 0, evaluations_ = 0, stiff_steps_ = 0;
   RunEnd end_ = RunEnd::complete;
 };

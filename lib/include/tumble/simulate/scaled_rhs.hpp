@@ -75,14 +75,21 @@ class ScaledRhs {
     return parts.cwiseAbs2();
   }
 
+  /// All that a force may depend on, but the time.
+  Derived<> motion(const Numbers& y) const {
+    const Mat3 R = to_matrix(orientation(y));
+    const Vec3 omega_body = rhs_.body().I_body_inv() * (scale_.angular_momentum * y.tail<3>());
+    return {scale_.length * y.head<3>(), R, velocity(y), R * omega_body};
+  }
+  Wrench<> net(double t, const Derived<>& now) const { return rhs_.net(t, now); }
+
   /// dy/dt at time t [s].
   Numbers operator()(double t, const Numbers& y) const {
-    const RigidBody<>& body = rhs_.body();
     const Quat q = orientation(y);
     const Mat3 R = to_matrix(q);
     const Vec3 l = y.tail<3>(), L_body = scale_.angular_momentum * l;
-    const Vec3 omega_body = body.I_body_inv() * L_body;
-    const Vec3 v = (per_mass_ * scale_.momentum) * y.segment<3>(7);
+    const Vec3 omega_body = rhs_.body().I_body_inv() * L_body;
+    const Vec3 v = velocity(y);
     const Wrench<> net = rhs_.net(t, {scale_.length * y.head<3>(), R, v, R * omega_body});
     const Vec3 torque = per_angular_momentum_ * net.torque, torque_body = R.transpose() * torque;
     Numbers rate;
@@ -92,6 +99,9 @@ class ScaledRhs {
   }
 
  private:
+  Vec3 velocity(const Numbers& y) const {
+    return (per_mass_ * scale_.momentum) * y.segment<3>(7);
+  }
   static Quat orientation(const Numbers& y) { return {y[3], y[4], y[5], y[6]}; }
 
   Rhs rhs_;

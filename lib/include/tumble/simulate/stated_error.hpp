@@ -61,8 +61,9 @@ double fine_share(const TwoRuns& runs) {
 template <class Run>
 double stated_error(const TwoRuns& runs, double lost) {
   const double growth = Run::margin * runs.difference / runs.epsilon;  // of a small error
-  return fine_share<Run>(runs) * runs.difference + lost * (runs.radians + growth) +
-         2 * unit_roundoff;
+  constexpr double everything = 4;
+  return fine_share<Run>(runs) * runs.difference +
+         std::min(everything, lost * (runs.radians + growth)) + 2 * unit_roundoff;
 }
 
 /// The ε to try next: what the error says is needed, but by at most 1000 at a time: a large error
