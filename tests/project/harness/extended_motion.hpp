@@ -169,9 +169,8 @@ class ExtendedMotion {
       const LongVec l = spring.anchor.cast<Long>() - x - turn(p, 1);
       const Long length = l.norm();
       if (length == 0) continue;
-      const LongVec f =
-          static_cast<Long>(spring.stiffness) * (1 - static_cast<Long>(spring.rest_length) / length) *
-          l;
+      const LongVec f = static_cast<Long>(spring.stiffness) *
+                        (1 - static_cast<Long>(spring.rest_length) / length) * l;
       force += f;
       torque += p.cross(turn(f, -1));
     }
@@ -229,7 +228,8 @@ class ExtendedMotion {
       State value = midpoint(y_, rate0, h, n);
       for (int k = 0; k < j; ++k) {  // Aitken and Neville, in powers of h²
         const Long ratio = static_cast<Long>(n) / (2 * (j - k));
-        const State improved = value + (value - T[static_cast<std::size_t>(k)]) / (ratio * ratio - 1);
+        const State improved =
+            value + (value - T[static_cast<std::size_t>(k)]) / (ratio * ratio - 1);
         T[static_cast<std::size_t>(k)] = value;
         value = improved;
       }
@@ -259,8 +259,7 @@ class ExtendedMotion {
   static Long error_of(const State& e, const State& y) {
     const auto part = [](Long error, Long size) { return size > 0 ? error / size : error; };
     return std::max({part(e.head<3>().norm(), y.head<3>().norm() + 1e-6L * y.segment<3>(7).norm()),
-                     e.segment<4>(3).norm(),
-                     part(e.segment<3>(7).norm(), y.segment<3>(7).norm()),
+                     e.segment<4>(3).norm(), part(e.segment<3>(7).norm(), y.segment<3>(7).norm()),
                      part(e.tail<3>().norm(), y.tail<3>().norm())});
   }
 

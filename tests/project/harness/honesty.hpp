@@ -21,7 +21,7 @@ struct Answer {
   double asked = 0, stated = 0, truth = 0;  ///< errors
   bool reached = false;
   double reference_error = 0;
-  double seconds = 0;   ///< of simulate()
+  double seconds = 0;        ///< of simulate()
   std::string refused = {};  ///< the message, if there was one
   std::string method = {};
 
@@ -61,14 +61,15 @@ inline std::optional<Truth> truth_of(const MotionScene& s, int shift = 0) {
   const Long span = static_cast<Long>(s.t1) - static_cast<Long>(s.t0);
   for (int i = 0; i < moments; ++i) {
     const double t = s.t0 + moment(i, moments) * (s.t1 - s.t0);
-    if (!motion.advance_to(i + 1 == moments ? span : static_cast<Long>(t) - static_cast<Long>(s.t0)))
+    if (!motion.advance_to(i + 1 == moments ? span
+                                            : static_cast<Long>(t) - static_cast<Long>(s.t0)))
       return {};
     truth.states.push_back(motion.state());
   }
   const double inertia = s.I_body.trace() / 3, length = std::sqrt(inertia / s.mass);
   const double time = s.t1 - s.t0;
-  truth.sizes = motion.sizes().cwiseMax(
-      1e-3L * LongVec(length, s.mass * length / time, inertia / time));
+  truth.sizes =
+      motion.sizes().cwiseMax(1e-3L * LongVec(length, s.mass * length / time, inertia / time));
   return truth;
 }
 
@@ -112,10 +113,10 @@ inline std::optional<Answer> answer_for(const MotionScene& scene) {
     const double t =
         i + 1 == moments ? scene.t1 : scene.t0 + moment(i, moments) * (scene.t1 - scene.t0);
     const LongState& right = truth->states[k];
-    answer.truth = std::max(answer.truth,
-                            error_between(lengthened(found->at(t)), right, truth->sizes));
-    answer.reference_error = std::max(answer.reference_error,
-                                      error_between(other->states[k], right, truth->sizes));
+    answer.truth =
+        std::max(answer.truth, error_between(lengthened(found->at(t)), right, truth->sizes));
+    answer.reference_error =
+        std::max(answer.reference_error, error_between(other->states[k], right, truth->sizes));
   }
   // Where the truth is no better than what is judged by it, nothing is judged.
   if (!(answer.reference_error <= 0.1 * std::max(answer.asked, answer.stated))) return {};
@@ -134,8 +135,8 @@ class Distribution {
     return sorted_[static_cast<std::size_t>(share * static_cast<double>(sorted_.size() - 1))];
   }
   double above(double limit) const {
-    return static_cast<double>(
-        sorted_.end() - std::upper_bound(sorted_.begin(), sorted_.end(), limit));
+    return static_cast<double>(sorted_.end() -
+                               std::upper_bound(sorted_.begin(), sorted_.end(), limit));
   }
 
  private:
@@ -173,8 +174,7 @@ inline void add_row(support::Table& table, const std::string& name,
 /// The distribution of true/asked and true/stated, of all answers and of kinds of them.
 inline support::Table honesty_table(const std::vector<Answer>& answers) {
   support::Table table({"scenes", "number", "not reached", "refused", "true/asked: median", "99 %",
-                        "largest", "> 1", "true/stated: median", "99 %", "largest", "> 1",
-                        "> 10"});
+                        "largest", "> 1", "true/stated: median", "99 %", "largest", "> 1", "> 10"});
   const auto add = [&](const std::string& name, const auto& belongs) {
     std::vector<Answer> some;
     for (const Answer& a : answers)

@@ -48,10 +48,10 @@ struct SteadyForces {
       require(at_point[i].force.allFinite() && at_point[i].p_body.allFinite(),
               "steady forces: at_point[", i, "]: the force (", at_point[i].force.transpose(),
               ") at the point (", at_point[i].p_body.transpose(), ") is not finite");
-    require(linear_drag >= 0 && std::isfinite(linear_drag), "steady forces: linear_drag = ",
-            linear_drag, " is not a finite number ≥ 0");
-    require(angular_drag >= 0 && std::isfinite(angular_drag), "steady forces: angular_drag = ",
-            angular_drag, " is not a finite number ≥ 0");
+    require(linear_drag >= 0 && std::isfinite(linear_drag),
+            "steady forces: linear_drag = ", linear_drag, " is not a finite number ≥ 0");
+    require(angular_drag >= 0 && std::isfinite(angular_drag),
+            "steady forces: angular_drag = ", angular_drag, " is not a finite number ≥ 0");
   }
 
   friend SteadyForces operator+(SteadyForces a, const SteadyForces& b) {

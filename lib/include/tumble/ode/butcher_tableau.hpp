@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "tumble/core/inline.hpp"
 #include "tumble/ode/rhs.hpp"
 
 namespace tumble::runge_kutta {
@@ -55,7 +54,7 @@ struct StepWeights {
 
 /// sum + wⱼ k, and nothing at all where wⱼ is zero.
 template <class Row, std::size_t j, class Scalar>
-TUMBLE_INLINE Scalar add_weighted(const Scalar& sum, const Scalar& k) {
+Scalar add_weighted(const Scalar& sum, const Scalar& k) {
   if constexpr (Row::weights[j] == 0)
     return sum;
   else
@@ -64,8 +63,8 @@ TUMBLE_INLINE Scalar add_weighted(const Scalar& sum, const Scalar& k) {
 
 /// Component i of Σⱼ wⱼ kⱼ, over the first stages k.
 template <class Row, OdeState State, std::size_t n, std::size_t... j>
-TUMBLE_INLINE ScalarOf<State> weighted_sum(const std::array<State, n>& k, Eigen::Index i,
-                                           std::index_sequence<j...>) {
+ScalarOf<State> weighted_sum(const std::array<State, n>& k, Eigen::Index i,
+                             std::index_sequence<j...>) {
   ScalarOf<State> sum(0);
   ((sum = add_weighted<Row, j>(sum, k[j][i])), ...);
   return sum;
@@ -73,7 +72,7 @@ TUMBLE_INLINE ScalarOf<State> weighted_sum(const std::array<State, n>& k, Eigen:
 
 /// y + h Σⱼ wⱼ kⱼ in one pass, over the first `terms` stages k.
 template <class Row, std::size_t terms, OdeState State, std::size_t n>
-TUMBLE_INLINE State advance(const State& y, ScalarOf<State> h, const std::array<State, n>& k) {
+State advance(const State& y, ScalarOf<State> h, const std::array<State, n>& k) {
   State result(y.size(), 1);
   for (Eigen::Index i = 0; i < y.size(); ++i)
     result[i] = y[i] + h * weighted_sum<Row>(k, i, std::make_index_sequence<terms>{});
@@ -82,7 +81,7 @@ TUMBLE_INLINE State advance(const State& y, ScalarOf<State> h, const std::array<
 
 /// h Σⱼ wⱼ kⱼ over all the stages that Row weighs: an error estimate.
 template <class Row, OdeState State, std::size_t n>
-TUMBLE_INLINE State weighted_difference(ScalarOf<State> h, const std::array<State, n>& k) {
+State weighted_difference(ScalarOf<State> h, const std::array<State, n>& k) {
   State result(k[0].size(), 1);
   for (Eigen::Index i = 0; i < result.size(); ++i)
     result[i] = h * weighted_sum<Row>(k, i, std::make_index_sequence<Row::weights.size()>{});

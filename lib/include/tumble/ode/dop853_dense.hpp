@@ -92,7 +92,9 @@ class Dop853Dense {
     using Tableau = Dop853DenseTableau;
     std::array<State, 16> k;
     std::copy(stages.begin(), stages.end(), k.begin());
-    const auto time = [&](int i) { return t + static_cast<Scalar>(Tableau::c[std::size_t(i)]) * h; };
+    const auto time = [&](int i) {
+      return t + static_cast<Scalar>(Tableau::c[std::size_t(i)]) * h;
+    };
     k[13] = f(time(0), advance<Tableau::Stage14, 13>(y0, h, k));
     k[14] = f(time(1), advance<Tableau::Stage15, 14>(y0, h, k));
     k[15] = f(time(2), advance<Tableau::Stage16, 15>(y0, h, k));
@@ -107,7 +109,7 @@ class Dop853Dense {
   }
 
   /// y after the part θ of the step, 0 … 1.
-  TUMBLE_INLINE State at(Scalar theta) const {
+  State at(Scalar theta) const {
     const Scalar rest = 1 - theta;
     State y = r_[7];
     for (std::size_t i = 7; i-- > 0;) y = State(r_[i] + (i % 2 == 0 ? theta : rest) * y);

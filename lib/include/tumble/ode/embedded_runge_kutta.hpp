@@ -49,7 +49,7 @@ struct EmbeddedRungeKutta : ExplicitRungeKutta<Tableau> {
 
     /// Tries the step from y at t. k₁ = f(t, y) is known, from the last step or from the start.
     template <OdeRhs<State> F>
-    TUMBLE_INLINE Attempt<State> attempt(F&& f, Scalar t, const State& y, Scalar h) {
+    Attempt<State> attempt(F&& f, Scalar t, const State& y, Scalar h) {
       if (was_accepted_) k_[0] = k_[stages];
       EmbeddedRungeKutta::compute_stages(f, t, y, h, k_, std::make_index_sequence<stages - 1>{});
       const State y1 = EmbeddedRungeKutta::end_of_step(y, h, k_);

@@ -33,20 +33,20 @@ struct ExplicitRungeKutta {
  protected:
   /// Fills k₂ … kₛ; k₁ = f(t, y) is there already. k may be longer than that.
   template <class F, OdeState State, std::size_t n, std::size_t... i>
-  TUMBLE_INLINE static void compute_stages(F& f, ScalarOf<State> t, const State& y, ScalarOf<State> h,
+  static void compute_stages(F& f, ScalarOf<State> t, const State& y, ScalarOf<State> h,
                              std::array<State, n>& k, std::index_sequence<i...>) {
     ((k[i + 1] = stage<i + 1>(f, t, y, h, k)), ...);
   }
 
   /// y + h Σ bᵢ kᵢ.
   template <OdeState State, std::size_t n>
-  TUMBLE_INLINE static State end_of_step(const State& y, ScalarOf<State> h, const std::array<State, n>& k) {
+  static State end_of_step(const State& y, ScalarOf<State> h, const std::array<State, n>& k) {
     return detail::advance<detail::StepWeights<Tableau>, stages>(y, h, k);
   }
 
  private:
   template <std::size_t i, class F, OdeState State, std::size_t n>
-  TUMBLE_INLINE static State stage(F& f, ScalarOf<State> t, const State& y, ScalarOf<State> h,
+  static State stage(F& f, ScalarOf<State> t, const State& y, ScalarOf<State> h,
                      const std::array<State, n>& k) {
     const State y_i = detail::advance<detail::StageWeights<Tableau, i>, i>(y, h, k);
     return f(t + static_cast<ScalarOf<State>>(Tableau::c[i]) * h, y_i);

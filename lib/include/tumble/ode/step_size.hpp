@@ -49,8 +49,8 @@ namespace tumble::detail {
 template <OdeState State, OdeRhs<State> F, class Tolerance = Tolerances>
 ScalarOf<State> initial_step_size(F&& f, ScalarOf<State> t0, const State& y0, const State& dydt0,
                                   ScalarOf<State> span, int order, const Tolerance& tolerances) {
-  using std::abs, std::copysign, std::max, std::min, std::pow;
   using runge_kutta::error_norm;
+  using std::abs, std::copysign, std::max, std::min, std::pow;
   using Scalar = ScalarOf<State>;
   const auto norm = [&](const State& v) { return error_norm(v, y0, y0, tolerances); };
   const Scalar d0 = norm(y0), d1 = norm(dydt0);

@@ -5,8 +5,8 @@
 ///
 /// What acts for a short time only may lie between all moments at which a run looks at it. So no
 /// step is longer than a part of the span, another one for each of the two runs, and none is much
-/// longer than those of the run before; and between the moments of the better run a witness compares
-/// the forces with what the run thinks they are. What it finds is a break for new runs.
+/// longer than those of the run before; and between the moments of the better run a witness
+/// compares the forces with what the run thinks they are. What it finds is a break for new runs.
 
 #include <algorithm>
 #include <vector>
@@ -38,8 +38,7 @@ class AnyForces {
         start_(start),
         task_(task),
         span_(task.t1 - task.t0),
-        lost_(rounding_of_moments(rhs.body().I_body(),
-                                  principal_axes(rhs.body().I_body()).moments[0])),
+        lost_(rounding_of_moments(rhs.body().I_body(), rhs_.smallest_moment())),
         breaks_(breaks_within(task)) {}
 
   /// The fine run that keeps the tolerance, or the best that there is.
@@ -59,10 +58,8 @@ class AnyForces {
       rough.account(report_);
       fine.account(report_);
       if (is_surprised(fine)) continue;
-      report_.error_estimate =
-          stated_error<Run>({fine.difference(rough), epsilon, fine_tolerance, fine.steps(),
-                             fine.radians()},
-                            lost_);
+      report_.error_estimate = stated_error<Run>(
+          {fine.difference(rough), epsilon, fine_tolerance, fine.steps(), fine.radians()}, lost_);
       if (report_.reached() || epsilon == lowest) {
         report_.method = stiff_ ? "Radau IIA 5" : "Dormand–Prince 8(5,3)";
         return trajectory_of(std::move(fine), task_, report_);

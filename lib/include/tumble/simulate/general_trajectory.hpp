@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// One run of a body under any forces, by Dormand and Prince's method of order 8 or, where the scene
-/// is stiff, by Radau IIA of order 5.
+/// One run of a body under any forces, by Dormand and Prince's method of order 8 or, where the
+/// scene is stiff, by Radau IIA of order 5.
 ///
 /// Time is counted from the start of the span: a late start costs no digits.
 
@@ -29,10 +29,11 @@ struct RunSettings {
   double tolerance;            ///< of a step
   double longest;              ///< step [s]
   std::vector<double> breaks;  ///< times after t0 that no step goes across, ascending [s]
-  std::vector<double> guide = {};  ///< the ends of another run's steps: what it has seen, see seen()
-  bool moved = false;          ///< whether start and time are some roundings beside
-  bool stiff = false;          ///< by Radau5
-  bool watched = false;        ///< whether to stop where the scene turns out to be stiff
+  std::vector<double> guide =
+      {};                ///< the ends of another run's steps: what it has seen, see seen()
+  bool moved = false;    ///< whether start and time are some roundings beside
+  bool stiff = false;    ///< by Radau5
+  bool watched = false;  ///< whether to stop where the scene turns out to be stiff
   double most_steps = 1e6;
 };
 
@@ -48,8 +49,8 @@ class GeneralTrajectory {
   using Numbers = PackedState<double>;
 
   /// @throws std::runtime_error if a force is not finite, or no step is short enough
-  GeneralTrajectory(const ScaledRhs<Rhs>& rhs, const RigidBodyState<>& start, double t0, double span,
-                    const RunSettings& settings)
+  GeneralTrajectory(const ScaledRhs<Rhs>& rhs, const RigidBodyState<>& start, double t0,
+                    double span, const RunSettings& settings)
       : rhs_(rhs),
         t0_(t0),
         settings_(settings),
@@ -62,8 +63,7 @@ class GeneralTrajectory {
     tolerance_.grow(steps_.back().y);
     settings_.breaks.push_back(span);
     for (const double end : settings_.breaks)
-      if (end_ == RunEnd::complete)
-        settings.stiff ? follow<Radau5>(end) : follow<Dop853>(end);
+      if (end_ == RunEnd::complete) settings.stiff ? follow<Radau5>(end) : follow<Dop853>(end);
   }
 
   RunEnd end() const { return end_; }
@@ -99,8 +99,8 @@ class GeneralTrajectory {
   }
 
   /// Moments [s after t0] at which forces are not what the run thinks they are, by more than a part
-  /// of its sizes. Wherever nobody has looked for a while, it is looked whether forces depend on the
-  /// time; where they do, and now and then, whether the way between the steps' ends obeys them.
+  /// of its sizes. Wherever nobody has looked for a while, it is looked whether forces depend on
+  /// the time; where they do, and now and then, whether the way between the steps' ends obeys them.
   std::vector<double> surprises(double part) const {
     constexpr double looks = 2048;
     constexpr int now_and_then = 16;
@@ -147,7 +147,7 @@ class GeneralTrajectory {
     double t0, last;
 
     double time(double s) const { return std::min(t0 + s, last); }
-    TUMBLE_INLINE Numbers operator()(double s, const Numbers& y) const { return rhs(time(s), y); }
+    Numbers operator()(double s, const Numbers& y) const { return rhs(time(s), y); }
   };
   Timed timed(double s) const {
     const auto next = std::upper_bound(settings_.breaks.begin(), settings_.breaks.end() - 1, s);
@@ -268,7 +268,8 @@ class GeneralTrajectory {
 
   static double difference(const Numbers& a, const Numbers& b, const Eigen::Vector4d& per_size) {
     const Eigen::Vector4d p = a.segment<4>(3).normalized(), q = b.segment<4>(3).normalized();
-    const double angle = 2 * (p.dot(q) < 0 ? Eigen::Vector4d(p + q) : Eigen::Vector4d(p - q)).norm();
+    const double angle =
+        2 * (p.dot(q) < 0 ? Eigen::Vector4d(p + q) : Eigen::Vector4d(p - q)).norm();
     const Numbers off = a - b;
     return largest({angle, per_size[0] * off.head<3>().norm(),
                     per_size[2] * off.segment<3>(7).norm(),

@@ -28,8 +28,8 @@ namespace tumble::detail {
 /// A start beside the start, each number by up to a part of itself: what is 0 stays 0.
 inline RigidBodyState<> beside(const RigidBodyState<>& start, double part) {
   // Of both signs and all sizes.
-  constexpr double share[13] = {0.83, -0.67, 0.91, -0.74, 0.97, 0.62, -0.88,
-                                0.71, 0.93,  -0.79, 0.86, -0.95, 0.69};
+  constexpr double share[13] = {0.83, -0.67, 0.91,  -0.74, 0.97,  0.62, -0.88,
+                                0.71, 0.93,  -0.79, 0.86,  -0.95, 0.69};
   PackedState<double> y = pack(start);
   for (int i = 0; i < y.size(); ++i) y[i] *= 1 + part * share[i];
   return unpack<double>(y);

@@ -100,7 +100,8 @@ class ComputedMotion final : public MotionOverTime {
 template <class Run>
 Trajectory trajectory_of(Run&& run, const SimulationTask& task, const SimulationReport& report) {
   using Motion = ComputedMotion<std::decay_t<Run>>;
-  return {std::make_shared<const Motion>(std::forward<Run>(run), task.t1), task.t0, task.t1, report};
+  return {std::make_shared<const Motion>(std::forward<Run>(run), task.t1), task.t0, task.t1,
+          report};
 }
 
 /// The turning that keeps the tolerance, or the best that there is.
@@ -124,10 +125,9 @@ Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::
     Run fine = run(start, fine_tolerance);
     rough.account(report);
     fine.account(report);
-    report.error_estimate =
-        stated_error<Run>({fine.difference(rough, least_L), epsilon, fine_tolerance, fine.steps(),
-                           fine.radians()},
-                          lost);
+    report.error_estimate = stated_error<Run>(
+        {fine.difference(rough, least_L), epsilon, fine_tolerance, fine.steps(), fine.radians()},
+        lost);
     if (report.reached() || epsilon == lowest) {
       report.method = "Taylor series of order " + std::to_string(fine.order());
       return trajectory_of(std::move(fine), task, report);

@@ -76,8 +76,9 @@ void show_absent(const Budget& budget) {
 
 void show_honesty(int scenes) {
   const Honesty all = honesty(scenes);
-  std::cout << "What simulate() states and what is true, on " << scenes << " random scenes of which "
-            << all.unknown << " have no truth that is known well enough\n"
+  std::cout << "What simulate() states and what is true, on " << scenes
+            << " random scenes of which " << all.unknown
+            << " have no truth that is known well enough\n"
             << all.table.text() << std::endl;
   require(all.broken.empty(), "honesty", all.broken);
 }

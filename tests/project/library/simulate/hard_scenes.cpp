@@ -75,8 +75,7 @@ TEST_CASE("hard scenes: a pulse is not jumped over") {
 TEST_CASE("hard scenes: a pulse that nobody could find by chance, by a longest step or breaks") {
   const Trajectory missed = simulate(unit_ball, {}, {0, 1000, 1e-6}, pulse(1e-3));
   CHECK(missed.end().L.norm() < 1e-3);  // else this test shows nothing
-  const Trajectory found =
-      simulate(unit_ball, {}, {.t1 = 1000, .longest_step = 0.02}, pulse(1e-3));
+  const Trajectory found = simulate(unit_ball, {}, {.t1 = 1000, .longest_step = 0.02}, pulse(1e-3));
   CHECK(std::abs(found.end().L.z() - pulsed_L) <= 1e-6 * pulsed_L);
   // A motor that runs for a millisecond.
   const AnyForce motor = [](double t, const RigidBody<>&, const Derived<>&) -> Wrench<> {
@@ -84,7 +83,8 @@ TEST_CASE("hard scenes: a pulse that nobody could find by chance, by a longest s
   };
   const Trajectory run =
       simulate(unit_ball, {}, {.t1 = 1000, .breaks = {300.0013, 300.0003, -5, 2000}}, motor);
-  CHECK(std::abs(run.end().L.z() - 1000 * (300.0013 - 300.0003)) <= 1e-12);
+  // Known to the rounding of the two times, of 5e-14 s each.
+  CHECK(std::abs(run.end().L.z() - 1000 * (300.0013 - 300.0003)) <= 1e-10);
   CHECK(run.report().rejected == 0);  // no step went across a jump
   CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .breaks = {NAN}}, motor), "break", "nan");
   CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .longest_step = 0}, motor), "longest step", "0");
@@ -127,8 +127,8 @@ TEST_CASE("hard scenes: where the start's last digit counts, the stated error sa
   const AnyForce none = [](double, const RigidBody<>&, const Derived<>&) -> Wrench<> { return {}; };
   for (const double tolerance : {1e-6, 1e-9, 1e-11}) {
     CAPTURE(tolerance);
-    const Trajectory motion = simulate(RigidBody<>(1, m.I_body), reference::start(m),
-                                       {0, m.duration, tolerance}, none);
+    const Trajectory motion =
+        simulate(RigidBody<>(1, m.I_body), reference::start(m), {0, m.duration, tolerance}, none);
     CHECK(angle_between(motion.end().q, m.q_end) <= motion.report().error_estimate);
   }
 }
@@ -148,8 +148,9 @@ TEST_CASE("hard scenes: what would never end is refused soon, with the number of
   RigidBodyState<> fast;
   fast.L = Vec3(0, 1e8, 0);
   const auto refusal = [&](const auto& force) {
-    return test::message_of<std::runtime_error>(
-        [&] { simulate(with_moments(Vec3(1, 2, 3)), fast, {0, 100, 1e-6}, force); });
+    return test::message_of<std::runtime_error>([&] {
+      simulate(with_moments(Vec3(1, 2, 3)), fast, {0, 100, 1e-6}, force);
+    });
   };
   const ForceAtBodyPoint pull{Vec3(0, 0, 1), Vec3(1, 0, 0)};
   CHECK(test::mentions(refusal(pull), "it would take about", "e+08", "at most 2e+06"));
