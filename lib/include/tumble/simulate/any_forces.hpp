@@ -43,28 +43,24 @@ class AnyForces {
 
   /// The fine run that keeps the tolerance, or the best that there is.
   Trajectory trajectory() {
-    // Measured on random scenes: seldom is ε to be made smaller, and the error that is left is
-    // about a thirtieth of what was asked.
-    constexpr double first = 5e-3, lowest = 2e-15;
-    double epsilon = std::clamp(first * task_.tolerance, lowest, 1e-3);
     while (true) {
-      const double fine_tolerance = 0.1 * epsilon;
-      const Run rough = run(epsilon, true);
-      if (changes_method(rough)) continue;
+      const double fine_tolerance = 0.1 * epsilon_;
+      const Run rough = run(epsilon_, true);
+      if (ends_early(rough)) continue;
       guide_ = rough.ends();
       Run fine = run(fine_tolerance, false);
-      if (changes_method(fine)) continue;
+      if (ends_early(fine)) continue;
       guide_ = fine.ends();
       rough.account(report_);
       fine.account(report_);
       if (is_surprised(fine)) continue;
       report_.error_estimate = stated_error<Run>(
-          {fine.difference(rough), epsilon, fine_tolerance, fine.steps(), fine.radians()}, lost_);
-      if (report_.reached() || epsilon == lowest) {
+          {fine.difference(rough), epsilon_, fine_tolerance, fine.steps(), fine.radians()}, lost_);
+      if (report_.reached() || epsilon_ <= lowest_) {
         report_.method = stiff_ ? "Radau IIA 5" : "Dormand–Prince 8(5,3)";
         return trajectory_of(std::move(fine), task_, report_);
       }
-      epsilon = next_epsilon(epsilon, task_.tolerance, report_.error_estimate, lowest);
+      epsilon_ = next_epsilon(epsilon_, task_.tolerance, report_.error_estimate, lowest_);
     }
   }
 
@@ -83,24 +79,36 @@ class AnyForces {
     return Run(rhs_, start_, task_.t0, span_, settings);
   }
 
-  /// Whether a run ended because another method is better.
-  bool changes_method(const Run& run) {
+  /// Whether a run ended before the span did; then the next goes another way.
+  bool ends_early(const Run& run) {
     if (run.end() == RunEnd::complete) return false;
-    guide_.clear();
-    stiff_ = run.end() == RunEnd::stiff;
-    if (stiff_)
-      explicit_steps_ = run.predicted_steps();
-    else
-      stiff_in_vain_ = true;
     run.account(report_);
+    guide_.clear();
+    if (run.end() == RunEnd::stiff) {
+      stiff_ = true;
+      explicit_steps_ = run.predicted_steps();
+    } else if (stiff_) {
+      stiff_ = false;
+      stiff_in_vain_ = true;
+    } else {
+      be_content_with_less(run);
+    }
     return true;
+  }
+
+  /// Where rounding alone makes steps short, longer ones give the best that there is.
+  void be_content_with_less(const Run& run) {
+    constexpr double coarsest = 1e-7, coarser = 100;
+    if (epsilon_ >= coarsest) run.refuse();
+    epsilon_ = lowest_ = std::min(coarsest, coarser * epsilon_);
   }
 
   /// Whether there are forces that the run has not seen. Their moments become breaks.
   bool is_surprised(const Run& run) {
     constexpr int enough = 8;
     if (rounds_ == enough) return false;
-    const std::vector<double> found = run.surprises(task_.tolerance);
+    constexpr double least = 1e-11;  // below it, rounding surprises
+    const std::vector<double> found = run.surprises(std::max(task_.tolerance, least));
     if (found.empty()) return false;
     ++rounds_;
     breaks_.insert(breaks_.end(), found.begin(), found.end());
@@ -115,6 +123,10 @@ class AnyForces {
   std::vector<double> breaks_, guide_;
   bool stiff_ = false, stiff_in_vain_ = false;
   double explicit_steps_ = 0;
+  // Measured on random scenes: seldom is ε to be made smaller, and the error that is left is about
+  // a thirtieth of what was asked.
+  double lowest_ = 2e-15;
+  double epsilon_ = std::clamp(1e-2 * task_.tolerance, lowest_, 1e-3);
   int rounds_ = 0;
   SimulationReport report_{.model = Model::full_body,
                            .why = "a force depends on where the body is or how it is turned",

@@ -11,6 +11,7 @@
 ///     error_exponent   errors fall at least as tolerance^exponent: 1, or less where forces may be
 ///                      rough and now and then fool the control of steps
 ///     margin           how much smaller the error of a step is than its tolerance
+///     careful          how much larger errors may be than that says: measured on random scenes
 ///
 /// The rough run starts a little beside the start: what the motion makes of that is in d too.
 ///
@@ -47,12 +48,11 @@ struct TwoRuns {
 /// What part of the difference is the fine run's error.
 template <class Run>
 double fine_share(const TwoRuns& runs) {
-  constexpr double careful = 4;
   // What differs by so much is not proportional to anything.
   constexpr double too_large = 0.05;
   if (!(runs.difference < too_large)) return 1;
   const double rounding = std::sqrt(static_cast<double>(runs.steps)) * unit_roundoff;
-  return std::min(1.0, careful * std::pow(runs.tolerance / runs.epsilon, Run::error_exponent) +
+  return std::min(1.0, Run::careful * std::pow(runs.tolerance / runs.epsilon, Run::error_exponent) +
                            Run::margin * rounding / runs.epsilon);
 }
 

@@ -20,7 +20,7 @@ namespace tumble::detail {
 template <int rank>
 class SteadyTrajectory {
  public:
-  static constexpr double error_exponent = 1, margin = 100;
+  static constexpr double error_exponent = 1, margin = 100, careful = 20;
 
   /// @throws std::runtime_error as TurningBySeries does
   SteadyTrajectory(const steady::SteadyTorque& torque, const steady::SteadyPath& path,
