@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "project/harness/honesty.hpp"
+#include "project/harness/honesty_table.hpp"
 
 namespace tumble::bench {
 

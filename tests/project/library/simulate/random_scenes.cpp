@@ -2,7 +2,7 @@
 // says of its error is no more than ten times too little, and what it says it reached, it has.
 #include <doctest/doctest.h>
 
-#include "project/harness/honesty.hpp"
+#include "project/harness/honesty_table.hpp"
 
 using namespace tumble;
 
