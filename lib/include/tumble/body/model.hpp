@@ -59,13 +59,16 @@ inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
 /// @param tolerance relative difference of moments that counts as none; its angle grows as
 ///                  tolerance · |ω| · t, so choose it for the time span
 /// @throws std::invalid_argument if the tolerance is negative or not finite
-inline ModelChoice choose_model(const RigidBody<>& body, double tolerance = 0) {
+inline ModelChoice choose_model(const PrincipalAxes& axes, double tolerance = 0) {
   require(tolerance >= 0 && std::isfinite(tolerance), "choose_model: the tolerance is ", tolerance);
-  const SymmetricMoments top = nearest_symmetric_top(body);
+  const SymmetricMoments top = nearest_symmetric_top(axes);
   if (top.asymmetry > tolerance) return {Model::full_body, "no two principal moments are equal"};
   if (std::abs(top.axial - top.transverse) > tolerance * top.transverse)
     return {Model::symmetric_top, "two principal moments are equal"};
   return {Model::ball, "all principal moments are equal"};
+}
+inline ModelChoice choose_model(const RigidBody<>& body, double tolerance = 0) {
+  return choose_model(principal_axes(body.I_body()), tolerance);
 }
 
 /// @}

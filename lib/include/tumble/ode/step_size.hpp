@@ -46,12 +46,13 @@ namespace tumble::detail {
 /// @param dydt0 f(t0, y0)
 /// @param span  t1 − t0; its sign is the direction, and the step is not longer
 /// @param order q, where the error falls as h^(q+1)
-template <OdeState State, OdeRhs<State> F>
+template <OdeState State, OdeRhs<State> F, class Tolerance = Tolerances>
 ScalarOf<State> initial_step_size(F&& f, ScalarOf<State> t0, const State& y0, const State& dydt0,
-                                  ScalarOf<State> span, int order, const Tolerances& tolerances) {
+                                  ScalarOf<State> span, int order, const Tolerance& tolerances) {
+  using runge_kutta::error_norm;
   using std::abs, std::copysign, std::max, std::min, std::pow;
   using Scalar = ScalarOf<State>;
-  const auto norm = [&](const State& v) { return runge_kutta::error_norm(v, y0, y0, tolerances); };
+  const auto norm = [&](const State& v) { return error_norm(v, y0, y0, tolerances); };
   const Scalar d0 = norm(y0), d1 = norm(dydt0);
   constexpr auto tiny = Scalar(1e-5), guess = Scalar(1e-6), small_part = Scalar(0.01);
   const Scalar h0 = min(d0 < tiny || d1 < tiny ? guess : small_part * d0 / d1, abs(span));
