@@ -30,9 +30,9 @@ enum class Accuracy {
 struct MassOptions {
   Accuracy accuracy = Accuracy::tight;
   Policy policy = Policy::refuse;
+  simd::LoopOptions loop = {};
   double tolerance = 1e-6;  ///< the share of the volume that may count wrongly at a crossing
   crossings::Search search = crossings::Search::usual;
-  simd::LoopOptions loop = {};
 };
 
 /// Mass properties of a mesh that is known to be closed; nothing is checked. A face that is not

@@ -35,7 +35,7 @@ namespace detail {
 inline constexpr int diagnosis_lines = 4096;
 
 /// Up to how many faces all pairs are looked at anyway: it costs no more than the lines.
-inline constexpr int always_pairs = 10'000;
+inline constexpr int always_pairs = 3'000;
 
 /// The pairs that a search looks at.
 inline TriangleMeetings meetings_for(const PolygonMesh& mesh, crossings::Search search) {

@@ -48,6 +48,7 @@ inline int side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
                       std::abs(v.z()) * (std::abs(ca) + std::abs(ac)) +
                       std::abs(w.z()) * (std::abs(ab) + std::abs(ba));
   if (std::abs(det) > (7 + 56 * unit_roundoff) * unit_roundoff * size) return det > 0 ? 1 : -1;
+  if (size == 0) return 0;  // differences that are 0 are so exactly
   if (d == a || d == b || d == c) return 0;
   return exact_side_of_plane(a, b, c, d);
 }
@@ -85,6 +86,11 @@ inline Meeting triangles_meet_beside(const Triangle& s, const Triangle& t) {
 /// How two triangles lie to each other: the closest that an edge of one comes to the other. Where
 /// they are in one plane, or only touch, they may.
 inline Meeting triangles_meet(const Triangle& s, const Triangle& t) {
+  std::array<int, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k) sides[k] = side_of_plane(t[0], t[1], t[2], s[k]);
+  const auto [least, most] = std::minmax({sides[0], sides[1], sides[2]});
+  if (least > 0 || most < 0) return Meeting::apart;
+  if (least == 0 && most == 0) return Meeting::touching;  // in one plane: they may
   Meeting closest = Meeting::apart;
   for (std::size_t k = 0; k < 3 && closest != Meeting::through; ++k)
     closest = std::max(
