@@ -65,9 +65,9 @@ std::string machine_figure() {
 
 namespace {
 
-/// From a little above, x to the right, y to the back, z up.
+/// From a little above, x to the right, y to the left and back, z up.
 Mat3 view_from_the_front() {
-  const double around = -62 * degree, above = 20 * degree;
+  const double around = -112 * degree, above = 20 * degree;
   const Vec3 right(-std::sin(around), std::cos(around), 0);
   const Vec3 toward(std::cos(around) * std::cos(above), std::sin(around) * std::cos(above),
                     std::sin(above));
@@ -91,11 +91,11 @@ void draw_axes(Sketch& sketch, const Mat3& view, const Vec3& origin, const Mat3&
 std::string frames_figure() {
   Sketch sketch(760, 420,
                 "A point of the mug, from the world's origin and from its centre of mass");
-  sketch.look({90, 330, 1750});
+  sketch.look({110, 290, 1750});
   const Mat3 view = view_from_the_front();
   Derived<> now;
   now.x = Vec3(0.23, 0.03, 0.075);
-  now.R = exp_rotation(Vec3(0, -0.45, 0)) * exp_rotation(Vec3(0, 0, 0.55));
+  now.R = exp_rotation(Vec3(0, -0.45, 0)) * exp_rotation(Vec3(0, 0, -0.1));
   const Vec3 p = point_position<double>(now, spring.p_body);
   const auto seen = [&view](const Vec3& point) -> Vec2 { return (view * point).head<2>(); };
   draw_mug(sketch, view, now, {"faint", 1.5});
@@ -104,7 +104,7 @@ std::string frames_figure() {
   sketch.arrow({0, 0}, seen(now.x), {"c0", 2.4});
   sketch.words(seen(now.x / 2), {0, 24}, "x", "c0", "middle");
   sketch.arrow(seen(now.x), seen(p), {"c1", 2.4});
-  sketch.words(seen((now.x + p) / 2), {10, 30}, "R p_body", "c1", "start");
+  sketch.words(seen((now.x + p) / 2), {4, 30}, "R p_body", "c1", "start");
   sketch.arrow({0, 0}, seen(p), {"c3", 2.4});
   sketch.words(seen(0.56 * p), {-10, -10}, "p = x + R p_body", "c3", "end");
   sketch.dot(seen(p), "ink", 4);

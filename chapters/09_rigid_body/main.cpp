@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   chapter.table("ledger", "The energy of a mug on a spring", ledger_table);
   chapter.table("steps", "Three seconds of the mug on its spring", steps_table);
   chapter.table("free", "Ten seconds of the free handle, by RK4", free_table);
-  chapter.table("stale", "Forces asked four times a step, and once", stale_table);
+  chapter.table("stale", "Forces asked four times per step, and once", stale_table);
   chapter.table("matrix", "Nine numbers or four", matrix_table);
   chapter.table("sampled", "A tensor from points, and from faces", sampled_table);
   chapter.table("arrays", "The same on plain arrays", arrays_table);

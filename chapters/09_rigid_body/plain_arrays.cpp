@@ -24,6 +24,17 @@ void counted(double t, const double y[], double ydot[]) {
   dydt(t, y, ydot);
 }
 
+using Dydt = void (*)(double t, const double y[], double ydot[]);
+
+/// The mug after t seconds, by so many steps of RK4.
+std::vector<double> mug_after(double t, int steps, Dydt f) {
+  const PackedState<double> start = pack(mug_start());
+  std::vector<double> y(start.begin(), start.end());
+  const double h = t / steps;
+  for (int i = 0; i < steps; ++i) ode(y.data(), 13, h, f, i * h);
+  return y;
+}
+
 }  // namespace
 
 Table arrays_table() {
@@ -39,9 +50,7 @@ Table arrays_table() {
   evaluations = 0;
   const PackedState<double> start = pack(mug_start());
   const std::vector<double> y0(start.begin(), start.end());
-  std::vector<double> Y = y0;
-  for (int i = 0; i < 120; ++i) ode(Y.data(), 13, t / 120, counted, i * t / 120);
-  add("120 × ode(Y, 13, h, dydt)", Y);
+  add("120 × ode(Y, 13, h, dydt)", mug_after(t, 120, counted));
   std::vector<double> end(13);
   ode(start.data(), end.data(), 13, 0.0, t, counted);
   add("ode(y0, y1, 13, t0, t1, dydt)", end);

@@ -61,13 +61,13 @@ std::string as_sentence(std::string title) {
 std::string text_of(const fs::path& root, const Page& page, const ExerciseBlock& block) {
   const fs::path contract = contract_of(root, page);
   const ContractHeading heading = heading_of(page, block, contract);
-  const std::string place = fs::relative(contract, root).string();
+  const std::string place = contract.lexically_relative(root).string();
   std::ostringstream text;
   text << "**Now write " << block.number << ": `" << heading.name << "`.** "
        << as_sentence(heading.title) << "\n\n<!-- signature: " << place << "#" << heading.name
        << " -->\n```cpp\n"
        << signature(contract, heading.name) << "```\n\n[The contract]("
-       << fs::relative(contract, page.file.parent_path()).string()
+       << contract.lexically_relative(page.file.parent_path()).string()
        << ") says exactly what it takes and gives. Ask the judge:\n\n```sh\n./tumble check "
        << block.number << "\n```\n\n<details><summary>A hint</summary>\n\n";
   for (const std::string& line : first_hint(page, block, contract.parent_path() / "hints.md"))

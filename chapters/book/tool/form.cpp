@@ -29,7 +29,7 @@ std::string link_to(const Page& page, const fs::path& other, bool before) {
     return {};
   const std::string title = heading_in(read_page(other).lines.at(0)).text;
   return "[" + (before ? "← " + title : title + " →") + "](" +
-         fs::relative(other, page.file.parent_path()).string() + ")";
+         other.lexically_relative(page.file.parent_path()).string() + ")";
 }
 
 std::vector<std::string> bad_figures(const Page& page) {

@@ -10,17 +10,20 @@ namespace tumble::book {
 
 namespace {
 
+/// Whether a sentence begins here: at the start, or behind ". ", "? ", "! " or ".) ".
+bool begins_sentence(const std::string& text, std::size_t i) {
+  if (i < 3) return i == 0;
+  const char last = text[text[i - 2] == ')' ? i - 3 : i - 2];
+  return text[i - 1] == ' ' && std::string(".?!").find(last) != std::string::npos;
+}
+
 /// The sentence around a place of a paragraph, with the words of its links and without bold.
 std::string sentence_around(const std::string& text, std::size_t place) {
-  const auto ends = [&text](std::size_t i) {
-    return i + 1 < text.size() && std::string(".?!").find(text[i]) != std::string::npos &&
-           text[i + 1] == ' ';
-  };
-  std::size_t begin = place, end = place;
-  while (begin >= 2 && !ends(begin - 2)) --begin;
-  if (begin < 2) begin = text.starts_with("- ") ? 2 : 0;
-  while (end < text.size() && !ends(end)) ++end;
-  std::string sentence = text.substr(begin, end + 1 - begin), plain;
+  std::size_t begin = place, end = place + 1;
+  while (!begins_sentence(text, begin)) --begin;
+  while (end < text.size() && !begins_sentence(text, end)) ++end;
+  if (begin == 0 && text.starts_with("- ")) begin = 2;
+  std::string sentence = text.substr(begin, end - begin), plain;
   std::size_t at = 0;
   for (const Link& link : links_in(sentence)) {
     plain += sentence.substr(at, link.begin - at) + link.text;
@@ -29,6 +32,7 @@ std::string sentence_around(const std::string& text, std::size_t place) {
   plain += sentence.substr(at);
   for (auto bold = plain.find("**"); bold != std::string::npos; bold = plain.find("**"))
     plain.erase(bold, 2);
+  while (plain.ends_with(" ")) plain.pop_back();
   return plain;
 }
 
@@ -90,7 +94,7 @@ Page page_of_terms(const fs::path& root, std::vector<Term> terms) {
              ""}};
   for (const Term& term : terms) {
     const std::string link =
-        fs::relative(term.page, place.parent_path()).string() + "#" + anchor_of(term.section);
+        term.page.lexically_relative(place.parent_path()).string() + "#" + anchor_of(term.section);
     page.lines.push_back("- [" + term.name + "](" + link + "): " + term.sentence);
   }
   return page;
