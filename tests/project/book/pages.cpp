@@ -20,7 +20,7 @@ namespace {
 class SmallBook : public tumble::test::TemporaryFolder {
  public:
   SmallBook() {
-    write("README.md", "# Front\n\n[one](chapters/01_one/README.md)\n");
+    write("README.md", "# Front\n\nYou read [one](chapters/01_one/README.md).\n");
     write("chapters/book/pages_to_rewrite.txt", "# a list\nchapters/01_one/README.md\n");
     write("chapters/terms/README.md", text_of(fresh_terms(path())));
     write("exercises/01_one/contract.hpp",
