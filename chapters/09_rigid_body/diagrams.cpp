@@ -94,7 +94,7 @@ std::string frames_figure() {
   sketch.look({110, 290, 1750});
   const Mat3 view = view_from_the_front();
   Derived<> now;
-  now.x = Vec3(0.23, 0.03, 0.075);
+  now.x = Vec3(0.24, 0.03, 0.01);
   now.R = exp_rotation(Vec3(0, -0.45, 0)) * exp_rotation(Vec3(0, 0, -0.1));
   const Vec3 p = point_position<double>(now, spring.p_body);
   const auto seen = [&view](const Vec3& point) -> Vec2 { return (view * point).head<2>(); };
