@@ -85,6 +85,9 @@ class Sketch {
             svg_number(2 * pixels) + "\" stroke-linecap=\"round\"/>\n";
   }
 
+  /// What has been drawn elsewhere, in pixels, such as a mesh.
+  void drawing(const std::string& svg) { svg_ += svg; }
+
   /// Words beside a point.
   /// @param offset [px] right and down of the point
   /// @param anchor "start", "middle" or "end": which part of the words is there

@@ -29,8 +29,10 @@ class SpaceGrid {
     for (const BoxedTriangle& t : triangles) box_.extend(t.box);
     const double n = static_cast<double>(triangles.size());
     const Vec3 size = box_.sizes().cwiseMax(1e-9 * box_.sizes().maxCoeff());
-    // As many cells as triangles, cubes; fewer, if long triangles would be in too many.
-    for (double side = std::cbrt(size.prod() / n);; side *= 2) {
+    // As many cells as triangles, cubes; fewer, if long triangles would be in too many. (Of roots,
+    // the product stays in range: the volume of a small body may not.)
+    const double wanted = std::cbrt(size[0] / n) * std::cbrt(size[1]) * std::cbrt(size[2]);
+    for (double side = wanted > 0 ? wanted : 1;; side *= 2) {
       for (int k = 0; k < 3; ++k)
         count_[static_cast<std::size_t>(k)] =
             std::max(1, static_cast<int>(std::min(1000.0, std::ceil(size[k] / side))));

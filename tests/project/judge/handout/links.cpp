@@ -49,6 +49,7 @@ TEST_CASE("hand-out: links to what is not there leave their words behind") {
       "![A figure.](figures/a.svg) [lib](../../lib/) [ode](../../lib/include/tumble/ode)");
   CHECK(linked("[far](https://example.org/a) [near](b.md)") == "[far](https://example.org/a) near");
   CHECK(linked("```cpp\nf[i](x);\n```\n[i](x)") == "```cpp\nf[i](x);\n```\ni");
+  CHECK(linked("> ```cpp\n> f[i](x);\n> ```\n> [i](x)") == "> ```cpp\n> f[i](x);\n> ```\n> i");
 }
 
 TEST_CASE("hand-out: rows, items and parts of a line about what is not there are left out") {

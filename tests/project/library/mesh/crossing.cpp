@@ -144,3 +144,19 @@ TEST_CASE("a crossing: a scanned body's control cage, however it lies") {
     CHECK(std::abs(share - 6.4e-4) <= 0.2e-4);
   }
 }
+
+TEST_CASE("SpaceGrid: a body whose volume is no double any more has cells all the same") {
+  for (const double size : {1e-150, 1e-110, 1., 1e110, 1e150}) {
+    const Eigen::AlignedBox3d low(Vec3::Zero(), Vec3::Constant(size)),
+        high(Vec3::Constant(size), Vec3::Constant(2 * size));
+    const detail::SpaceGrid grid({{0, {0, 1, 2}, low}, {1, {3, 4, 5}, high}});
+    int found = 0;
+    grid.for_each_cell([&](const detail::SpaceGrid::Cell&, std::span<const int> items) {
+      found += static_cast<int>(items.size());
+    });
+    CHECK(found >= 2);
+  }
+  const Eigen::AlignedBox3d nothing(Vec3::Zero(), Vec3::Zero());
+  const detail::SpaceGrid grid({{0, {0, 1, 2}, nothing}});
+  CHECK(grid.cell_of(Vec3::Zero()) == detail::SpaceGrid::Cell{0, 0, 0});
+}
