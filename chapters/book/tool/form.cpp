@@ -54,8 +54,14 @@ std::vector<std::string> missing_exercises(const fs::path& root, const Page& pag
         std::count_if(blocks.begin(), blocks.end(),
                       [&number](const ExerciseBlock& block) { return block.number == number; });
     if (times != 1)
-      bad.push_back(at(page, 0) + "exercise " + number + " has " + std::to_string(times) +
-                    " blocks <!-- exercise: " + number + " -->, and should have one");
+      bad.push_back(at(page, 0)
+                        .append("exercise ")
+                        .append(number)
+                        .append(" has ")
+                        .append(std::to_string(times))
+                        .append(" blocks <!-- exercise: ")
+                        .append(number)
+                        .append(" -->, and should have one"));
   }
   return bad;
 }

@@ -103,7 +103,7 @@ class Converter {
   }
 
   std::string fenced_line(const Fence& fence, std::size_t i) const {
-    const std::string line = fence.quoted ? unquoted(page_.lines[i]) : page_.lines[i];
+    std::string line = fence.quoted ? unquoted(page_.lines[i]) : page_.lines[i];
     if (fence.language != "math") return line;
     if (i == fence.opening) return "\\f[";
     return i == fence.closing ? "\\f]" : line;

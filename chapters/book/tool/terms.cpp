@@ -84,14 +84,13 @@ Page page_of_terms(const fs::path& root, std::vector<Term> terms) {
     return lower_case(a.name) < lower_case(b.name);
   });
   const fs::path place = place_of_terms(root);
-  Page page{place,
-            {"# Terms", "",
-             "You met a word and want it again? Here are the terms of the book, each with the "
-             "sentence that introduces it, and a link to where it stands.",
-             "",
-             "<!-- This page is written by `./tumble book --write`, from what stands in bold in "
-             "the chapters. -->",
-             ""}};
+  const std::string greeting =
+      "You met a word and want it again? Here are the terms of the book, each with the "
+      "sentence that introduces it, and a link to where it stands.";
+  const std::string origin =
+      "<!-- This page is written by `./tumble book --write`, from what stands in bold in "
+      "the chapters. -->";
+  Page page{place, {"# Terms", "", greeting, "", origin, ""}};
   for (const Term& term : terms) {
     const std::string link =
         term.page.lexically_relative(place.parent_path()).string() + "#" + anchor_of(term.section);

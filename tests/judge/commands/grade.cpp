@@ -87,7 +87,7 @@ std::vector<Submission> in_shard(const std::vector<Submission>& all, const Shard
 /// What is to be judged: of the whole class, or of a shard of it.
 std::vector<Submission> chosen(const std::vector<Submission>& all, const GradeOptions& options,
                                const std::optional<Shard>& shard) {
-  const std::vector<Submission> named = wanted(all, options.students);
+  std::vector<Submission> named = wanted(all, options.students);
   if (!shard) return named;
   std::vector<Submission> here = in_shard(named, *shard);
   require(options.students.empty() || !here.empty(), "'",
@@ -139,7 +139,8 @@ class FolderLock {
 template <class... Words>
 void say(const Words&... words) {
   std::ostringstream line;
-  (line << "tumble: " << ... << words) << "\n";
+  line << "tumble: ";
+  (line << ... << words) << "\n";
   std::cerr << line.str();
 }
 

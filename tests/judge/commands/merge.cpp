@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 
 #include "judge/class/final_grade.hpp"
@@ -32,9 +33,10 @@ bool said_unfinished(const ShardedClass& shards, const GradesFolder& out) {
 /// Whose records these are was judged by what is here?
 bool is_here(const Course& course, const ShardedClass& shards) {
   const JudgeFingerprint judge(course);
-  for (const Unit& unit : shards.settings().units)
-    if (shards.judges().at(unit.id()) != judge.of(unit)) return false;
-  return true;
+  const std::vector<Unit>& units = shards.settings().units;
+  return std::all_of(units.begin(), units.end(), [&](const Unit& unit) {
+    return shards.judges().at(unit.id()) == judge.of(unit);
+  });
 }
 
 }  // namespace

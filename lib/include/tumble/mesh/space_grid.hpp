@@ -25,7 +25,7 @@ class SpaceGrid {
   using Cell = std::array<int, 3>;
 
   /// @param triangles not empty
-  SpaceGrid(const std::vector<BoxedTriangle>& triangles) : count_{} {
+  SpaceGrid(const std::vector<BoxedTriangle>& triangles) {
     for (const BoxedTriangle& t : triangles) box_.extend(t.box);
     const double n = static_cast<double>(triangles.size());
     const Vec3 size = box_.sizes().cwiseMax(1e-9 * box_.sizes().maxCoeff());
@@ -102,7 +102,7 @@ class SpaceGrid {
   }
 
   Eigen::AlignedBox3d box_;
-  std::array<int, 3> count_;
+  std::array<int, 3> count_{};
   std::vector<std::size_t> first_;
   std::vector<int> items_;
 };

@@ -35,6 +35,7 @@ class ClosedMotion final : public MotionOverTime {
     constexpr double max_parts = 1e6;
     const double parts = std::clamp(std::ceil(4 * omega_ * (t1_ - t0_)), 8.0, max_parts);
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(parts) + 1);
     for (int i = 0; i < static_cast<int>(parts); ++i)
       times.push_back(t0_ + i * ((t1_ - t0_) / parts));
     times.push_back(t1_);

@@ -78,7 +78,7 @@ class MotionRecord {
         const bool same = now.force == then.force && now.torque == then.torque;
         if (same && all % now_and_then != 0) continue;
         const Numbers gap = h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta);
-        if (!(tolerance_.part(gap, tolerance_.squares) <= part)) moments.push_back(s);
+        if (!(MotionTolerance::part(gap, tolerance_.squares) <= part)) moments.push_back(s);
       }
     }
     return moments;

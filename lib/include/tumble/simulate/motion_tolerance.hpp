@@ -51,7 +51,7 @@ struct MotionTolerance {
   void grow(const PackedState<double>& y) { squares = squares.cwiseMax(squared_sizes(y)); }
 
   /// The size of a difference, a part of those of the motion.
-  double part(const PackedState<double>& difference, const Eigen::Vector4d& sizes) const {
+  static double part(const PackedState<double>& difference, const Eigen::Vector4d& sizes) {
     return std::sqrt(squared_sizes(difference).cwiseQuotient(sizes).sum() / 4);
   }
 };
@@ -59,7 +59,8 @@ struct MotionTolerance {
 /// Found by the solvers beside the one for Tolerances.
 inline double error_norm(const PackedState<double>& error, const PackedState<double>&,
                          const PackedState<double>& y1, const MotionTolerance& tolerance) {
-  return tolerance.part(error, tolerance.squares.cwiseMax(squared_sizes(y1))) / tolerance.relative;
+  return MotionTolerance::part(error, tolerance.squares.cwiseMax(squared_sizes(y1))) /
+         tolerance.relative;
 }
 
 }  // namespace tumble::detail

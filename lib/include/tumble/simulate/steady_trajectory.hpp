@@ -35,6 +35,7 @@ class SteadyTrajectory {
 
   std::vector<double> times(double t1) const {
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(steps()) + 1);
     for (int i = 0; i < steps(); ++i) times.push_back(t0_ + turning_.time(i));
     times.push_back(t1);
     return times;
