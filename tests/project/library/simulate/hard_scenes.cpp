@@ -53,7 +53,8 @@ TEST_CASE("hard scenes: the closed form gets the quaternion that was given, to i
 TEST_CASE("hard scenes: on a stiff spring the size is the swing, not what the force could do") {
   RigidBodyState<> start;
   start.x = Vec3(1, 0, 0);
-  for (const auto& [stiffness, t] : {std::pair{1000.0, 200.0}, {1e4, 50.0}, {100.0, 500.0}}) {
+  for (const auto& scene : {std::pair{1000.0, 200.0}, {1e4, 50.0}, {100.0, 500.0}}) {
+    const double stiffness = scene.first, t = scene.second;
     CAPTURE(stiffness);
     const Trajectory motion = simulate(unit_ball, start, {0, t, 1e-6}, centre_spring(stiffness));
     const double error = std::abs(motion.end().x.x() - std::cos(std::sqrt(stiffness) * t));
