@@ -6,6 +6,7 @@
 
 #include "project/harness/refusal.hpp"
 #include "project/library/mass/meshes.hpp"
+#include "tumble/mass/transform.hpp"
 
 using namespace tumble;
 using test::askew;
