@@ -5,6 +5,7 @@
 #include "common.hpp"
 #include "mug_drawing.hpp"
 #include "parts.hpp"
+#include "support/sphere_curves.hpp"
 
 namespace rigid_body_chapter {
 
@@ -66,15 +67,7 @@ std::string machine_figure() {
 namespace {
 
 /// From a little above, x to the right, y to the left and back, z up.
-Mat3 view_from_the_front() {
-  const double around = -112 * degree, above = 20 * degree;
-  const Vec3 right(-std::sin(around), std::cos(around), 0);
-  const Vec3 toward(std::cos(around) * std::cos(above), std::sin(around) * std::cos(above),
-                    std::sin(above));
-  Mat3 view;
-  view << right.transpose(), toward.cross(right).transpose(), toward.transpose();
-  return view;
-}
+Mat3 view_from_the_front() { return support::view_from(-112 * degree, 20 * degree); }
 
 /// Three arrows from a point, with the names of the axes at their tips.
 void draw_axes(Sketch& sketch, const Mat3& view, const Vec3& origin, const Mat3& axes,

@@ -118,7 +118,7 @@ std::vector<std::string> mistakes_in(const Places& places, const fs::path& file)
   return mistakes;
 }
 
-/// The pages that have not been rewritten yet: neither their voice nor their form is asked for, and
+/// The pages that have not been rewritten yet: we check neither their voice nor their form, and
 /// their bold type is not about terms.
 std::vector<fs::path> pages_to_rewrite(const fs::path& root) {
   std::vector<fs::path> files;

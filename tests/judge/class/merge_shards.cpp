@@ -20,7 +20,7 @@ std::string called(const FoundShard& found) {
 std::vector<FoundShard> all_shards_in(const std::vector<fs::path>& folders) {
   std::vector<FoundShard> all;
   for (const fs::path& folder : folders) {
-    require(fs::is_directory(folder), escaped(folder.string()), " is no folder");
+    require(fs::is_directory(folder), escaped(folder.string()), " is not a folder");
     std::vector<FoundShard> found = shards_in({folder});
     require(!found.empty(), escaped(folder.string()),
             " holds no shard: ./tumble grade … --shard 1/3 --out DIR makes one");

@@ -15,6 +15,7 @@
 #include "tumble/core/step_at.hpp"
 #include "tumble/core/step_budget.hpp"
 #include "tumble/steady/turning_series.hpp"
+#include "tumble/steady/turning_term.hpp"
 
 namespace tumble::detail {
 
@@ -74,7 +75,8 @@ class TurningBySeries {
     const Step& step = steps_[i];
     if (t == step.t) return step.state;
     const auto terms = static_cast<std::size_t>(order()) + 1;
-    if (i * terms < kept_.size()) return series_.at(kept_.data() + i * terms, t - step.t);
+    if (i * terms < kept_.size())
+      return detail::turning_at(kept_.data() + i * terms, series_.order(), t - step.t);
     detail::TurningSeries<rank> series = series_;
     series.expand(step.state);
     return series.at(t - step.t);

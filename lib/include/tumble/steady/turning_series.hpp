@@ -22,13 +22,9 @@
 #include "tumble/simd/pair.hpp"
 #include "tumble/steady/four_lanes.hpp"
 #include "tumble/steady/steady_torque.hpp"
+#include "tumble/steady/turning_term.hpp"
 
 namespace tumble::detail {
-
-/// One coefficient of q and of ω.
-struct TurningTerm {
-  FourDoubles q, w;
-};
 
 /// The series of a body's turning about one moment.
 /// @tparam rank how many directions the torque has, 0 … 3
@@ -94,20 +90,6 @@ class TurningSeries {
   /// Appends the series' terms to others.
   void keep(std::vector<TurningTerm>& terms) const {
     for (int k = 0; k <= order_; ++k) terms.push_back({q_[k].q, w_[k].xyz});
-  }
-
-  /// The same state from terms that were kept: even and odd ones side by side, which is twice as
-  /// fast as one after the other.
-  steady::TurningState at(const TurningTerm* terms, double h) const {
-    const double h2 = h * h;
-    TurningTerm even = terms[order_], odd = terms[order_ - 1];
-    for (int k = order_ - 2; k > 0; k -= 2) {
-      even = {even.q * h2 + terms[k].q, even.w * h2 + terms[k].w};
-      odd = {odd.q * h2 + terms[k - 1].q, odd.w * h2 + terms[k - 1].w};
-    }
-    const FourDoubles q = (odd.q + even.q * h) * h + terms[0].q;
-    const FourDoubles w = (odd.w + even.w * h) * h + terms[0].w;
-    return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2])};
   }
 
  private:

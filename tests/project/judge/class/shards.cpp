@@ -279,7 +279,7 @@ TEST_CASE("shards: what does not belong together is not merged, and why is said"
   };
   refused("a c", "a shard is missing: 2/3. Judge what is missing with --shard");
   refused("b", "shards are missing: 1/3, 3/3");
-  refused("a nowhere", "nowhere is no folder");
+  refused("a nowhere", "nowhere is not a folder");
   refused("a first", "first holds no shard");
   manifest_with("settings", "{}");
   refused("a x c", "course.json is not the same in shard 1/3 (in a) and in shard 2/3 (in x)");
