@@ -92,11 +92,12 @@ struct Dop853Tableau {
   static ScalarOf<State> error(ScalarOf<State> h, const std::array<State, 13>& k, const State& y0,
                                const State& y1, const Tolerance& tolerances) {
     using runge_kutta::error_norm;
+    using std::sqrt;
     using Scalar = ScalarOf<State>;
     const Scalar e5 = error_norm(weighted_difference<ErrorWeights5>(h, k), y0, y1, tolerances);
     const Scalar e3 = error_norm(weighted_difference<ErrorWeights3>(h, k), y0, y1, tolerances);
     if (e5 == 0) return Scalar(0);
-    return e5 * (e5 / std::hypot(e5, Scalar(0.1) * e3));
+    return e5 * (e5 / sqrt(e5 * e5 + Scalar(0.01) * e3 * e3));
   }
 };
 

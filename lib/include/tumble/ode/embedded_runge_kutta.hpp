@@ -51,7 +51,7 @@ struct EmbeddedRungeKutta : ExplicitRungeKutta<Tableau> {
     template <OdeRhs<State> F>
     Attempt<State> attempt(F&& f, Scalar t, const State& y, Scalar h) {
       if (was_accepted_) k_[0] = k_[stages];
-      EmbeddedRungeKutta::compute_stages(f, t, y, h, k_, std::make_index_sequence<stages - 1>{});
+      EmbeddedRungeKutta::compute_stages(f, t, y, h, k_);
       const State y1 = EmbeddedRungeKutta::end_of_step(y, h, k_);
       if constexpr (Tableau::error_needs_end) k_[stages] = f(t + h, y1);
       Scalar error = Tableau::error(h, k_, y, y1, tolerances_);
@@ -75,7 +75,8 @@ struct EmbeddedRungeKutta : ExplicitRungeKutta<Tableau> {
       static_assert(Tableau::c[stages - 1] == 1, "compares two evaluations at the end of the step");
       using LastStage = detail::StageWeights<Tableau, stages - 1>;
       const State other = detail::advance<LastStage, stages - 1>(y, h, k_);
-      return std::abs(h) * (k_[stages] - k_[stages - 1]).norm() / (y1 - other).norm();
+      using std::abs;
+      return abs(h) * (k_[stages] - k_[stages - 1]).norm() / (y1 - other).norm();
     }
 
    private:
@@ -83,9 +84,10 @@ struct EmbeddedRungeKutta : ExplicitRungeKutta<Tableau> {
 
     /// After a rejection the step does not grow again at once.
     Scalar next_step(Scalar h, Scalar error) {
+      using std::abs;
       Scalar next_h = adaptive_step_size(h, error, error_order);
       const bool accepted = error <= 1;
-      if (accepted && !was_accepted_ && std::abs(next_h) > std::abs(h)) next_h = h;
+      if (accepted && !was_accepted_ && abs(next_h) > abs(h)) next_h = h;
       was_accepted_ = accepted;
       return next_h;
     }

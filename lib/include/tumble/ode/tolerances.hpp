@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tumble/core/inline.hpp"
 #include "tumble/core/require.hpp"
 #include "tumble/ode/rhs.hpp"
 
@@ -28,9 +29,10 @@ struct Tolerances {
 /// @throws std::invalid_argument if one is not positive and finite, also as a `Scalar`
 template <class Scalar = double>
 void require_valid(const Tolerances& tolerances) {
+  using std::isfinite;
   const auto valid = [](double tolerance) {
     const auto rounded = static_cast<Scalar>(tolerance);
-    return std::isfinite(rounded) && rounded > 0;
+    return isfinite(rounded) && rounded > 0;
   };
   require(valid(tolerances.relative), "tolerances: relative = ", tolerances.relative,
           " is not positive and finite");
@@ -51,8 +53,8 @@ namespace tumble::runge_kutta {
 /// components, at most 1 if the step may be kept.
 /// @return dimensionless; 0 for a state without components
 template <OdeState State>
-ScalarOf<State> error_norm(const State& error, const State& y0, const State& y1,
-                           const Tolerances& tolerances) {
+TUMBLE_INLINE ScalarOf<State> error_norm(const State& error, const State& y0, const State& y1,
+                                         const Tolerances& tolerances) {
   using std::abs, std::max, std::sqrt;
   using Scalar = ScalarOf<State>;
   if (error.size() == 0) return Scalar(0);
