@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tumble/core/inline.hpp"
 #include "tumble/core/require.hpp"
 #include "tumble/ode/rhs.hpp"
 
@@ -53,8 +52,8 @@ namespace tumble::runge_kutta {
 /// components, at most 1 if the step may be kept.
 /// @return dimensionless; 0 for a state without components
 template <OdeState State>
-TUMBLE_INLINE ScalarOf<State> error_norm(const State& error, const State& y0, const State& y1,
-                                         const Tolerances& tolerances) {
+ScalarOf<State> error_norm(const State& error, const State& y0, const State& y1,
+                           const Tolerances& tolerances) {
   using std::abs, std::max, std::sqrt;
   using Scalar = ScalarOf<State>;
   if (error.size() == 0) return Scalar(0);
