@@ -10,6 +10,7 @@
 #include "tumble/steady/steady_torque.hpp"
 #include "tumble/steady/top_constants.hpp"
 #include "tumble/steady/turning_by_series.hpp"
+#include "tumble/steady/turning_lanes.hpp"
 #include "tumble/steady/turning_series.hpp"
 #include "tumble/steady/turning_term.hpp"
 
