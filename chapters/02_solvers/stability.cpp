@@ -102,9 +102,9 @@ std::string regions_figure() {
   };
   add(stability_boundary<Dop853>(), "c4", "DOP853", {-3.4, 4.2});
   add(stability_boundary<DormandPrince54>(), "c3", "DP 5(4)", {-3.8, 2.1});
-  add(stability_boundary<Rk4>(), "c2", "RK4", {-0.6, 2.2});
-  add(stability_boundary<runge_kutta::Midpoint>(), "c1", "midpoint", {-1, 1.06});
-  add(stability_boundary<runge_kutta::Euler>(), "c0", "Euler", {-1, 0.3});
+  add(stability_boundary<Rk4>(), "c0", "RK4", {-0.6, 2.2});
+  add(stability_boundary<runge_kutta::Midpoint>(), "c2", "midpoint", {-1, 1.06});
+  add(stability_boundary<runge_kutta::Euler>(), "c1", "Euler", {-1, 0.3});
   add(stability_boundary<runge_kutta::BackwardEuler>(), "c6", "backward Euler: stable outside",
       {5, 0.9});
   sketch.words({7.9, -0.42}, {0, 0}, "Re z", "ink", "end");

@@ -38,10 +38,10 @@ void draw_dumbbell(support::Sketch& sketch, double side, const std::string& capt
     sketch.disc(end * along, 0.15, "solid");
     draw_arrow_mark(sketch, end * along * 1.34, end * side < 0);
   }
-  sketch.arrow({0, 0}, {0, 1.45}, {"c0", 3});
-  sketch.words({0, 1.45}, {8, 4}, "ω", "c0");
-  sketch.arrow({0, 0}, 1.5 * L, {"c1", 3});
-  sketch.words(1.5 * L, {side > 0 ? -8. : 8., -4}, "L", "c1", side > 0 ? "end" : "start");
+  sketch.arrow({0, 0}, {0, 1.45}, {"c1", 3});
+  sketch.words({0, 1.45}, {8, 4}, "ω", "c1");
+  sketch.arrow({0, 0}, 1.5 * L, {"c0", 3});
+  sketch.words(1.5 * L, {side > 0 ? -8. : 8., -4}, "L", "c0", side > 0 ? "end" : "start");
   sketch.words({0, -1.45}, {0, 26}, caption, "ink", "middle");
 }
 

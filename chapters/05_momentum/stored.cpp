@@ -154,6 +154,7 @@ template <class Method>
 void add_work(support::Plot& plot, const std::string& method, int stages) {
   for (std::size_t i = 0; i < 3; ++i) {
     support::Series series{method + ", " + storages[i].name, {}, {}};
+    series.colour = "c" + std::to_string(i);  // as L and ω have elsewhere
     for (int steps = 100; steps * stages <= 40000; steps = steps * 3 / 2) {
       const double off = angle_between(exact_end(), spun<Method>(storages[i], spin_time, steps).q);
       if (!(off < 1)) continue;

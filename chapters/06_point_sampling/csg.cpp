@@ -49,8 +49,8 @@ Table die_table() {
 namespace {
 
 std::string caption(double x, double y, const std::string& words) {
-  return "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(y) +
-         "\" fill=\"var(--ink)\" font-size=\"22\" text-anchor=\"middle\">" +
+  return "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(y) + "\" " +
+         support::fill_of("ink") + " font-size=\"22\" text-anchor=\"middle\">" +
          support::svg_text(words) + "</text>\n";
 }
 

@@ -142,7 +142,7 @@ std::string sleep_figure() {
     lean.y.push_back(std::atan2(std::hypot(n.x(), n.y()), n.z()) / degree);
   }
   const double slow = first_event(way, too_slow)->t;
-  plot.series = {lean, {"spin below 8.94 rad/s", {slow, slow}, {0, 20}}};
+  plot.series = {lean, {"spin below 8.94 rad/s", {slow, slow}, {0, 60}, support::Look::dashed}};
   return support::to_svg(plot);
 }
 
