@@ -19,7 +19,8 @@ namespace dual {
 struct Dual {
   double a = 0, b = 0;
   Dual() = default;
-  explicit Dual(double value, double slope = 0) : a(value), b(slope) {}
+  template <class Number>
+  explicit Dual(Number value, double slope = 0) : a(static_cast<double>(value)), b(slope) {}
 
   Dual& operator+=(const Dual& y) { return *this = Dual(a + y.a, b + y.b); }
   Dual& operator-=(const Dual& y) { return *this = Dual(a - y.a, b - y.b); }
