@@ -43,7 +43,7 @@ Table dydt_by_hand_table() {
                                      rate = paper_rates();
   for (Eigen::Index i = 0; i < 12; ++i)
     table.add({std::to_string(i),
-               std::string(names[static_cast<std::size_t>(i / 3)]) + ", " + "xyz"[i % 3],
+               std::string(names[static_cast<std::size_t>(i / 3)]) + " along " + "xyz"[i % 3],
                short_number(y[i]), short_number(rate[i])});
   return table;
 }

@@ -100,12 +100,12 @@ void draw_flow(Sketch& sketch, const Vec2& from, const Vec2& to, const Vec2& off
 std::string asks_figure() {
   Sketch sketch(760, 250, "A solver and a right-hand side", 16);
   sketch.look({0, 250, 1});
-  draw_box(sketch, {240, 156}, {520, 226}, "solver: Euler, midpoint, RK4 …",
+  draw_box(sketch, {190, 156}, {570, 226}, "solver: Euler, midpoint, RK4 …",
            "knows columns of numbers, and no physics", "c0");
-  draw_box(sketch, {240, 24}, {520, 94}, "dydt: weight, drag, springs …",
+  draw_box(sketch, {190, 24}, {570, 94}, "dydt: weight, drag, springs …",
            "knows the physics, and no steps", "c1");
-  draw_flow(sketch, {60, 191}, {236, 191}, {0, -9}, "y now, and h", "middle");
-  draw_flow(sketch, {524, 191}, {700, 191}, {0, -9}, "y after the step", "middle");
+  draw_flow(sketch, {24, 191}, {186, 191}, {0, -9}, "y now, and h", "middle");
+  draw_flow(sketch, {574, 191}, {736, 191}, {0, -9}, "y after the step", "middle");
   draw_flow(sketch, {320, 154}, {320, 98}, {-10, 5}, "t, y", "end");
   draw_flow(sketch, {440, 98}, {440, 154}, {10, 5}, "ẏ", "start");
   sketch.words({380, 125}, {0, 5}, "how fast?", "faint", "middle");
@@ -147,24 +147,29 @@ void named_arrow(Sketch& sketch, const Vec2& from, const Vec2& along, const std:
 }  // namespace
 
 std::string spring_figure() {
-  Sketch sketch(760, 320, "A stretched spring: its vector, its direction and its forces", 16);
+  Sketch sketch(760, 340, "A stretched spring: its vector, its direction and its forces", 16);
   const Vec2 u = (spring_i - spring_j).normalized(), aside(-u.y(), u.x());
-  sketch.look({70, 222, 96});
-  draw_corner(sketch, {-0.35, -0.75}, 0.4, "x", "z");
+  sketch.look({84, 250, 96});
+  draw_corner(sketch, {-0.45, -0.7}, 0.4, "x", "z");
   draw_spring(sketch);
-  sketch.words(spring_j, {-16, -8}, "j", "ink", "middle");
-  sketch.words(spring_i, {16, -8}, "i", "ink", "middle");
-  named_arrow(sketch, spring_j + 0.34 * aside, spring_i - spring_j, "c0", "l", {-14, -2});
-  named_arrow(sketch, spring_j - 0.3 * aside, 0.85 * u, "c2", "u", {10, 16});
-  named_arrow(sketch, spring_i - 0.3 * aside, -0.75 * u, "c1", "F on i = −T u", {46, 30});
-  named_arrow(sketch, spring_j - 0.62 * aside, 0.75 * u, "c1", "F on j = +T u", {50, 18});
-  sketch.look({450, 222, 96});
+  sketch.words(spring_j, {-16, -6}, "j", "ink", "middle");
+  sketch.words(spring_i, {16, 2}, "i", "ink", "middle");
+  named_arrow(sketch, spring_j + 0.3 * aside, spring_i - spring_j, "c0", "l", {-16, -2});
+  named_arrow(sketch, spring_j + 0.62 * aside, 0.85 * u, "c2", "u", {-10, -6});
+  named_arrow(sketch, spring_j - 0.28 * aside, 0.75 * u, "c1", "+T u", {4, 26});
+  named_arrow(sketch, spring_i - 0.28 * aside, -0.75 * u, "c1", "−T u", {24, 26});
+  sketch.look({450, 250, 96});
   draw_spring(sketch);
+  sketch.words(spring_j, {-16, -6}, "j", "ink", "middle");
+  sketch.words(spring_i, {4, 26}, "i", "ink", "middle");
   const Vec2 rate = 0.62 * u + 0.8 * aside;
   sketch.curve({spring_i + 0.62 * u, spring_i + rate, spring_i + 0.8 * aside}, {"faint", 1.2});
-  named_arrow(sketch, spring_i, rate, "c3", "v of i − v of j", {-26, -9});
-  named_arrow(sketch, spring_i, 0.62 * u, "c2", "stretches", {-10, 24});
-  named_arrow(sketch, spring_i, 0.8 * aside, "c5", "only turns", {-44, 2});
+  sketch.arrow(spring_i, spring_i + 0.8 * aside, {"c5", 2.4});
+  sketch.words(spring_i + 0.8 * aside, {-8, 6}, "only turns", "c5", "end");
+  sketch.arrow(spring_i, spring_i + 0.62 * u, {"c2", 2.4});
+  sketch.words(spring_i + 0.62 * u, {2, 20}, "stretches", "c2", "middle");
+  sketch.arrow(spring_i, spring_i + rate, {"c3", 2.4});
+  sketch.words(spring_i + rate, {0, -8}, "vᵢ − vⱼ", "c3", "middle");
   return sketch.svg();
 }
 
