@@ -67,6 +67,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("a page that is right has no mistakes") {
   const SmallBook book;
   CHECK(book.mistakes(fence("snippet: code.hpp#twice", "cpp", twice) +
+                      fence("snippet: code.hpp#*", "cpp", twice) +
                       fence("signature: code.hpp#twice", "cpp", "int twice(int x);\n") +
                       fence("output: 01_one#drift", "text", "drift  1.5\n") +
                       "It is $x^2$, or $`\\frac{1}{2}\\,x`$.\n\n```math\nx = y\n```\n\n"
