@@ -46,7 +46,7 @@ std::string times_text(double ratio) { return support::svg_number(ratio, 2) + " 
 
 Table repair_table() {
   constexpr int matrices = 10'000;
-  Table table({"drift", "repair", "‖RᵀR − 1‖ before", "after", "moves it by", "at most"});
+  Table table({"drift", "repair", "‖RᵀR − 1‖", "after it", "moves by", "at most"});
   for (const double size : {1e-1, 1e-3, 1e-6}) {
     for (const Repair& repair : repairs) {
       const Outcome mean = outcome(repair, size, matrices);

@@ -26,14 +26,14 @@ void draw_point_and_axis(Sketch& sketch, double half) {
   sketch.look({215, 320, 100});
   SpaceSketch space(sketch, view);
   const Vec3 u = Vec3::UnitZ(), along = 1.7 * u;
-  const Vec3 before = 1.5 * Vec3(std::cos(-0.5), std::sin(-0.5), 0);
+  const Vec3 before = 1.5 * Vec3(std::cos(-0.4), std::sin(-0.4), 0);
   const Vec3 after = axis_rotation(2, 2 * half) * before;
   space.curve({-0.2 * u, 2.75 * u}, {"faint", 1.2});
   space.curve(support::arc(along, before, u, 2 * pi), {"faint", 1.4});
   space.arrow(Vec3::Zero(), u, {"c3", 3});
   space.words(0.55 * u, {-14, 4}, "u", "c3", "end");
   space.arrow(along, along + before, {"c1", 2.2});
-  space.words(along + 0.6 * before, {0, 24}, "p⊥", "c1");
+  space.words(along + 0.6 * before, {14, -6}, "p⊥", "c1", "start");
   space.arrow(along, along + after, {"c2", 2.2});
   space.arrow(Vec3::Zero(), along + before, {"ink", 2});
   space.words(0.55 * (along + before), {12, 14}, "p", "ink", "start");
@@ -63,7 +63,7 @@ void draw_from_above(Sketch& sketch, double half) {
     sketch.words(0.56 * on_circle(begin + (i + 0.5) * half), {0, 5}, "α", "ink", "middle");
   }
   sketch.dot({0, 0}, "c3", 4.5);
-  sketch.words({0, 0}, {-10, 22}, "u, towards you", "c3", "middle");
+  sketch.words({0, 0}, {-10, 20}, "u, towards you", "c3", "end");
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ std::string arc_figure() {
   sketch.curve(arc_from(0, whole, 0.32), {"ink", 1.4});
   sketch.words(0.37 * on_circle(0.87 * whole), {0, 5}, "Ω", "ink", "middle");
   sketch.dot(q, "c0", 5);
-  sketch.words({0.5, -0.08}, {0, 26}, "the plane of a and b, in four dimensions", "faint",
+  sketch.words({0.5, -0.08}, {0, 30}, "the plane of a and b, in four dimensions", "faint",
                "middle");
   return sketch.svg();
 }

@@ -6,7 +6,6 @@
 #include "plane.hpp"
 #include "support/plot.hpp"
 #include "support/sketch.hpp"
-#include "support/space_sketch.hpp"
 
 namespace quaternions_chapter {
 
@@ -61,8 +60,12 @@ std::string circle_figure() {
     const Vec2 beside(std::cos(half + 0.25), std::sin(half + 0.25));
     sketch.words(0.76 * beside, {0, 5}, number(turn) + "°", "ink", "middle");
   }
-  sketch.look({34, 486, 1});
-  support::SpaceSketch(sketch, axis_rotation(0, -20 * degree)).world_axes(Vec3::Zero(), 30);
+  sketch.look({34, 490, 1});
+  sketch.arrow({0, 0}, {34, 0}, {"ink", 1.5});
+  sketch.words({34, 0}, {8, 5}, "x");
+  sketch.arrow({0, 0}, {0, 34}, {"ink", 1.5});
+  sketch.words({0, 34}, {8, 2}, "y");
+  sketch.words({440, 0}, {0, 5}, "the planes, seen from above", "ink", "end");
   sketch.look({260, 260, 110});
   sketch.words({0, 0}, {-252, -236}, "to the right: w = cos ½θ", "c0");
   sketch.words({0, 0}, {-252, -218}, "up: z = sin ½θ", "c0");

@@ -73,7 +73,7 @@ Table ways_table() {
 
 std::string between_figure() {
   constexpr double cell = 104, row = 150;
-  support::Sketch sketch(5 * cell, 3 * row, "From one orientation to another", 14);
+  support::Sketch sketch(5 * cell, 3 * row + 44, "From one orientation to another", 14);
   std::string planes;
   const PolygonMesh mesh = paper_plane();
   double y = 0;
@@ -89,7 +89,7 @@ std::string between_figure() {
     }
     y += row;
   }
-  sketch.look({490, 66, 1});
+  sketch.look({26, y + 32, 1});
   support::SpaceSketch(sketch, viewer).world_axes(Vec3::Zero(), 22);
   return with_planes(sketch, planes);
 }
