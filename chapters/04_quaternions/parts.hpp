@@ -10,6 +10,24 @@ namespace quaternions_chapter {
 
 using tumble::support::Table;
 
+// ── arrows.cpp ──
+
+/// What both factors of q p q⁻¹ do to a point.
+std::string turn_figure();
+/// The arc from one quaternion to another, and the parts of a point on it.
+std::string arc_figure();
+
+// ── by_hand.cpp ──
+
+/// The product of two quarter turns.
+Table product_by_hand_table();
+/// What that product does to some points.
+Table point_by_hand_table();
+/// What is left halfway if nine numbers are mixed, and if four are.
+Table halfway_table();
+/// How long RK4 takes to make a quaternion shorter by a hundredth.
+Table shrink_table();
+
 // ── cost.cpp ──
 
 /// What the arithmetic of an orientation costs.

@@ -10,6 +10,7 @@
 #include "plane.hpp"
 #include "support/plot.hpp"
 #include "support/sketch.hpp"
+#include "support/space_sketch.hpp"
 
 namespace quaternions_chapter {
 
@@ -72,7 +73,7 @@ Table ways_table() {
 
 std::string between_figure() {
   constexpr double cell = 104, row = 150;
-  support::Sketch sketch(5 * cell, 3 * row, "From one orientation to another", 14);
+  support::Sketch sketch(5 * cell, 3 * row + 44, "From one orientation to another", 14);
   std::string planes;
   const PolygonMesh mesh = paper_plane();
   double y = 0;
@@ -88,6 +89,8 @@ std::string between_figure() {
     }
     y += row;
   }
+  sketch.look({26, y + 32, 1});
+  support::SpaceSketch(sketch, viewer).world_axes(Vec3::Zero(), 22);
   return with_planes(sketch, planes);
 }
 
@@ -148,6 +151,8 @@ std::string tracks_figure() {
       sketch.dot(globe.topRows<2>() * ways[w].at(i / 8.0).col(0), colours[w], 3.5);
     sketch.words({0, 0}, {-250, line += 18}, ways[w].name, colours[w]);
   }
+  sketch.look({470, 480, 1});
+  support::SpaceSketch(sketch, globe).world_axes(Vec3::Zero(), 32);
   return sketch.svg();
 }
 
