@@ -158,7 +158,7 @@ std::string spring_figure() {
   named_arrow(sketch, spring_j + 0.62 * aside, 0.85 * u, "c2", "u", {-10, -6});
   named_arrow(sketch, spring_j - 0.28 * aside, 0.75 * u, "c1", "+T u", {4, 26});
   named_arrow(sketch, spring_i - 0.28 * aside, -0.75 * u, "c1", "−T u", {24, 26});
-  sketch.look({450, 250, 96});
+  sketch.look({424, 250, 96});
   draw_spring(sketch);
   sketch.words(spring_j, {-16, -6}, "j", "ink", "middle");
   sketch.words(spring_i, {4, 26}, "i", "ink", "middle");

@@ -149,7 +149,8 @@ const Misconceptions<decltype(quaternions::quaternion_dot)> misconceptions{
         return reference::quaternion_dot(q.normalized(), omega);
       }},
      {"rate normalised",
-      "Your result has length 1. A rate is no rotation: its length says how fast q moves.", "Drift",
+      "Your result has length 1. A rate is not a rotation: its length says how fast q moves.",
+      "Drift",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return reference::quaternion_dot(q, omega).stableNormalized();
       }},

@@ -66,7 +66,7 @@ std::uint64_t class_seed(const CourseSettings& settings, const GradesFolder& fol
   const std::string text = support::read_text(folder.seed());
   require(!text.empty() && text.find_first_not_of("0123456789\n") == std::string::npos &&
               text.size() < 20,
-          folder.seed().string(), " is no seed, but '", text, "': delete it to draw a new one");
+          folder.seed().string(), " is not a seed, but '", text, "': delete it to draw a new one");
   return std::stoull(text);
 }
 

@@ -27,7 +27,7 @@ Shard shard_in(const std::string& text) {
   const Shard shard{whole_number(text.substr(0, slash)),
                     whole_number(text.substr(std::min(slash + 1, text.size())))};
   require(shard.number > 0 && shard.of > 0, "'", escaped(text),
-          "' is no shard: 3/10 is the third of ten, and 1/10 the first");
+          "' is not a shard: 3/10 is the third of ten, and 1/10 the first");
   require(shard.of <= most_shards, "'", text, "' is one of more than ", most_shards, " shards");
   require(shard.number <= shard.of, "'", text, "': of ", shard.of, " shards the last is ", shard.of,
           "/", shard.of);

@@ -37,7 +37,7 @@ ShardManifest manifest_in(const ordered_json& j) {
   manifest.roll = class_roll_of(j.at("class"));
   for (const ordered_json& each : j.at("left_out"))
     manifest.roll.left_out.push_back({each.at("what"), each.at("why")});
-  require(manifest.shard == shard_in(name_of(manifest.shard)), "it is no shard");
+  require(manifest.shard == shard_in(name_of(manifest.shard)), "it is not a shard");
   return manifest;
 }
 

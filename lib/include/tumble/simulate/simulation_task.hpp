@@ -38,13 +38,13 @@ namespace detail {
 /// @throws std::invalid_argument if the task means nothing
 inline void require_valid_task(const SimulationTask& task) {
   require(std::isfinite(task.t0) && std::isfinite(task.t1) && task.t0 <= task.t1,
-          "simulate: from t0 = ", task.t0, " to t1 = ", task.t1, " is no span of time");
+          "simulate: from t0 = ", task.t0, " to t1 = ", task.t1, " is not a span of time");
   require(task.tolerance > 0 && std::isfinite(task.tolerance), "simulate: the tolerance ",
           task.tolerance, " is not positive and finite");
   require(task.longest_step > 0, "simulate: the longest step ", task.longest_step,
           " is not positive");
   for (const double t : task.breaks)
-    require(std::isfinite(t), "simulate: a break at t = ", t, " is no time");
+    require(std::isfinite(t), "simulate: a break at t = ", t, " is not a time");
 }
 
 }  // namespace detail

@@ -141,7 +141,7 @@ TEST_CASE("Gradescope: who is who") {
   CHECK(all.at("submission_1").submitters[0].id == "");
   CHECK(all.at("submission_1").created_at == "2026-11-12 22:43:59 Z");
   CHECK(all.at("submission_2").submitters.empty());
-  CHECK_REFUSED(read_gradescope_metadata("- a\n- b\n"), "it is no list of submissions");
+  CHECK_REFUSED(read_gradescope_metadata("- a\n- b\n"), "it is not a list of submissions");
   CHECK_REFUSED(read_gradescope_metadata(""), "it names no submission");
 }
 

@@ -151,14 +151,14 @@ TEST_CASE("shards: a student's follows from the name, on every machine") {
 TEST_CASE("shards: what is none is refused, and what one is said") {
   const Dozen dozen;
   const std::pair<const char*, const char*> wrong[] = {
-      {"0/10", "'0/10' is no shard: 3/10 is the third of ten"},
+      {"0/10", "'0/10' is not a shard: 3/10 is the third of ten"},
       {"11/10", "'11/10': of 10 shards the last is 10/10"},
-      {"3", "'3' is no shard"},
-      {"a/b", "'a/b' is no shard"},
-      {"3/", "'3/' is no shard"},
-      {"-1/3", "'-1/3' is no shard"},
-      {"1/3/2", "'1/3/2' is no shard"},
-      {"1/99999999999999999999", "is no shard"},
+      {"3", "'3' is not a shard"},
+      {"a/b", "'a/b' is not a shard"},
+      {"3/", "'3/' is not a shard"},
+      {"-1/3", "'-1/3' is not a shard"},
+      {"1/3/2", "'1/3/2' is not a shard"},
+      {"1/99999999999999999999", "is not a shard"},
       {"1/20000", "one of more than 10000 shards"}};
   for (const auto& each : wrong) {
     const char *text = each.first, *message = each.second;
