@@ -158,7 +158,7 @@ std::string spring_figure() {
   named_arrow(sketch, spring_j + 0.62 * aside, 0.85 * u, "c2", "u", {-10, -6});
   named_arrow(sketch, spring_j - 0.28 * aside, 0.75 * u, "c1", "+T u", {4, 26});
   named_arrow(sketch, spring_i - 0.28 * aside, -0.75 * u, "c1", "−T u", {24, 26});
-  sketch.look({424, 250, 96});
+  sketch.look({425, 250, 96});
   draw_spring(sketch);
   sketch.words(spring_j, {-16, -6}, "j", "ink", "middle");
   sketch.words(spring_i, {4, 26}, "i", "ink", "middle");
@@ -167,7 +167,7 @@ std::string spring_figure() {
   sketch.arrow(spring_i, spring_i + 0.8 * aside, {"c5", 2.4});
   sketch.words(spring_i + 0.8 * aside, {-8, 6}, "only turns", "c5", "end");
   sketch.arrow(spring_i, spring_i + 0.62 * u, {"c2", 2.4});
-  sketch.words(spring_i + 0.62 * u, {2, 20}, "stretches", "c2", "middle");
+  sketch.words(spring_i + 0.62 * u, {-2, 27}, "stretches", "c2", "middle");
   sketch.arrow(spring_i, spring_i + rate, {"c3", 2.4});
   sketch.words(spring_i + rate, {0, -8}, "vᵢ − vⱼ", "c3", "middle");
   return sketch.svg();

@@ -44,8 +44,9 @@ inline std::array<particles::Particle<double>, 1> thrown(double mass, double spe
 }
 
 inline auto flight(const ThrownBall& ball, double speed) {
-  return particles::ParticleSystem(thrown(ball.mass, speed), particles::UniformGravity{{0, 0, -g}},
-                                   particles::QuadraticDrag{ball.gamma()});
+  const particles::UniformGravity weight{{0, 0, -g}};
+  const particles::QuadraticDrag drag{ball.gamma()};
+  return particles::ParticleSystem(thrown(ball.mass, speed), weight, drag);
 }
 
 using Flight = Eigen::Matrix<double, 6, 1>;

@@ -20,7 +20,8 @@ int main() {
   const int steps = 960;
   const double h = 16486. / steps;  // [s]
   for (int i = 0; i <= steps; ++i) {
-    if (i % 120 == 0) std::printf("%6.0f s %8.0f km %8.0f km\n", i * h, y[0] / 1000, y[1] / 1000);
+    if (i % (steps / 8) == 0)
+      std::printf("%6.0f s %8.0f km %8.0f km\n", i * h, y[0] / 1000, y[1] / 1000);
     dydt(i * h, y, ydot);
     for (int j = 0; j < 4; ++j) y[j] += h * ydot[j];
   }
