@@ -16,7 +16,7 @@ Vec2 on_circle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 std::vector<Vec2> arc_from(double begin, double end, double radius) {
   std::vector<Vec2> points;
   for (int i = 0; i <= 40; ++i)
-    points.push_back(radius * on_circle(begin + (end - begin) * i / 40));
+    points.emplace_back(radius * on_circle(begin + (end - begin) * i / 40));
   return points;
 }
 
