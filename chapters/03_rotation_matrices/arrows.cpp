@@ -50,8 +50,7 @@ std::string columns_figure() {
   const Vec3 middle = view * R * Vec3(0, 0, 0.0475);
   const support::Placement placement{window.x - window.scale * middle.x(),
                                      window.y + window.scale * middle.y(), window.scale};
-  sketch.drawing("<g opacity=\"0.5\">\n" +
-                 support::draw_facets(objects::plain_mug(), view * R, placement) + "</g>\n");
+  sketch.drawing(support::draw_pale_facets(objects::plain_mug(), view * R, placement));
   sketch.look(window);
   SpaceSketch(sketch, view).axes(Vec3::Zero(), 0.11 * R, {"x", "y", "z"}, column_pens);
   sketch.look({60, 300, 1});

@@ -67,7 +67,8 @@ std::string repair_figure() {
                      {}};
   for (const Repair& repair : repairs) {
     support::Series series{repair.name, {}, {}};
-    for (double size = 1e-9; size < 0.2; size *= 3) {
+    double size = 1e-9;
+    for (int i = 0; i < 18; ++i, size *= 3) {
       const Outcome mean = outcome(repair, size, 100);
       series.x.push_back(mean.before);
       series.y.push_back(mean.after);

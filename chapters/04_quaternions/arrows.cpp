@@ -16,7 +16,7 @@ Vec2 on_circle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 std::vector<Vec2> arc_from(double begin, double end, double radius) {
   std::vector<Vec2> points;
   for (int i = 0; i <= 40; ++i)
-    points.push_back(radius * on_circle(begin + (end - begin) * i / 40));
+    points.emplace_back(radius * on_circle(begin + (end - begin) * i / 40));
   return points;
 }
 
@@ -63,7 +63,7 @@ void draw_from_above(Sketch& sketch, double half) {
     sketch.words(0.56 * on_circle(begin + (i + 0.5) * half), {0, 5}, "α", "ink", "middle");
   }
   sketch.dot({0, 0}, "c3", 4.5);
-  sketch.words({0, 0}, {-10, 20}, "u, towards you", "c3", "end");
+  sketch.words({0, 0}, {-10, 20}, "u", "c3", "end");
 }
 
 }  // namespace
@@ -94,9 +94,9 @@ std::string arc_figure() {
   sketch.words(q, {12, -4}, "q(t)", "c0");
   const Vec2 part_a = weight * std::sin((1 - t) * whole) * a;
   sketch.arrow({0, 0}, part_a, {"c1", 3});
-  sketch.words(part_a / 2, {0, 26}, "its part along a", "c1", "middle");
+  sketch.words(part_a / 2, {0, 26}, "along a", "c1", "middle");
   sketch.arrow(part_a, q, {"c1", 3});
-  sketch.words((part_a + q) / 2, {12, 14}, "its part along b", "c1");
+  sketch.words((part_a + q) / 2, {12, 14}, "along b", "c1");
   sketch.curve(arc_from(0, t * whole, 0.17), {"c0", 1.6});
   sketch.words(0.23 * on_circle(0.4 * t * whole), {0, 5}, "tΩ", "c0", "middle");
   sketch.curve(arc_from(0, whole, 0.32), {"ink", 1.4});

@@ -30,14 +30,17 @@ Table shrink_table();
 
 // ── cost.cpp ──
 
-/// What the arithmetic of an orientation costs.
-Table counts_table();
 /// Error after ten seconds of a top against the multiplications spent.
 std::string work_figure();
 /// What an orientation error costs.
 Table reach_table();
 /// What the other operations take.
 Table times_table();
+
+// ── counts.cpp ──
+
+/// What the arithmetic of an orientation costs.
+Table counts_table();
 
 // ── digits.cpp ──
 
@@ -54,6 +57,15 @@ Table drift_table();
 std::string drift_figure();
 /// One step of a turn that is large for it.
 Table big_steps_table();
+
+// ── pace.cpp ──
+
+/// Equal parts of the chord, seen from the middle, are unequal parts of the arc.
+std::string chord_figure();
+/// How fast the plane turns on each way of 150°. Only slerp keeps its pace.
+std::string pace_figure();
+/// How uneven the pace of a mixture is, and how far it is from where slerp is, at worst.
+Table pace_table();
 
 // ── turns.cpp ──
 
@@ -78,11 +90,5 @@ Table ways_table();
 std::string between_figure();
 /// Where the nose points on the way, with a dot at every eighth of the time.
 std::string tracks_figure();
-/// Equal parts of the chord, seen from the middle, are unequal parts of the arc.
-std::string chord_figure();
-/// How fast the plane turns on each way of 150°. Only slerp keeps its pace.
-std::string pace_figure();
-/// How uneven the pace of a mixture is, and how far it is from where slerp is, at worst.
-Table pace_table();
 
 }  // namespace quaternions_chapter
