@@ -69,14 +69,14 @@ std::string swing_figure() {
     sketch.curve({at - Vec2(0, 0.135), at + Vec2(0, 0.135)}, {"ink", 1.4});
     sketch.dot(at, "ink", 4.5);
   }
-  sketch.words(p, {-9, -124}, "p, the hand", "ink", "start");
-  sketch.words(c, {-10, -124}, "c, the centre of mass", "ink", "end");
+  sketch.words(p, {-9, -120}, "p, the hand", "ink", "end");
+  sketch.words(c, {-9, -120}, "c, the centre of mass", "ink", "end");
   sketch.arrow(p, c, {"c1", 2.6});
   sketch.words((p + c) / 2, {0, -12}, "d", "c1", "middle");
   sketch.arrow(c, point, {"c2", 2.6});
-  sketch.words((c + point) / 2, {2, -12}, "r", "c2", "end");
+  sketch.words(c + 0.3 * (point - c), {2, 26}, "r", "c2");
   sketch.arrow(p, point, {"c0", 2.6});
-  sketch.words(p + 0.62 * (point - p), {-6, -10}, "d + r", "c0", "end");
+  sketch.words(p + 0.55 * (point - p), {-12, -12}, "d + r", "c0", "end");
   const Vec2 corner(box.min().x(), -0.14);
   sketch.arrow(corner, corner + Vec2(0.05, 0), {"faint", 1.4});
   sketch.arrow(corner, corner + Vec2(0, 0.05), {"faint", 1.4});

@@ -93,7 +93,7 @@ std::string rays_figure() {
   sketch.look({168, 336, 280});
   sketch.curve(closed(profile()), {"ink", 1.6, 1, 0.07});
   draw_ray(sketch, {0.07, 0.93}, "in the wall");
-  draw_ray(sketch, {0.45, 0.66}, "in the air of the mug");
+  draw_ray(sketch, {0.45, 0.66}, "in the air");
   draw_ray(sketch, {-0.22, 0.39}, "outside");
   draw_ray(sketch, {0.5, 0.08}, "in the bottom");
   draw_two_axes(sketch, {-0.5, 0}, 0.16, "z");
