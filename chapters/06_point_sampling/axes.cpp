@@ -76,7 +76,7 @@ std::string swing_figure() {
   sketch.arrow(c, point, {"c2", 2.6});
   sketch.words(c + 0.3 * (point - c), {2, 26}, "r", "c2");
   sketch.arrow(p, point, {"c0", 2.6});
-  sketch.words(p + 0.55 * (point - p), {-12, -12}, "d + r", "c0", "end");
+  sketch.words(p + 0.44 * (point - p), {-6, -12}, "d + r", "c0", "end");
   const Vec2 corner(box.min().x(), -0.14);
   sketch.arrow(corner, corner + Vec2(0.05, 0), {"faint", 1.4});
   sketch.arrow(corner, corner + Vec2(0, 0.05), {"faint", 1.4});
