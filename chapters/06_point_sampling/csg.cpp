@@ -57,7 +57,7 @@ std::string caption(double x, double y, const std::string& words) {
 }  // namespace
 
 std::string csg_figure() {
-  constexpr int n = 96;
+  constexpr int n = 150;
   constexpr double cell = 253, size = cell / n;
   std::string svg =
       support::svg_open(760, 300, "Solids made of solids, drawn by asking for points");

@@ -75,6 +75,16 @@ class Converter {
   }
 
  private:
+  /// The line between two boxes ends the one and begins the other.
+  std::string box_edges(std::size_t i) const {
+    std::string ends, begins;
+    for (const Box& box : boxes_) {
+      if (i == box.end) ends = "</div>";
+      if (i + 1 == box.first) begins = "<div class=\"" + box.name + "\">";
+    }
+    return ends + begins;
+  }
+
   std::string line(std::size_t i) {
     const auto fence = std::find_if(fences_.begin(), fences_.end(), [i](const Fence& f) {
       return f.opening <= i && i <= f.closing;
@@ -84,9 +94,8 @@ class Converter {
       if (i == figure.line) return figure_html(figure);
       if (figure.first <= i && i < figure.end) return "";  // it has gone into the figure
     }
+    if (const std::string edges = box_edges(i); !edges.empty()) return html(edges);
     for (const Box& box : boxes_) {
-      if (i + 1 == box.first) return html("<div class=\"" + box.name + "\">");
-      if (i == box.end) return html("</div>");
       if (box.first <= i && i < box.end) return text_line(unquoted(page_.lines[i]));
     }
     return text_line(page_.lines[i]);

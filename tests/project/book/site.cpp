@@ -84,6 +84,14 @@ TEST_CASE("a box is a division with its content unquoted, and other quotations s
                     doctest::Contains("line below a box is empty"));
 }
 
+TEST_CASE("two boxes below each other are two") {
+  const Project project;
+  const std::string site =
+      project.converted("Text.\n\n> **Try it.** What?\n\n> **For the curious.** Why?\n\nText.\n");
+  CHECK(mentions(site,
+                 "What?\n\\htmlonly[block] </div><div class=\"curious\"> \\endhtmlonly\n**For"));
+}
+
 TEST_CASE("a second page of a chapter has a name of its own") {
   CHECK(page_id("/p", "/p/chapters/08_eight/README.md") == "chapters-08_eight");
   CHECK(page_id("/p", "/p/chapters/08_eight/digits.md") == "chapters-08_eight-digits");
