@@ -24,8 +24,8 @@
 #define TUMBLE_ONE_COPY __attribute__((noipa))
 #endif
 
-// Packs are passed to inlined functions only, so no calling convention is involved. gcc says so where
-// the file that includes this one ends, which is why this holds to the end.
+// Packs are passed to inlined functions only, so no calling convention is involved. gcc says so
+// where the file that includes this one ends, which is why this holds to the end.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace tumble::simd {
