@@ -24,8 +24,9 @@ const double period = comet.period();
 
 /// One round of the comet.
 OdeSolution<Vec4> one_round(const Tolerances& tolerances, Track& track) {
-  return integrate_adaptive<DormandPrince54>(SunsPull{}, comet.at(0), 0.0, period, tolerances,
-                                             track);
+  const SunsPull f;
+  const Vec4 y0 = comet.at(0);
+  return integrate_adaptive<DormandPrince54>(f, y0, 0.0, period, tolerances, track);
 }
 
 Path ellipse(const Orbit& orbit) {

@@ -54,7 +54,7 @@ std::string norm_figure() {
   sketch.curve(ellipse_of(std::sqrt(2), std::sqrt(2)), {"c2", 2.2, 1, 0.1});
   sketch.frame({-1, -1}, {1, 1}, {"faint", 1.2});
   sketch.dot(good.cwiseQuotient(allowed), "c0", 5);
-  sketch.words(good.cwiseQuotient(allowed), {10, 2}, "kept", "c0");
+  sketch.words(good.cwiseQuotient(allowed), {6, 21}, "kept", "c0");
   sketch.dot(bad.cwiseQuotient(allowed), "c1", 5);
   sketch.words(bad.cwiseQuotient(allowed), {10, 12}, "rejected", "c1");
   return sketch.svg();

@@ -24,8 +24,8 @@ std::string micrometres(double radius) { return number(1e6 * radius) + " µm"; }
 
 template <class Method>
 OdeSolution<Vec4> fly(double radius, const Tolerances& tolerances = dust_tolerances) {
-  return integrate_adaptive<Method>(dust_of_radius(radius), dust_start(), 0.0, dust_time,
-                                    tolerances);
+  const Dust f = dust_of_radius(radius);
+  return integrate_adaptive<Method>(f, dust_start(), 0.0, dust_time, tolerances);
 }
 
 /// Where the air itself goes.
