@@ -6,6 +6,7 @@
 #include "cube_with_a_vertex.hpp"
 #include "parts.hpp"
 #include "support/plot.hpp"
+#include "support/sphere_curves.hpp"
 
 namespace bounding_boxes_chapter {
 
@@ -59,20 +60,44 @@ std::string lies_figure() {
 
 // ── A cube with one vertex more ──
 
-std::string cube_figure() {
-  support::Sketch sketch(700, 360, "A cube from above, with eight vertices and with nine", 20);
-  const auto draw = [&](double x, const Points& points, const std::string& caption) {
-    sketch.look({x, 156, 146});
-    sketch.curve({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}},
-                 {"solid", 1, 1, 0.75});
-    const boxes::OrientedBox box = boxes::principal_box(points);
-    sketch.curve(rectangle(box, 0, 1, 2), {"c1", 2.4});
-    for (const Vec3& p : points) sketch.dot(p.head<2>(), "ink", 4.5);
-    if (points.size() > 8) sketch.dot(points[8].head<2>(), "c6", 7);
-    sketch.words({0, 0}, {0, 188}, caption + times(box.volume()), "ink", "middle");
+namespace {
+
+/// The twelve edges of a box, as a viewer sees them.
+std::vector<std::vector<Vec2>> edges_of(const boxes::OrientedBox& box, const Mat3& view) {
+  const auto corner = [&](int i) -> Vec2 {
+    const Vec3 half = Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1).cwiseProduct(box.size);
+    return (view * (box.centre + box.R * half / 2)).head<2>();
   };
-  draw(175, cube_corners(), "8 vertices: volume ");
-  draw(525, cube_with_a_vertex(), "9 vertices: volume ");
+  std::vector<std::vector<Vec2>> edges;
+  for (int i = 0; i < 8; ++i)
+    for (const int bit : {1, 2, 4})
+      if ((i & bit) == 0) edges.push_back({corner(i), corner(i | bit)});
+  return edges;
+}
+
+}  // namespace
+
+std::string cube_figure() {
+  support::Sketch sketch(700, 372, "A cube with eight vertices and with nine", 20);
+  const Mat3 view = support::view_from(-62 * degree, 24 * degree);
+  const auto draw = [&](double x, const Points& points, const std::string& caption) {
+    sketch.look({x, 162, 152});
+    sketch.curves(edges_of({Vec3::Zero(), Mat3::Identity(), Vec3::Ones()}, view), {"faint", 1.6});
+    const boxes::OrientedBox box = boxes::principal_box(points);
+    sketch.curves(edges_of(box, view), {"c1", 2.4});
+    for (const Vec3& p : points) sketch.dot((view * p).head<2>(), "ink", 4.5);
+    if (points.size() > 8) sketch.dot((view * points[8]).head<2>(), "c6", 8);
+    sketch.words({0, 0}, {0, 196}, caption + times(box.volume()), "ink", "middle");
+  };
+  draw(165, cube_corners(), "8 vertices: volume ");
+  draw(515, cube_with_a_vertex(), "9 vertices: volume ");
+  const std::array<std::string, 3> names{"x", "y", "z"};
+  sketch.look({330, 318, 34});
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 tip = (view * Vec3::Unit(i)).head<2>();
+    sketch.arrow({0, 0}, tip, {"faint", 1.4});
+    sketch.words(tip, {4, -3}, names[static_cast<std::size_t>(i)], "faint");
+  }
   return sketch.svg();
 }
 
@@ -135,11 +160,11 @@ double turn_of(const boxes::OrientedBox& box) {
 std::string valley_figure() {
   support::Plot plot{"boxes of a mug",
                      {"turned about the upright axis by [°]", support::Scale::linear},
-                     {"volume / mug's", support::Scale::linear},
+                     {"volume of the box, in volumes of the mug", support::Scale::linear},
                      {}};
   const auto volume = [](const boxes::OrientedBox& box) { return box.volume() / mug().volume(); };
   support::Series curve{"any turn", {}, {}};
-  for (int i = 0; i <= 360; ++i) {
+  for (int i = 0; i <= 400; ++i) {
     curve.x.push_back(i / 4.0);
     curve.y.push_back(
         volume(boxes::box_around(mug().points(), axis_rotation(2, i / 4.0 * degree))));
@@ -150,6 +175,11 @@ std::string valley_figure() {
   const boxes::OrientedBox smaller = boxes::fit_oriented_box(mug().points());
   plot.series.push_back(
       {"smaller", {turn_of(smaller) / degree}, {volume(smaller)}, support::Look::dots});
+  const double mirrored = pi / 2 - turn_of(smaller);
+  plot.series.push_back({"handle in the next corner",
+                         {mirrored / degree},
+                         {volume(boxes::box_around(mug().points(), axis_rotation(2, mirrored)))},
+                         support::Look::dots});
   return support::to_svg(plot);
 }
 
