@@ -32,12 +32,24 @@ std::string link_to(const Page& page, const fs::path& other, bool before) {
          other.lexically_relative(page.file.parent_path()).string() + ")";
 }
 
-std::vector<std::string> bad_figures(const Page& page) {
+/// How many figures the chapter has on the pages before this one: we number them through.
+std::size_t figures_before(const Page& page, const std::vector<fs::path>& pages) {
+  std::size_t count = 0;
+  for (const fs::path& other : pages) {
+    if (other == page.file) break;
+    if (other.parent_path() == page.file.parent_path())
+      count += figures_of(read_page(other)).size();
+  }
+  return count;
+}
+
+std::vector<std::string> bad_figures(const Page& page, const std::vector<fs::path>& pages) {
   std::vector<std::string> bad;
   const std::vector<Figure> figures = figures_of(page);
+  const std::size_t before = figures_before(page, pages);
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    const std::string start =
-        "Figure " + std::to_string(chapter_number(page.file)) + "." + std::to_string(i + 1) + ". ";
+    const std::string start = "Figure " + std::to_string(chapter_number(page.file)) + "." +
+                              std::to_string(before + i + 1) + ". ";
     if (!figures[i].caption.starts_with(start))
       bad.push_back(at(page, figures[i].line) +
                     "two lines below this figure stands its caption: *" + start + "…*");
@@ -98,7 +110,7 @@ std::string neighbours(const Page& page, const std::vector<fs::path>& pages) {
 
 std::vector<std::string> mistakes_of_form(const fs::path& root, const Page& page,
                                           const std::vector<fs::path>& pages) {
-  std::vector<std::string> bad = bad_figures(page);
+  std::vector<std::string> bad = bad_figures(page, pages);
   const auto add = [&bad](const std::vector<std::string>& more) {
     bad.insert(bad.end(), more.begin(), more.end());
   };
