@@ -41,8 +41,6 @@ std::string column_figure();
 std::string asks_figure();
 /// A spring with its vector, its direction and its forces, and what stretches it.
 std::string spring_figure();
-/// Steps along the tangent, from curve to curve and out of a circle.
-std::string tangents_figure();
 
 // ── errors.cpp ──
 
@@ -101,6 +99,11 @@ Table halved_table();
 
 /// Two particles as one column of numbers.
 Table state_table();
+
+// ── tangents.cpp ──
+
+/// Steps along the tangent, from curve to curve and out of a circle.
+std::string tangents_figure();
 
 // ── times.cpp ──
 

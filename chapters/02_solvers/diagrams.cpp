@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing.hpp"
 #include "parts.hpp"
 #include "problems.hpp"
 #include "support/sketch.hpp"
