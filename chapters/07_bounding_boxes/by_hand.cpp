@@ -22,7 +22,7 @@ Vec3 mean_of(const Points& points) {
 }  // namespace
 
 Table corners_table() {
-  Table table({"of (1, 2, 3), (4, 0, 5), (2, 6, 1) and …", "centre of the box", "size", "mean"});
+  Table table({"the three points and …", "centre of the box", "size", "mean"});
   Points points{{1, 2, 3}, {4, 0, 5}, {2, 6, 1}};
   const auto add = [&](const std::string& name) {
     const boxes::OrientedBox box = boxes::aligned_box(points);

@@ -22,6 +22,11 @@ Table diamond_table();
 /// What a box takes, and what the exact sum does.
 Table times_table();
 
+// ── cube.cpp ──
+
+/// A cube with eight vertices and with nine, and their principal boxes.
+std::string cube_figure();
+
 // ── equivalent.cpp ──
 
 /// The box that turns like the object.
@@ -66,8 +71,6 @@ Table hard_table();
 
 /// A racket from above. Its points scatter most along the handle and least across it.
 std::string lies_figure();
-/// A cube with eight vertices and with nine, and their principal boxes.
-std::string cube_figure();
 /// From the side, the mug's handle tilts its principal box.
 std::string sides_figure();
 /// Volume of the mug's box against its turn. Upright it stands in a shallow valley.
