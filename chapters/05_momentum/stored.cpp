@@ -8,6 +8,7 @@
 #include "parts.hpp"
 #include "storages.hpp"
 #include "support/plot.hpp"
+#include "support/stopwatch.hpp"
 
 namespace momentum_chapter {
 
@@ -23,8 +24,7 @@ const std::vector<Vec3>& spin_starts() {
   static const std::vector<Vec3> starts = [] {
     Random random(5);
     std::vector<Vec3> list;
-    for (int i = 0; i < 12; ++i)
-      list.emplace_back(spin_start.norm() * random.vector(1).normalized());
+    for (int i = 0; i < 12; ++i) list.emplace_back(spin_start.norm() * random.direction());
     return list;
   }();
   return starts;
