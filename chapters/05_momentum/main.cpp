@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   chapter.figure("flight", flight_figure);
   chapter.figure("frames", frames_figure);
   chapter.figure("wheel", wheel_figure);
-  chapter.figure("arm", arm_figure);
+  chapter.figure("torque", torque_figure);
   chapter.figure("push", push_figure);
   chapter.figure("askew", askew_figure);
   chapter.figure("wander", wander_figure);

@@ -42,7 +42,7 @@ Table times_table();
 /// A point of a racket in the world's axes and in its own.
 std::string frames_figure();
 /// Arm, force and torque.
-std::string arm_figure();
+std::string torque_figure();
 
 // ── far.cpp ──
 
