@@ -50,7 +50,7 @@ std::string wander_figure() {
   std::vector<Vec3> path;
   for (const Moment& m : moments) path.emplace_back(upright * m.now.omega);
   support::Sketch sketch(760, 470, "The path of ω while L stands still");
-  sketch.look({380, 440, 320});
+  sketch.look({380, 440, 300});
   SpaceSketch space(sketch, support::view_from(-70 * degree, 24 * degree));
   const Vec3 foot(0, 0, path[0].z());
   draw_plane(sketch, space, foot.z(), 0.62);
