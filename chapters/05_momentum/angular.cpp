@@ -44,7 +44,7 @@ void draw_dumbbell(support::Sketch& sketch, double side, const std::string& capt
   sketch.words({0, 1.45}, {8, 4}, "ω", "c1");
   const std::string outside = side > 0 ? "end" : "start";
   sketch.arrow({0, 0}, 1.3 * L, {"c0", 3});
-  sketch.words(0.75 * L, {side > 0 ? -4. : 4., -12}, "L", "c0", outside);
+  sketch.words(0.75 * L, {side > 0 ? -8. : 8., 20}, "L", "c0", outside);
   draw_arrow_mark(sketch, 1.5 * L, side > 0, "c3");
   sketch.words(1.5 * L, {side > 0 ? -20. : 20., 6}, "ω × L", "c3", outside);
   sketch.words({0, -1.45}, {0, 26}, caption, "ink", "middle");

@@ -27,27 +27,37 @@ void draw_racket_in_space(SpaceSketch& space, const Derived<>& now, const Vec3& 
   draw(lines.handle, {"faint", 4});
 }
 
+/// The body's axes, with their names where the racket leaves room.
+void draw_body_axes(SpaceSketch& space, const Derived<>& now, double length) {
+  const std::array<std::string, 3> names{"x_body", "y_body", "z_body"};
+  const std::array<Vec2, 3> offsets{Vec2(8, 12), {-14, -8}, {8, -2}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 tip = now.x + length * now.R.col(static_cast<Eigen::Index>(i));
+    space.arrow(now.x, tip, {"c2", 1.8});
+    space.words(tip, offsets[i], names[i], "c2", "start");
+  }
+}
+
 }  // namespace
 
 std::string frames_figure() {
   Sketch sketch(760, 420,
                 "A point of a racket, from the world's origin and from its centre of mass");
-  sketch.look({120, 330, 430});
+  sketch.look({100, 350, 480});
   SpaceSketch space(sketch, support::view_from(-105 * degree, 20 * degree));
   const Vec3 centre = properties_of(racket).centre, p_body = Vec3(-0.52, 0, 0) - centre;
   Derived<> now;
   now.x = Vec3(0.86, 0.1, 0.28);
-  now.R = exp_rotation(Vec3(0, 0.5, 0)) * exp_rotation(Vec3(1.1, 0, 0));
+  now.R = exp_rotation(Vec3(0, 0.5, 0)) * exp_rotation(Vec3(0.5, 0, 0));
   const Vec3 p = point_position<double>(now, p_body), origin = Vec3::Zero();
   draw_racket_in_space(space, now, centre);
-  const Pen body{"c2", 1.8};
   space.world_axes(origin, 0.22);
   space.words(origin, {-8, 24}, "world");
-  space.axes(now.x, 0.24 * now.R, {"x_body", "y_body", "z_body"}, {body, body, body});
+  draw_body_axes(space, now, 0.24);
   space.arrow(origin, now.x, {"c0", 2.4});
   space.words(0.6 * now.x, {0, 26}, "x", "c0");
   space.arrow(now.x, p, {"c1", 2.4});
-  space.words((now.x + p) / 2, {6, -14}, "R p_body", "c1", "start");
+  space.words((now.x + p) / 2, {-4, 28}, "R p_body", "c1", "end");
   space.arrow(origin, p, {"c3", 2.4});
   space.words(0.6 * p, {-10, -12}, "p = x + R p_body", "c3", "end");
   space.dot(p, "ink", 4);
@@ -55,7 +65,7 @@ std::string frames_figure() {
   return sketch.svg();
 }
 
-std::string arm_figure() {
+std::string torque_figure() {
   Sketch sketch(760, 380, "Arm, force and torque of a force on a flat body");
   const Mat3 view = support::view_from(-75 * degree, 32 * degree);
   sketch.look({300, 250, 118});

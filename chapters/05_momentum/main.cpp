@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   chapter.table("apart", "How far L and ω can be apart", apart_table);
   chapter.table("split", "Orbital and spin parts", split_table);
   chapter.table("kept", "Ten minutes of a free T-handle", kept_table);
-  chapter.table("hour", "An hour of it, by Euler", hour_table);
+  chapter.table("longer", "Fifteen minutes of it, by Euler", longer_table);
   chapter.table("stored", "Ten seconds of a free T-handle, by RK4, averaged over twelve starts",
                 stored_table);
   chapter.table("gaps", "From one number to the next", gaps_table);
@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   chapter.figure("flight", flight_figure);
   chapter.figure("frames", frames_figure);
   chapter.figure("wheel", wheel_figure);
-  chapter.figure("arm", arm_figure);
+  chapter.figure("torque", torque_figure);
   chapter.figure("push", push_figure);
   chapter.figure("askew", askew_figure);
   chapter.figure("wander", wander_figure);

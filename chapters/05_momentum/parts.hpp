@@ -42,7 +42,7 @@ Table times_table();
 /// A point of a racket in the world's axes and in its own.
 std::string frames_figure();
 /// Arm, force and torque.
-std::string arm_figure();
+std::string torque_figure();
 
 // ── far.cpp ──
 
@@ -91,8 +91,8 @@ std::string push_figure();
 
 /// Ten minutes of a free T-handle.
 Table kept_table();
-/// The energy after ten minutes and after an hour, by Euler.
-Table hour_table();
+/// The energy after ten minutes and after fifteen, by Euler.
+Table longer_table();
 /// Ten seconds of a free T-handle, by RK4, averaged over starts.
 Table stored_table();
 /// Orientation after ten seconds against evaluations, averaged over starts.
