@@ -18,7 +18,7 @@ Vec3 on_the_floor(const Vec3& p) { return {p.x(), p.y(), 0}; }
 
 /// A triangle that leans, its shadow along γ, and its normal with the part along γ.
 void draw_face_and_shadow(SpaceSketch& space) {
-  const std::vector<Vec3> face{{0.35, 0.25, 1}, {1.9, 0.45, 0.8}, {0.75, 1.75, 1.6}};
+  const std::vector<Vec3> face{{0.35, 0.25, 0.75}, {1.9, 0.45, 1.55}, {0.75, 1.75, 0.95}};
   std::vector<Vec3> outline = face, shadow;
   outline.push_back(face.front());
   for (const Vec3& p : outline) shadow.push_back(on_the_floor(p));
@@ -35,11 +35,11 @@ void draw_face_and_shadow(SpaceSketch& space) {
   const Vec3 up(0, 0, n.z());
   space.curve({middle + n, middle + up}, {"faint", 1});
   space.arrow(middle, middle + up, {"c2", 2.6});
-  space.words(middle + up, {10, 12}, "n_γ", "c2", "start");
+  space.words(middle + up, {10, 4}, "n_γ", "c2", "start");
   space.arrow(middle, middle + n, {"ink", 2.6});
   space.words(middle + n, {-8, -4}, "n", "ink", "end");
   space.words(on_the_floor(middle), {0, 6}, "shadow", "c1");
-  space.words(face[2], {10, 4}, "face", "c0", "start");
+  space.words(face[1], {10, 4}, "face", "c0", "start");
 }
 
 /// The same from the side: lengths a, and a/n_γ over it.
