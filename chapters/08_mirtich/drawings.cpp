@@ -18,7 +18,7 @@ Vec3 on_the_floor(const Vec3& p) { return {p.x(), p.y(), 0}; }
 
 /// A triangle that leans, its shadow along γ, and its normal with the part along γ.
 void draw_face_and_shadow(SpaceSketch& space) {
-  const std::vector<Vec3> face{{0.45, 0.35, 0.95}, {1.75, 0.3, 0.75}, {1.1, 1.6, 1.9}};
+  const std::vector<Vec3> face{{0.35, 0.25, 0.75}, {1.9, 0.45, 1.55}, {0.75, 1.75, 0.95}};
   std::vector<Vec3> outline = face, shadow;
   outline.push_back(face.front());
   for (const Vec3& p : outline) shadow.push_back(on_the_floor(p));
@@ -35,11 +35,11 @@ void draw_face_and_shadow(SpaceSketch& space) {
   const Vec3 up(0, 0, n.z());
   space.curve({middle + n, middle + up}, {"faint", 1});
   space.arrow(middle, middle + up, {"c2", 2.6});
-  space.words(middle + up, {12, -2}, "n_γ", "c2", "start");
+  space.words(middle + up, {10, 4}, "n_γ", "c2", "start");
   space.arrow(middle, middle + n, {"ink", 2.6});
   space.words(middle + n, {-8, -4}, "n", "ink", "end");
   space.words(on_the_floor(middle), {0, 6}, "shadow", "c1");
-  space.words(face[2], {10, 4}, "face", "c0", "start");
+  space.words(face[1], {10, 4}, "face", "c0", "start");
 }
 
 /// The same from the side: lengths a, and a/n_γ over it.
@@ -90,7 +90,7 @@ void name_corner(Sketch& sketch, const Vec2& p) {
 
 std::string shadow_figure() {
   Sketch sketch(760, 420, "A face and its shadow, in space and from the side", 19);
-  sketch.look({215, 330, 125});
+  sketch.look({120, 320, 132});
   SpaceSketch space(sketch, support::view_from(-62 * degree, 24 * degree));
   draw_face_and_shadow(space);
   const Pen pen{"ink", 1.5};

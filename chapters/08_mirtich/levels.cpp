@@ -80,7 +80,7 @@ std::string rods_figure() {
   draw_rods(sketch);
   sketch.look({665, 185, 85});
   draw_rod_end(sketch);
-  sketch.look({20, 80, 1});
+  sketch.look({470, 378, 1});
   sketch.arrow({0, 0}, {46, 0}, {"ink", 1.5});
   sketch.arrow({0, 0}, {0, 46}, {"ink", 1.5});
   sketch.words({46, 0}, {8, 5}, "x");

@@ -135,6 +135,20 @@ TEST_CASE("a figure has a caption with its number, in the order of the page") {
   CHECK(says(book.mistakes(with("Figure 2.1.", "Figure 2.2.")), "*Figure 2.1. …*"));
 }
 
+TEST_CASE("the figures of a second page count on from those of the first") {
+  const Chapters book;
+  const auto second = [](const std::string& number) -> std::string {
+    return "# More\n\nWe go on with you.\n\n![A drawing](figures/a.svg)\n\n*Figure " + number +
+           ". Again.*\n\n[← 2 Two](README.md) · [Terms](../terms/README.md) · "
+           "[3 Three →](../03_three/README.md)\n";
+  };
+  const std::string first = with("[3 Three →](../03_three/README.md)", "[More →](more.md)");
+  book.write("chapters/02_two/more.md", second("2.2"));
+  CHECK(book.mistakes(first) == "");
+  book.write("chapters/02_two/more.md", second("2.1"));
+  CHECK(says(book.mistakes(first), "*Figure 2.2. …*"));
+}
+
 TEST_CASE("a chapter has questions, a summary, challenges and links to its neighbours") {
   const Chapters book;
   CHECK(says(book.mistakes(with(question + "\n", "")), "at least three questions"));
