@@ -18,7 +18,7 @@ Vec3 on_the_floor(const Vec3& p) { return {p.x(), p.y(), 0}; }
 
 /// A triangle that leans, its shadow along γ, and its normal with the part along γ.
 void draw_face_and_shadow(SpaceSketch& space) {
-  const std::vector<Vec3> face{{0.35, 0.25, 0.75}, {1.9, 0.45, 1.55}, {0.75, 1.75, 0.95}};
+  const std::vector<Vec3> face{{0.35, 0.25, 0.7}, {1.9, 0.45, 1.3}, {0.75, 1.75, 1.3}};
   std::vector<Vec3> outline = face, shadow;
   outline.push_back(face.front());
   for (const Vec3& p : outline) shadow.push_back(on_the_floor(p));
