@@ -10,6 +10,14 @@ namespace scene_chapter {
 
 using tumble::support::Table;
 
+// ── by_hand.cpp ──
+
+/// A free symmetric top, small enough for paper.
+Table top_by_hand_table();
+/// The free fall of a stone by two of chapter 1's methods, and what becomes of its energy: on
+/// paper.
+Table energy_by_hand_table();
+
 // ── cost.cpp ──
 
 /// Error against evaluations. The closed form is one question, at the error it promises.
@@ -21,6 +29,11 @@ Table work_table();
 
 /// Many bodies at once: what each takes.
 Table crowd_table();
+
+// ── diagrams.cpp ──
+
+/// Which model a scene needs.
+std::string tree_figure();
 
 // ── elliptic.cpp ──
 
@@ -101,6 +114,13 @@ Table rungs_table();
 Table absent_table();
 /// How wrong a simpler body turns.
 Table equal_table();
+/// The wing nut taken for a top.
+Table nut_table();
+
+// ── spinning_ball.cpp ──
+
+/// A golf ball with back-spin as a particle, as a spinning ball and as a full body.
+Table spin_table();
 
 // ── stated.cpp ──
 
