@@ -46,13 +46,13 @@ Table top_by_hand_table() {
 
 Table energy_by_hand_table() {
   constexpr std::array<double, 5> energies{10, 13, 12, 13, 12};  // [J], one per second
-  Table table({"n", "E", "e", "n − mean", "(n − mean) e"});
+  Table table({"i", "E", "e", "i − mean", "(i − mean) e"});
   double sum = 0;
-  for (std::size_t n = 0; n < energies.size(); ++n) {
-    const double e = (energies[n] - energies[0]) / energies[0], s = static_cast<double>(n) - 2;
+  for (std::size_t i = 0; i < energies.size(); ++i) {
+    const double e = (energies[i] - energies[0]) / energies[0], s = static_cast<double>(i) - 2;
     sum += s * e;
     table.add(
-        {std::to_string(n), number(energies[n]) + " J", on_paper(e), on_paper(s), on_paper(s * e)});
+        {std::to_string(i), number(energies[i]) + " J", on_paper(e), on_paper(s), on_paper(s * e)});
   }
   table.add({"sum", "", "", "", on_paper(sum)});
   return table;

@@ -40,9 +40,8 @@ void draw_moments(Sketch& sketch) {
   ask(sketch, {20, 246}, {310, 302}, "Are two of them", "as good as equal?");
   flow(sketch, {312, 274}, {428, 274}, {0, -8}, "yes");
   box(sketch, {430, 246}, {740, 302}, "symmetric top", "two steady turns", "c2");
-  flow(sketch, {165, 244}, {165, 180}, {8, 5}, "no", "start");
-  sketch.curve({{165, 180}, {310, 180}}, {"ink", 1.8});
-  sketch.arrow({310, 180}, {428, 180}, {"ink", 1.8});
+  sketch.curve({{165, 244}, {165, 180}, {310, 180}}, {"ink", 1.8});
+  flow(sketch, {310, 180}, {428, 180}, {-196, -26}, "no", "start");
   box(sketch, {430, 152}, {740, 208}, "full body", "elliptic functions", "c2");
 }
 

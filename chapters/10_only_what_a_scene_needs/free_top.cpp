@@ -4,6 +4,7 @@
 #include "common.hpp"
 #include "named_bodies.hpp"
 #include "parts.hpp"
+#include "support/space_sketch.hpp"
 
 namespace scene_chapter {
 
@@ -160,6 +161,9 @@ std::string cones_figure() {
   draw_cones(sketch, 1, 0.35, 38 * degree, "long: C < A");
   sketch.look({540, 280, 150});
   draw_cones(sketch, 1, 1.9, 38 * degree, "flat: C > A");
+  sketch.look({345, 300, 1});
+  support::SpaceSketch(sketch, support::view_from(-90 * degree, 17 * degree))
+      .world_axes(Vec3::Zero(), 36);
   return sketch.svg();
 }
 

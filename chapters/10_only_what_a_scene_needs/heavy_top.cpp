@@ -5,6 +5,7 @@
 #include "by_series.hpp"
 #include "common.hpp"
 #include "parts.hpp"
+#include "support/space_sketch.hpp"
 #include "tilted_top.hpp"
 
 namespace scene_chapter {
@@ -57,6 +58,8 @@ std::string tip_figure() {
     sketch.look({130 + 250 * static_cast<double>(i), 132, 118});
     draw_tip(sketch, tilted_top(spin, tilt, rounds[i]), names[i]);
   }
+  sketch.look({22, 284, 1});
+  support::SpaceSketch(sketch, tip_view()).world_axes(Vec3::Zero(), 34);
   return sketch.svg();
 }
 

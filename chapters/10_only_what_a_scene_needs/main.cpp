@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   chapter.table("sleep", "How far a top leans", sleep_table);
   chapter.table("event", "A top that slows down", event_table);
   chapter.table("series", "A lopsided body by Taylor series", series_table);
-  chapter.table("energy_by_hand", "Six energies on paper", energy_by_hand_table);
+  chapter.table("energy_by_hand", "Five energies on paper", energy_by_hand_table);
   chapter.table("free_energy", "The energy of the free handle", free_energy_table);
   chapter.table("drift", "The energy of a nodding top", drift_table);
   chapter.table("ends", "A trend from two states, and from all", ends_table);

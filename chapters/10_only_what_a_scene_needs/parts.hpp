@@ -14,8 +14,7 @@ using tumble::support::Table;
 
 /// A free symmetric top, small enough for paper.
 Table top_by_hand_table();
-/// The free fall of a stone by two of chapter 1's methods, and what becomes of its energy: on
-/// paper.
+/// Five energies and the line that fits them, small enough for paper.
 Table energy_by_hand_table();
 
 // ── cost.cpp ──
