@@ -163,7 +163,7 @@ std::string cones_figure() {
   draw_cones(sketch, 1, 1.9, 38 * degree, "flat: C > A");
   sketch.look({300, 292, 1});
   support::draw_two_axes(sketch, 36, {"x", "z"});
-  sketch.words({0, 0}, {-8, 22}, "y: away from you");
+  sketch.words({0, 0}, {-8, 32}, "y: away from you");
   return sketch.svg();
 }
 
