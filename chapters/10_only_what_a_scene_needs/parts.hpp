@@ -62,6 +62,13 @@ Table spoiled_table();
 /// The energy, if the length of the steps changes.
 Table changing_table();
 
+// ── equal.cpp ──
+
+/// How wrong a simpler body turns.
+Table equal_table();
+/// The wing nut taken for a top.
+Table nut_table();
+
 // ── free_top.cpp ──
 
 /// Wobbles in a turn.
@@ -111,11 +118,6 @@ Table ladder_table();
 Table rungs_table();
 /// What forces of zero cost.
 Table absent_table();
-/// How wrong a simpler body turns.
-Table equal_table();
-/// The wing nut taken for a top.
-Table nut_table();
-
 // ── spinning_ball.cpp ──
 
 /// A golf ball with back-spin as a particle, as a spinning ball and as a full body.
