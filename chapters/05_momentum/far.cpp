@@ -141,9 +141,9 @@ std::string far_figure() {
   add("p × F − x × F",
       [](const Lever& l, const Vec3& x) { return given_in_the_world(l, x, false); });
   add("(p − x) × F", [](const Lever& l, const Vec3& x) { return given_in_the_world(l, x, true); });
-  add("p = x + R p_body first", through_the_world<double>);
+  add("by way of p", through_the_world<double>);
   add("(R p_body) × F", only_turned);
-  add("… p first, in float", through_the_world<float>);
+  add("by way of p, in float", through_the_world<float>);
   return support::to_svg(plot);
 }
 

@@ -94,12 +94,12 @@ std::string needle_figure() {
   };
   add("(R I_body Rᵀ)⁻¹ L",
       any_L([](const Task<double>& task, const Mat3&) { return by_inverting_in_world(task); }));
-  add("other body axes", any_L([](const Task<double>& task, const Mat3& S) {
+  add("body axes, not principal", any_L([](const Task<double>& task, const Mat3& S) {
         return by_three_products(in_other_axes(task, S));
       }));
-  add("principal axes",
+  add("principal axes, any L",
       any_L([](const Task<double>& task, const Mat3&) { return by_three_products(task); }));
-  add("… L across the needle", worst_of_tumbling);
+  add("the same, L ⊥ needle", worst_of_tumbling);
   return support::to_svg(plot);
 }
 
@@ -210,9 +210,9 @@ Table arm_table() {
     table.add(row);
   };
   add("midpoint: at each evaluation", fresh_arm_error<runge_kutta::Midpoint>);
-  add("midpoint: once a step", old_arm_error<runge_kutta::Midpoint>);
+  add("midpoint: once per step", old_arm_error<runge_kutta::Midpoint>);
   add("RK4: at each evaluation", fresh_arm_error<Rk4>);
-  add("RK4: once a step", old_arm_error<Rk4>);
+  add("RK4: once per step", old_arm_error<Rk4>);
   return table;
 }
 

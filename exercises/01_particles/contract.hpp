@@ -5,6 +5,9 @@
 /// To a solver, particles are one column of numbers, and all that moves them is one function of the
 /// time and of that column. Once you have written this function, you can use every solver there is.
 /// All numbers are in SI units.
+///
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises. Other parts
+/// of Eigen are not there: no cross(), inverse(), determinant() or decomposition.
 
 #include <Eigen/Core>
 #include <functional>

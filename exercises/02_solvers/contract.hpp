@@ -5,6 +5,10 @@
 /// A solver is as good as the error it makes in the time it takes. Here you measure the error of a
 /// step, choose the next step by it, take a step where no explicit one would be short enough, and
 /// see whether a method keeps what it promises.
+///
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises, those of
+/// chapter 1 as well. Of Eigen there is no other part, so no inverse() and no decomposition: for
+/// linear equations you have solve(), below.
 
 #include <Eigen/Core>
 #include <cmath>

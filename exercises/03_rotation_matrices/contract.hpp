@@ -4,6 +4,9 @@
 ///
 /// R maps body → world: its columns are the body's axes x, y, z in world coordinates. A matrix that
 /// a solver has moved is not quite a rotation any more; you repair it in the last two exercises.
+///
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises. Other parts
+/// of Eigen are not there: no cross(), inverse(), determinant() or decomposition, no rotations.
 
 #include <Eigen/Core>
 #include <array>
@@ -48,9 +51,8 @@ Eigen::Matrix3d gram_schmidt(const Eigen::Matrix3d& M);
 
 // == 3.5 nearest_rotation: the rotation that changes a matrix least
 /// @param M a matrix with a positive determinant. It may be a rotation that has drifted, or far
-/// from
-///          any rotation: ten times too long in one direction, flattened to a tenth, sheared by
-///          twice its size, or as a whole 1000 times too large or too small
+///          from any rotation: ten times too long in one direction, flattened to a tenth, sheared
+///          by twice its size, or as a whole 1000 times too large or too small
 /// @return the rotation R with the smallest ‖R − M‖, the root of the sum of the squares of all nine
 ///         differences. Its errors may be as large as rounding times the square of M's condition
 ///         number

@@ -6,6 +6,9 @@
 /// A unit quaternion is a rotation from body to world; q and −q are the same rotation. Angles are
 /// in radians. "Right to rounding" means: your result may be off by some roundings of a double, not
 /// by more.
+///
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises of this
+/// chapter. Other parts of Eigen are not there: no cross(), no Eigen::Quaternion, no AngleAxis.
 
 #include <Eigen/Core>
 

@@ -7,9 +7,11 @@
 /// rounding. A name with `_body` is in body coordinates, where it stays the same while the body
 /// moves. Everything else is in world axes.
 ///
-/// For the cross product a × b you may call `rotation_matrices::skew(a) * b`, from 3.2, or write
-/// its three components out. Eigen's own `.cross()` is not among what your exercises may use. "To
-/// rounding" means: your result may be off by some roundings of a double, not by more.
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises. Other parts
+/// of Eigen are not there, so no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, from
+/// 3.2, which this header includes, or write the three components out.
+///
+/// "To rounding" means: your result may be off by some roundings of a double, not by more.
 
 #include <Eigen/Core>
 #include <vector>
@@ -45,7 +47,7 @@ struct Wrench {
 Eigen::Vector3d centre_of_mass(const std::vector<PointMass>& points);
 
 // == 5.2 point_velocity: how fast a point of a body moves
-/// @param x      where the centre of mass is [m]
+/// @param x      where the centre of mass is [m]; you can do without it
 /// @param R      orientation, body → world
 /// @param v      velocity of the centre of mass [m/s]
 /// @param omega  angular velocity, in world axes [rad/s]

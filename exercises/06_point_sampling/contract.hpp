@@ -5,6 +5,10 @@
 /// An inertia tensor says how hard it is to turn a body: L = I ω. Its products, the numbers off the
 /// diagonal, carry the minus sign: I_xy = −∫ x y dm. Where we say nothing else, it is about the
 /// centre of mass. "To rounding" means: off by some roundings of a double, not more.
+///
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
+/// those of chapter 5 and `rotation_matrices::skew(a) * b` for a × b. Other parts of Eigen are not
+/// there: no cross(), inverse(), determinant() or decomposition.
 
 #include <Eigen/Core>
 #include <array>
@@ -47,9 +51,8 @@ Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
 
 // == 6.2 inside_mesh: is a point inside?
 /// @param mesh  of any shape: with notches, holes and cavities, or of several parts, side by side
-/// or
-///              in one another's cavities. It is closed: each edge belongs to two triangles, which
-///              run through it in opposite directions. Parts don't overlap. A mesh without
+///              or in one another's cavities. It is closed: each edge belongs to two triangles,
+///              which run through it in opposite directions. Parts don't overlap. A mesh without
 ///              triangles has no inside.
 /// @param point a place [m], away from the surface by 1/1000 of the mesh's largest extent or more.
 ///              A line through it may meet edges and vertices, exactly or nearly, or run along a

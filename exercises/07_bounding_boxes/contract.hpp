@@ -4,6 +4,10 @@
 ///
 /// A box around a body can stand in for it, because its inertia is a short formula. The page says
 /// what that costs in accuracy; here you make the boxes.
+///
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
+/// those of chapter 6. Other parts of Eigen are not there, so no eigenvectors: principal_axes(),
+/// below, computes the axes that you need.
 
 #include <Eigen/Core>
 #include <cmath>

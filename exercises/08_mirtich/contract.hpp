@@ -10,8 +10,9 @@
 /// or (z, x, y), and if you look down from the tip of the γ axis, you see α go to the right and β
 /// go up. The shadow of a point has its coordinates α and β; we drop its γ.
 ///
-/// The cross product a × b is `rotation_matrices::skew(a) * b`, with your 3.2; or write out its
-/// three components. An exercise does not have Eigen's own `.cross()`.
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises. Other parts
+/// of Eigen are not there, so no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, your
+/// 3.2, or write the three components out. This header includes the one of chapter 3 already.
 ///
 /// "To rounding" means: off by some roundings of a double, not more.
 
@@ -23,6 +24,8 @@
 
 namespace mirtich {
 
+/// As in chapter 6: `mass` [kg], `centre`, which is the centre of mass [m], and `inertia` about it
+/// [kg m²], products with the minus sign.
 using point_sampling::MassProperties;
 
 /// A body, given by the plane polygons that bound it.
@@ -94,9 +97,8 @@ FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& pla
 ///   corners, or its first three corners on one line.
 /// - A face without area contributes nothing: fewer than three corners, all in one point, or all on
 ///   one line. All others count, however small.
-/// - The faces of a cavity go round counter-clockwise seen from within the cavity, which takes
-/// itself
-///   off.
+/// - The faces of a cavity go round counter-clockwise seen from within the cavity. So the sum over
+///   all faces subtracts the cavity, and you need no special case.
 /// - A body inside out, whose faces all go round clockwise seen from outside, has the negatives of
 ///   all integrals. Without a face they are 0.
 /// @param body closed: along every edge two faces meet. Between 1e-40 and 1e40 m large
@@ -108,10 +110,9 @@ VolumeIntegrals volume_integrals(const Polyhedron& body);
 /// - The body may be up to 1e8 m away from the origin. Mass and inertia must lose no digit by that,
 ///   and the centre no more than any place so far out does.
 /// - A body inside out has the negatives of its mass and its inertia, so that you can tell it from
-/// a
-///   good one. Its centre is where it is.
-/// - If there is no volume at all, because there are no faces or all corners are in one point, then
-///   mass, centre and inertia are 0.
+///   a good one. Its centre is where it is.
+/// - If 8.3 gives a volume of 0, as for a body without faces or with all corners in one point, then
+///   mass, centre and inertia are all 0: don't divide by the volume.
 /// @param body    as in 8.3; if there is a face, every vertex belongs to one
 /// @param density [kg/m³], positive, the same all over the body
 /// @return its mass properties, to rounding: the errors may grow with the number of corners and,

@@ -4,7 +4,10 @@
 ///
 /// Here the chapters meet. You pack the state of a body into one column of numbers as in chapter 1.
 /// Its orientation is a quaternion as in chapter 4, its momenta and what pushes it are those of
-/// chapter 5, and the solver of 1.5 moves it. You may call the functions of those chapters.
+/// chapter 5, and the solver of 1.5 moves it.
+///
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
+/// those of chapters 1, 4 and 5, which this header includes. Other parts of Eigen are not there.
 ///
 /// x, P, L, v, ω, forces and torques are in world axes. R and q map body → world, and we write q as
 /// (w, x, y, z). A name with `_body` is in body axes, where it stays the same while the body moves.

@@ -8,6 +8,9 @@
 ///
 /// Conventions, bodies and states are those of chapter 9. "To rounding" means: off by a few
 /// roundings of a double, not more.
+///
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
+/// those of chapters 4, 5 and 9. Other parts of Eigen are not there.
 
 #include <Eigen/Core>
 #include <vector>

@@ -19,7 +19,7 @@ inline constexpr std::size_t largest_submission = 256 << 10;
 /// The text of a regular file (no link, no pipe, no device), UTF-8 without NUL.
 /// @throws Refused if it is missing, empty, too large, or anything else
 /// @throws std::runtime_error if this machine cannot read it: a disk that fails, too many open
-/// files
+///         files
 std::string read_submission(const std::filesystem::path& path);
 
 }  // namespace tumble::judge

@@ -2,10 +2,9 @@
 /// @file
 /// What an instructor decides about a course, from a small file:
 ///
-///     {"title": "Dynamics, winter 2026", "units": ["1", "2", "4.1"], "weights": {"4": 2, "4.7":
-///     5},
-///      "credit": "laws", "hidden": ["4.7"], "due": "2026-12-01T23:59:00Z", "seed": 8231,
-///      "curve": true}
+///     {"title": "Dynamics, winter 2026", "units": ["1", "2", "4.1"],
+///      "weights": {"4": 2, "4.7": 5}, "credit": "laws", "hidden": ["4.7"],
+///      "due": "2026-12-01T23:59:00Z", "seed": 8231, "curve": true}
 ///
 /// Everything may be left out.
 

@@ -39,7 +39,7 @@ void write_manifest(const GradesFolder& folder, const ShardManifest& manifest);
 std::vector<FoundShard> shards_in(const GradesFolder& folder);
 
 /// @throws std::invalid_argument if a folder has shards of another number of them: a student would
-/// be in two
+///         be in two
 void require_same_cut(const GradesFolder& folder, const Shard& shard);
 
 }  // namespace tumble::judge

@@ -23,7 +23,7 @@ struct MineModule {
 };
 
 /// @throws std::runtime_error if it is not built, or the tree has no whole course to make an engine
-/// of
+///         of
 const MineModule& mine_module(const Course& course);
 
 }  // namespace tumble::judge

@@ -19,8 +19,7 @@ bool keeps_an_expression(const std::string& source);
 
 /// Puts a name to a wrong answer for which `source` holds the reason:
 /// - "whole-number division": 1/2 or 1/12 stands there, which is 0. It replaces other names, which
-/// take
-///   the factor that is missing for something else;
+///   take the factor that is missing for something else;
 /// - "float": the numbers are right to some 7 digits, and there is a float (or 0.5f, or sqrtf).
 void name_from_source(Finding& finding, const std::string& source);
 

@@ -58,9 +58,8 @@ inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
 
 /// The simplest model that tells the turning of a body that nothing pushes round.
 /// @param tolerance difference of two moments, by the larger one, that counts as none. The angle
-/// that
-///                  it makes wrong grows as tolerance · |ω| · t, so choose it for the time span.
-///                  For a spin perpendicular to the axis of a near-symmetry it grows as t²
+///                  that it makes wrong grows as tolerance · |ω| · t, so choose it for the time
+///                  span. For a spin perpendicular to the axis of a near-symmetry it grows as t²
 /// @throws std::invalid_argument if the tolerance is negative or not finite
 inline ModelChoice choose_model(const PrincipalAxes& axes, double tolerance = 0) {
   require(tolerance >= 0 && std::isfinite(tolerance), "choose_model: the tolerance is ", tolerance);

@@ -63,10 +63,9 @@ struct MeshMassProperties : BoundedMassProperties {
 /// @param mesh    closed, faces counter-clockwise seen from outside [m]
 /// @param density the same everywhere [kg/m³]
 /// @throws std::invalid_argument if the density is not positive and finite; with Policy::refuse
-/// also
-///         if the mesh is not the boundary of a body, is inside out, or encloses no volume, and
-///         with Policy::accept if there is nothing to integrate over (no faces, vertices that do
-///         not exist or are not finite); the message says what and where
+///         also if the mesh is not the boundary of a body, is inside out, or encloses no volume,
+///         and with Policy::accept if there is nothing to integrate over (no faces, vertices that
+///         do not exist or are not finite); the message says what and where
 inline MeshMassProperties mesh_mass_properties(const PolygonMesh& mesh, double density,
                                                const MassOptions& options = {}) {
   require_density(density);

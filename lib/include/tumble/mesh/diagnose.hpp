@@ -105,7 +105,7 @@ enum class Policy {
 /// least possible. Real meshes have faces without area; they add nothing to an integral and alone
 /// are no reason to refuse here: require_faultless() does.
 /// @param tolerance the share of the volume that may count wrongly because the surface crosses
-/// itself
+///                  itself
 /// @throws std::invalid_argument with all findings, one a line
 inline void require_body(const std::vector<MeshDefect>& findings, Policy policy = Policy::refuse,
                          double tolerance = detail::crossing_tolerance) {

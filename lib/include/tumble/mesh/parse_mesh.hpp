@@ -17,7 +17,7 @@ namespace tumble {
 /// Reads OBJ, STL or PLY, whichever it is by its content.
 /// @param bytes of the file
 /// @param name  what the file is called in messages; its ending counts only where the content says
-/// nothing
+///              nothing
 /// @throws std::invalid_argument as parse_obj(), parse_stl() and parse_ply() do
 inline PolygonMesh parse_mesh(std::string_view bytes, std::string_view name) {
   switch (detail::format_of(bytes, bytes.size(), name)) {

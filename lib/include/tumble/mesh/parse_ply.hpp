@@ -161,9 +161,8 @@ class PlyBodyReader {
 /// @param bytes of the file: ascii, binary_little_endian or binary_big_endian 1.0
 /// @param name  what the file is called in messages
 /// @throws std::invalid_argument naming the line or the byte, and the element, for: a header that
-/// is
-///         not one of PLY, a file that is shorter or longer than its elements, a coordinate that is
-///         not a finite number, a face of fewer than 3 corners, a vertex that is not there, no
+///         is not one of PLY, a file that is shorter or longer than its elements, a coordinate that
+///         is not a finite number, a face of fewer than 3 corners, a vertex that is not there, no
 ///         faces
 inline PolygonMesh parse_ply(std::string_view bytes, std::string_view name) {
   detail::TextScanner text(bytes, name);

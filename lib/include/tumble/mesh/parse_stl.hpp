@@ -20,8 +20,7 @@ inline bool is_text_stl(std::string_view head) {
 /// moved); normals, names and colours are passed over. STL states no unit: coordinates are taken
 /// for metres.
 /// @param bytes of the file. It is binary where its size is that of the facets that its header
-/// names,
-///              also if it begins with "solid"
+///              names, also if it begins with "solid"
 /// @param name  what the file is called in messages
 /// @throws std::invalid_argument naming the facet, and the line or the byte, for: a file that is
 ///         shorter or longer than its facets, a facet without three vertices, a coordinate that is

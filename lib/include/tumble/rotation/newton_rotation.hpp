@@ -39,8 +39,7 @@ inline Mat3 newton_rotation_step(const Mat3& M) { return (M + detail::inverse_tr
 
 /// The nearest rotation, by Newton steps until they change nothing.
 /// @param M any 3×3 matrix with a positive determinant; scaled steps (Higham's γ) bring even a
-/// badly
-///          stretched one home in about ten
+///          badly stretched one home in about ten
 /// @throws std::invalid_argument unless det M is positive and finite
 inline Mat3 newton_rotation(const Mat3& M) {
   constexpr double converged = 1e-8;  // what is left is about the square of this change: below eps

@@ -26,7 +26,7 @@ struct Capsule {
     return point.head<2>().squaredNorm() + beyond * beyond <= radius * radius;
   }
   /// @throws std::invalid_argument if the radius is not positive or the height negative or not
-  /// finite
+  ///         finite
   Eigen::AlignedBox3d bounds() const {
     detail::require_positive(radius, "the capsule's radius");
     require(height >= 0 && std::isfinite(height), "the capsule's height is ", height,
