@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "support/series_looks.hpp"
 #include "tumble/ode.hpp"
 
 namespace particles_chapter {
@@ -18,10 +19,7 @@ void for_each_method(Visit&& visit) {
   visit("RK4", Rk4{}, 4);
 }
 
-/// The colour of a method in the drawings: that of its curve in the plots, where the three stand in
-/// the same order.
-inline std::string colour_of(const std::string& method) {
-  return method == "Euler" ? "c0" : method == "midpoint" ? "c1" : "c2";
-}
+/// The colour of a method in the drawings: that of its curve in every plot of the book.
+inline std::string colour_of(const std::string& method) { return support::known_colour(method); }
 
 }  // namespace particles_chapter
