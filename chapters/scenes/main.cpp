@@ -9,15 +9,16 @@ void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
                  "closed meshes in OBJ, STL or PLY files, or folders with such files")
       ->required();
   CLI::Option* const density =
-      app.add_option("--density", mass.density, "[kg/m³], 1 if nothing is said");
-  app.add_option("--mass", mass.mass, "as it was weighed [kg]")->excludes(density);
+      app.add_option("--density", mass.density, "[kg/m³]; it is 1 if you don't say");
+  app.add_option("--mass", mass.mass, "as you have weighed it [kg]")->excludes(density);
   app.add_option("--shell", mass.shell,
                  "the mass lies in the surface, which may be open: density times thickness [kg/m²]")
       ->excludes(density);
   app.add_option("--unit", mass.unit, "of the lengths in the file: mm, cm, m or in")
       ->capture_default_str()
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
-  app.add_option("--about", mass.about, "x y z: the inertia about this point too [m]")->expected(3);
+  app.add_option("--about", mass.about, "x y z: you also get the inertia about this point [m]")
+      ->expected(3);
   app.add_option("--accuracy", mass.accuracy, "fast, tight or textbook")
       ->capture_default_str()
       ->check(CLI::IsMember({"fast", "tight", "textbook"}));
@@ -25,8 +26,8 @@ void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
                  "the share of the volume that may count wrongly where a surface crosses itself")
       ->capture_default_str();
   app.add_flag("--thorough", mass.thorough, "look for crossings at every pair of triangles");
-  app.add_flag("--accept", mass.accept, "compute what can be computed from a bad mesh too");
-  app.add_flag("--json", mass.json, "all digits, and everything that was found, as JSON");
+  app.add_flag("--accept", mass.accept, "compute what we can from a bad mesh, too");
+  app.add_flag("--json", mass.json, "all digits, and all that we have found, as JSON");
   for (const char* format : {"urdf", "sdf", "mjcf"})
     app.add_flag_callback(
         std::string("--") + format, [&mass, format] { mass.block = format; },
@@ -45,11 +46,14 @@ int main(int argc, char** argv) {
 
   SimulateCommand simulate;
   CLI::App* simulate_app = app.add_subcommand("simulate", "the motion of a scene file's bodies");
-  simulate_app->add_option("scene", simulate.file, "see chapters/scenes/README.md")->required();
-  simulate_app->add_option("--csv", simulate.csv, "write the recorded states into this file");
-  simulate_app->add_option("--svg", simulate.svg, "draw how the bodies turn into this file");
+  simulate_app
+      ->add_option("scene", simulate.file,
+                   "your scene file; chapters/scenes/README.md says what it holds")
+      ->required();
+  simulate_app->add_option("--csv", simulate.csv, "we write the recorded states into this file");
+  simulate_app->add_option("--svg", simulate.svg, "we draw into this file how the bodies turn");
   simulate_app->add_flag("--json", simulate.json,
-                         "all digits, and everything that was chosen and spent, as JSON");
+                         "all digits, and all that we have chosen and spent, as JSON");
   return tumble::support::run_command_line(
       app, argc, argv, [&] { return mass_app->parsed() ? run(mass) : run(simulate); });
 }

@@ -175,8 +175,9 @@ int run(const MassCommand& command) {
     if (!command.block.empty())
       for (const MeshDefect& finding : found.findings)
         std::cerr << name_of(finding.kind) << ": " << finding.message << '\n';
-    std::cerr << "tumble: " << found.file << ": not the boundary of a body, see above"
-              << (command.accept ? "" : "; --accept computes what can be computed") << '\n';
+    std::cerr << "tumble: " << found.file
+              << ": this is not the boundary of a body. You find the reasons above."
+              << (command.accept ? "" : " With --accept we compute what we can.") << '\n';
   }
   return status;
 }

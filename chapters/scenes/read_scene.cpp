@@ -56,7 +56,8 @@ MassProperties denser(const MassProperties& body, double factor) {
 /// Mass, centre and inertia, from a shape or as they are given.
 MassProperties mass_of(const Place& body, const std::filesystem::path& folder) {
   if (!body.has("shape")) {
-    require(!body.has("density"), body.name(), " has a density, but no shape");
+    require(!body.has("density"), body.name(),
+            " has a density, but no shape: give it a shape, or a mass and an inertia");
     return {body["mass"].number(), Vec3::Zero(), tensor(body["inertia"])};
   }
   require(!body.has("inertia"), body.name(), " has a shape and an inertia: give one of them");
@@ -123,7 +124,7 @@ RigidBodyState<> start_of(const Place& place, const RigidBody<>& body,
     return state_of_motion<double>(body, position, q, place.vector_or("velocity", Vec3::Zero()),
                                    omega);
   require(!place.has("velocity"), place.name(),
-          " is held at a point and has a velocity: it follows from omega");
+          " is held at a point, so its velocity follows from omega: leave the velocity out");
   return held->state(position, q, omega);
 }
 

@@ -168,7 +168,7 @@ void print_report(const SimulationReport& report) {
   };
   line("model: ", name_of(report.model), " (", report.why, ")");
   line("method: ", report.method);
-  line("error: about ", support::error_number(report.error_estimate), ", asked for ",
+  line("error: about ", support::error_number(report.error_estimate), "; you asked for ",
        support::error_number(report.tolerance));
   line("spent: ", report.runs, " runs, ", report.steps, " steps, ", report.evaluations,
        " evaluations");
@@ -182,7 +182,7 @@ void print(const Scene& scene, const Motions& motions) {
     const StopWhen& stop = *scene.stop;
     std::cout << "stop_when: the "
               << "xyz"[stop.coordinate] << " of " << scene.bodies[stop.body].name
-              << " did not pass " << support::number(stop.level, 6) << " m until then\n";
+              << " has not passed " << support::number(stop.level, 6) << " m by then\n";
   }
   std::cout << '\n';
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -217,8 +217,8 @@ int run(const SimulateCommand& command) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const SimulationReport& report = motions.trajectories[i].report();
     if (report.reached()) continue;
-    std::cerr << "tumble: " << scene.bodies[i].name << ": the tolerance " << report.tolerance
-              << " was not reached; the error is about " << report.error_estimate << '\n';
+    std::cerr << "tumble: " << scene.bodies[i].name << ": your tolerance " << report.tolerance
+              << " was not reached. The error is about " << report.error_estimate << '\n';
     reached = false;
   }
   return reached ? 0 : 1;

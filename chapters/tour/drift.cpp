@@ -1,4 +1,4 @@
-// Ten minutes of a game: 60 steps of RK4 a second, and what becomes of the orientation's shape.
+// Ten minutes of a game: 60 steps of RK4 per second, and what becomes of the orientation's shape.
 #include "support/plot.hpp"
 #include "support/stopwatch.hpp"
 #include "tour/tour.hpp"
@@ -110,8 +110,8 @@ void show_drift(const Subject& subject, Output& output) {
                                         .y)
                          .q;
 
-  support::Table table(
-      {"orientation", "repair each step", "shape error", "orientation error [rad]", "time a step"});
+  support::Table table({"orientation", "repair after each step", "shape error",
+                        "orientation error [rad]", "time per step"});
   support::Plot plot{
       "drift of the orientation",
       {"time [s]", support::Scale::log},
@@ -132,8 +132,8 @@ void show_drift(const Subject& subject, Output& output) {
   add("matrix", "polar by SVD", run_matrix(body, start, nearest_rotation));
   add("quaternion", "none", run_quaternion(body, start, [](const Quat& q) { return q; }));
   add("quaternion", "normalise", run_quaternion(body, start, rotation::normalize));
-  output.show("Drift: ten minutes of RK4 at 60 steps a second, half a turn a second", table,
-              "drift");
+  output.show("Drift: ten minutes of RK4 with 60 steps per second. It turns once in two seconds",
+              table, "drift");
   output.write("drift.svg", support::to_svg(plot));
 }
 

@@ -93,7 +93,7 @@ void show_objects(Output& output) {
     write_obj(obj, subject.mesh);
     output.write(subject.name + ".obj", obj.str());
   }
-  output.show("Other objects to throw: ./tumble tour --object NAME", table, "objects");
+  output.show("Other objects that you can throw: ./tumble tour --object NAME", table, "objects");
 }
 
 void run(const Options& options) {
@@ -105,7 +105,7 @@ void run(const Options& options) {
   show_solvers(subject, output);
   show_motion(subject, output);
   show_objects(output);
-  std::cout << "\nFigures, tables and meshes are in "
+  std::cout << "\nYou find the figures, tables and meshes in "
             << std::filesystem::absolute(output.folder()).lexically_normal().string() << ":\n";
   for (const char* kind : {".svg", ".csv", ".obj"}) {
     std::cout << "  ";
@@ -123,12 +123,13 @@ int main(int argc, char** argv) {
                "./tumble tour");
   app.add_option(
       "--mesh", options.mesh,
-      "a closed mesh in an OBJ, STL or PLY file, in metres, instead of an object of ours");
+      "your closed mesh, an OBJ, STL or PLY file in metres, instead of one of our objects");
   app.add_option("--object", options.object, "one of: " + names_of_objects())
       ->capture_default_str();
-  app.add_option("--density", options.density, "[kg/m³]; 1000 for a mesh if not given")
+  app.add_option("--density", options.density, "[kg/m³]; for your mesh it is 1000 if you don't say")
       ->check(CLI::PositiveNumber);
-  app.add_option("--out", options.out, "folder for figures and tables")->capture_default_str();
+  app.add_option("--out", options.out, "the folder that we write figures and tables into")
+      ->capture_default_str();
   return support::run_command_line(app, argc, argv, [&] {
     run(options);
     return support::exit_status::achieved;

@@ -125,7 +125,8 @@ void show_mass(const Subject& subject, Output& output) {
   measure_points(subject, all, plot);
   measure_integrals(subject, all, plot);
   output.show(
-      "Mass properties three ways: boxes, points, integrals (error against the exact value)",
+      "Mass properties three ways: boxes, points, integrals. We measure errors from the exact "
+      "value",
       all.table(), "mass");
   output.write("mass.svg", support::to_svg(plot));
 }

@@ -82,15 +82,15 @@ void show_motion(const Subject& subject, Output& output) {
                support::error_number(std::abs(m.state.L.norm() / L0 - 1)),
                support::error_number(std::abs(m.energy / E0 - 1))});
   }
-  output.show("Tumbling: one turn a second about the middle axis, 0.01 rad off it", table,
+  output.show("Tumbling: we spin it once per second about its middle axis, 0.01 rad off", table,
               "motion");
   std::cout << '\n';
   if (times.empty()) {
-    std::cout << "  It does not turn over in 12 s: two of its moments are equal, or nearly so.\n";
+    std::cout << "  It does not turn over in 12 s. Two of its moments are equal, or nearly so.\n";
   } else {
     std::cout << "  It turns over at";
     for (const double t : times) std::cout << ' ' << support::number(t) << " s";
-    std::cout << ": spin about the middle axis is unstable.\n";
+    std::cout << ". Spin about the middle axis is unstable.\n";
   }
   output.write("motion_samples.csv", motion_table(motion).csv());
   output.write("spin.svg", support::to_svg(spin_plot(motion)));

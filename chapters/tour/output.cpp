@@ -13,7 +13,7 @@ Output::Output(std::filesystem::path folder) : folder_(std::move(folder)) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error)
-    throw std::runtime_error(folder_.string() + ": cannot be made a folder: " + error.message());
+    throw std::runtime_error(folder_.string() + ": we can't make this folder: " + error.message());
 }
 
 void Output::write(const std::string& file, const std::string& content) {

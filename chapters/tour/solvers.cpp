@@ -157,8 +157,8 @@ void show_solvers(const Subject& subject, Output& output) {
     table.add({c.name, std::to_string(c.order), evaluations_to_reach(c, 1e-3),
                evaluations_to_reach(c, 1e-6), evaluations_to_reach(c, 1e-9), time_to_reach(c, 1e-6),
                support::error_number(best_error(c))});
-  output.show("Solvers: what an error of the orientation [rad] costs after 3 s of tumbling", table,
-              "solvers");
+  output.show("Solvers: what you pay for an error of the orientation [rad] after 3 s of tumbling",
+              table, "solvers");
   output.write("solvers_samples.csv", samples_table(curves).csv());
   output.write("solvers.svg",
                support::to_svg(plot_of(curves, "evaluations of dydt",

@@ -217,7 +217,7 @@ TEST_CASE("simulate: an angle of many turns, and a level that is never passed, a
   const CommandResult result = scenes("simulate scene.json");
   CHECK(result.status == 0);
   CHECK(mentions(result.output, "bodies[0].orientation.angle is 90 rad", "1.5708 rad"));
-  CHECK(mentions(result.output, "the z of body 1 did not pass -3 m"));
+  CHECK(mentions(result.output, "the z of body 1 has not passed -3 m"));
 }
 
 TEST_CASE("simulate: a held body turns about its point, which stays") {
