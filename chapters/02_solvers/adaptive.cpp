@@ -67,19 +67,20 @@ std::string comet_figure() {
   integrate_fixed<Rk4>(SunsPull{}, comet.at(0), 0.0, period, steps, fixed);
 
   support::Sketch sketch(760, 424, "one round of a comet, twice");
-  const auto draw = [&](double top, const Track& track, const std::string& words) {
+  const auto draw = [&](double top, const Track& track, const std::string& colour,
+                        const std::string& words) {
     const Cutout cutout{{-36, -5}, {5, 5}, 10, top, 18};
     look_at(sketch, cutout);
     sketch.curve(ellipse(comet), {"faint", 1});
     Path from_start{comet.at(0).head<2>()};
     from_start.insert(from_start.end(), track.places.begin(), track.places.end());
-    sketch.curve(cutout.within(from_start), {"c0", 1, 0.6});
-    sketch.dots(cutout.within(from_start), "c0", 2.2);
+    sketch.curve(cutout.within(from_start), {colour, 1, 0.6});
+    sketch.dots(cutout.within(from_start), colour, 2.2);
     sketch.dot({0, 0}, "c4", 5);
     sketch.words({-17, -0.3}, {0, 0}, words, "ink", "middle");
   };
-  draw(14, fixed, "RK4, " + std::to_string(steps) + " steps of the same length");
-  draw(228, adaptive,
+  draw(14, fixed, "c0", "RK4, " + std::to_string(steps) + " steps of the same length");
+  draw(228, adaptive, "c3",
        "Dormand–Prince 5(4), " + std::to_string(adaptive.steps.size()) + " steps as needed");
   return sketch.svg();
 }

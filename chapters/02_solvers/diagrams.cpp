@@ -80,9 +80,9 @@ void draw_backward(Sketch& sketch) {
   const double euler = start - h * rate * (start - rest);
   const double backward = (start + h * rate * rest) / (1 + h * rate);
   const double rise = -0.12 * rate * (backward - rest);
-  sketch.curve({at(0, start), at(h, euler)}, {"c0", 2});
-  sketch.dot(at(h, euler), "c0", 5);
-  sketch.words(at(h, euler), {10, 5}, "Euler", "c0");
+  sketch.curve({at(0, start), at(h, euler)}, {"c1", 2});
+  sketch.dot(at(h, euler), "c1", 5);
+  sketch.words(at(h, euler), {10, 5}, "Euler", "c1");
   sketch.curve({at(0, start), at(h, backward)}, {"c6", 2});
   sketch.curve({at(h - 0.12, backward - rise), at(h + 0.12, backward + rise)}, {"c3", 3.4});
   sketch.dot(at(h, backward), "c6", 5);

@@ -99,7 +99,7 @@ std::string needle_figure() {
       }));
   add("principal axes, any L",
       any_L([](const Task<double>& task, const Mat3&) { return by_three_products(task); }));
-  add("the same, L ⊥ needle", worst_of_tumbling);
+  add("principal axes, L ⊥ needle", worst_of_tumbling);
   return support::to_svg(plot);
 }
 
