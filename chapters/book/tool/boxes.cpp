@@ -17,6 +17,15 @@ std::string style_of(const std::string& line) {
   return {};
 }
 
+/// Whether a list ends above this line. The empty line between the list and a box becomes the edge
+/// of the box, and Doxygen would take the box for a part of the last item.
+bool is_below_a_list(const std::vector<std::string>& lines, std::size_t i) {
+  while (i > 1 && lines[i - 1].starts_with("  ")) --i;
+  const std::string item = i > 0 ? lines[i - 1] : "";
+  const std::size_t dot = item.find_first_not_of("0123456789");
+  return item.starts_with("- ") || (dot != 0 && dot != item.npos && item.substr(dot, 2) == ". ");
+}
+
 }  // namespace
 
 std::vector<Box> boxes_of(const Page& page) {
@@ -32,6 +41,8 @@ std::vector<Box> boxes_of(const Page& page) {
     if (box.name.empty()) continue;
     if (!lines[box.first - 1].empty() && !lines[box.first - 1].starts_with("<!--"))
       fail(page, box.first, "the line above a box is empty, or a comment");
+    if (lines[box.first - 1].empty() && is_below_a_list(lines, box.first - 1))
+      fail(page, box.first, "between a list and a box stands a paragraph");
     if (box.end == lines.size() || !lines[box.end].empty())
       fail(page, box.end - 1, "the line below a box is empty");
     boxes.push_back(box);

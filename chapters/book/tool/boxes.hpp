@@ -15,8 +15,8 @@ struct Box {
   std::string name;                ///< of the style: "now-write", "try-it", "curious"
 };
 
-/// @throws PageError if the line before or behind a box is neither empty nor a comment: the site
-///         needs them
+/// @throws PageError if the line before or behind a box is neither empty nor a comment, or if a box
+///         follows a list: the site needs what is between
 std::vector<Box> boxes_of(const Page& page);
 
 }  // namespace tumble::book

@@ -82,6 +82,10 @@ TEST_CASE("a box is a division with its content unquoted, and other quotations s
                     doctest::Contains("line above a box is empty"));
   CHECK_THROWS_WITH(project.converted("\n> **Try it.** What?\nText.\n"),
                     doctest::Contains("line below a box is empty"));
+  for (const char* list : {"- One.\n", "- One,\n  and more.\n", "12. Twelve.\n"})
+    CHECK_THROWS_WITH(project.converted(list + std::string("\n> **Try it.** What?\n")),
+                      doctest::Contains("between a list and a box"));
+  CHECK_NOTHROW(project.converted("It ends in 3. Text.\n\n> **Try it.** What?\n\n"));
 }
 
 TEST_CASE("two boxes below each other are two") {
