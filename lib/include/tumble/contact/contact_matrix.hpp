@@ -2,8 +2,9 @@
 /// @file
 /// What an impulse at a point does to the velocity there: u' = u + K j.
 ///
-/// K = 1/m − [r]× I⁻¹ [r]× for one body, the sum of both for two. Source: Mirtich, "Impulse-based Dynamic
-/// Simulation of Rigid Body Systems", PhD thesis, Berkeley (1996), §3.2 (the "collision matrix").
+/// K = 1/m − [r]× I⁻¹ [r]× for one body, the sum of both for two. Source: Mirtich, "Impulse-based
+/// Dynamic Simulation of Rigid Body Systems", PhD thesis, Berkeley (1996), §3.2 (the "collision
+/// matrix").
 
 #include "tumble/body/derived.hpp"
 #include "tumble/rotation/skew.hpp"

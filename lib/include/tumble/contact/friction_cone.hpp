@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Which way friction points while a contact lasts: against the slip, and where there is none, so that
-/// none begins, if μ allows it.
+/// Which way friction points while a contact lasts: against the slip, and where there is none, so
+/// that none begins, if μ allows it.
 ///
 /// All in the contact's own axes: two along the surface, the third one along the normal.
 
@@ -22,9 +22,9 @@ inline Vec2 holding_friction(const Mat3& K) {
 }
 
 /// The direction in which a contact begins to slide that friction cannot hold: the one in which it
-/// is accelerated, K_tn − μ K_tt s = λ s with λ > 0. There is exactly one: |(λ + μ K_tt)⁻¹ K_tn| falls
-/// with λ, and is above 1 at λ = 0 because μ does not suffice.
-/// Source for its being unique: Batlle, "Rough balanced collisions", J. Applied Mechanics 63 (1996).
+/// is accelerated, K_tn − μ K_tt s = λ s with λ > 0. There is exactly one: |(λ + μ K_tt)⁻¹ K_tn|
+/// falls with λ, and is above 1 at λ = 0 because μ does not suffice. Source for its being unique:
+/// Batlle, "Rough balanced collisions", J. Applied Mechanics 63 (1996).
 inline Vec2 direction_of_escape(const Mat3& K, double mu) {
   const Eigen::SelfAdjointEigenSolver<Mat2> axes(K.topLeftCorner<2, 2>());
   const Vec2 stiffness = mu * axes.eigenvalues();
@@ -43,10 +43,9 @@ inline Vec2 direction_of_escape(const Mat3& K, double mu) {
 /// What presses per normal impulse: friction and the normal itself.
 inline Vec3 pressing(const Vec2& friction) { return {friction.x(), friction.y(), 1}; }
 
-/// Slower than this a slip is rest: it is lost in rounding.
-inline double rest_speed(const Mat3& K, const Vec3& u, const Vec3& j) {
-  constexpr double rounding = 2e-12;  // of the steps along a curve, too
-  return rounding * (u.norm() + K.norm() * j.norm());
+/// The size of the velocities that add up to a slip [m/s].
+inline double speed_scale(const Mat3& K, const Vec3& u, const Vec3& j) {
+  return u.norm() + K.norm() * j.norm();
 }
 
 }  // namespace tumble::contact::detail

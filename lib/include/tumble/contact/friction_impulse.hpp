@@ -2,19 +2,20 @@
 /// @file
 /// The impulse of a contact with Coulomb friction, which never creates energy.
 ///
-/// A contact is short, and not a moment: while the normal impulse p grows from 0, the velocity follows
-/// u(p) = u + K j(p), and dj/dp is the normal with friction against the slip *as it is then*. The slip
-/// may come to rest in between, stay there, or turn round; a law that looks at its beginning alone
-/// misses that, and can create energy. The contact ends by Stronge's law: of the work that the normal
-/// impulse does while the bodies come together, −W, the part e² W comes back. So the energy changes by
-/// (1 − e²) of what W took, and by the work of friction, and neither is ever positive. Without friction
-/// it is Newton's law, u'·n = −e u·n.
+/// A contact is short, and not a moment: while the normal impulse p grows from 0, the velocity
+/// follows u(p) = u + K j(p), and dj/dp is the normal with friction against the slip *as it is
+/// then*. The slip may come to rest in between, stay there, or turn round; a law that looks at its
+/// beginning alone misses that, and can create energy. The contact ends by Stronge's law: of the
+/// work that the normal impulse does while the bodies come together, −W, the part e² W comes back.
+/// So the energy changes by (1 − e²) of what W took, and by the work of friction, and neither is
+/// ever positive. Without friction it is Newton's law, u'·n = −e u·n.
 ///
-/// Where the slip keeps its direction, as in a plane, all is linear in p, and exact. Elsewhere, with
-/// dp = |slip| dτ, the equations are smooth up to the moment at which the slip ends.
+/// Where the slip keeps its direction, as in a plane, all is linear in p, and exact. Elsewhere,
+/// with dp = |slip| dτ, the equations are smooth up to the moment at which the slip ends.
 ///
 /// Sources: Keller, "Impact with friction", J. Applied Mechanics 53 (1986); Stronge, "Rigid body
-/// collisions with friction", Proc. R. Soc. A 431 (1990); Mirtich, PhD thesis, Berkeley (1996), §3.4.
+/// collisions with friction", Proc. R. Soc. A 431 (1990); Mirtich, PhD thesis, Berkeley (1996),
+/// §3.4.
 
 #include <limits>
 #include <optional>
@@ -39,7 +40,7 @@ class Contact {
       if (i == max_steps) tumble::detail::throw_error<std::runtime_error>("impact: it has no end");
       const Vec3 u = velocity();
       const Vec2 slip = u.head<2>();
-      if (slip.norm() > rest_speed(K_, start_, j_))
+      if (slip.norm() > rounding * speed_scale(K_, start_, j_))
         slide(u, slip.normalized());
       else
         leave_or_keep_rest(u);
@@ -51,6 +52,7 @@ class Contact {
   bool jammed() const { return jammed_; }
 
  private:
+  static constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Vec3 velocity() const { return start_ + K_ * j_; }
@@ -65,11 +67,16 @@ class Contact {
     const double along = direction.dot(rate.head<2>()), speed = u.head<2>().norm();
     const double turning = std::abs(direction.x() * rate.y() - direction.y() * rate.x());
     const double until_rest = along < 0 ? speed / -along : never;
+    const double scale = speed_scale(K_, start_, j_);
     // What rounding leaves unsure of a slow slip's direction looks like turning, too.
-    const double unsure = rest_speed(K_, start_, j_) / speed * mu_ * K_.topLeftCorner<2, 2>().norm();
+    const double unsure = rounding * scale / speed * mu_ * K_.topLeftCorner<2, 2>().norm();
+    // So slow that it comes to rest before a turn says anything, whichever way it spirals.
+    constexpr double last = 1e-10;
     constexpr double straight = 1e-13;
     if (turning <= straight * rate.norm())
       go_straight(u, press, rate, until_rest);
+    else if (speed <= last * scale)
+      leave_or_keep_rest(u);
     else if (turning <= unsure)
       go_straight(u, press, rate, along < 0 ? until_rest : speed / along);  // then it is surer
     else
@@ -93,8 +100,8 @@ class Contact {
     if (end <= most) reached_end(u.z() + p * rate.z());
   }
 
-  /// The normal impulse until the bodies no longer come together, or until the work e² W is done; or,
-  /// if that never happens, until they come together again.
+  /// The normal impulse until the bodies no longer come together, or until the work e² W is done;
+  /// or, if that never happens, until they come together again.
   double until_end(double u_n, double rate) const {
     if (coming_together_) return rate > 0 ? std::fmax(0, -u_n / rate) : never;
     const double missing = target_ - work_, square = u_n * u_n + 2 * rate * missing;
@@ -107,8 +114,7 @@ class Contact {
       target_ = (1 - e_ * e_) * work_;
       ended_ = e_ == 0;
     } else {
-      constexpr double rounding = 1e-12;
-      ended_ = work_ >= target_ - rounding * std::abs(target_) || u_n > 0;
+      ended_ = work_ >= target_ * (1 + 1e-12) || u_n > 0;
       coming_together_ = !ended_;
     }
   }

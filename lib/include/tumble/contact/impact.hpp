@@ -14,19 +14,19 @@ namespace tumble::contact {
 
 /// A point at which two bodies, or a body and the world, come together.
 struct Impact {
-  Mat3 K;           ///< how the velocity answers to an impulse [1/kg]: contact_matrix() of both, added
-  Vec3 u;           ///< velocity of the first body's point less that of the second one's [m/s]
-  Vec3 normal;      ///< unit, out of the second body: u·normal < 0 comes together
-  double e = 0;     ///< coefficient of restitution, 0 … 1
-  double mu = 0;    ///< coefficient of friction, ≥ 0
+  Mat3 K;        ///< how the velocity answers to an impulse [1/kg]: contact_matrix() of both, added
+  Vec3 u;        ///< velocity of the first body's point less that of the second one's [m/s]
+  Vec3 normal;   ///< unit, out of the second body: u·normal < 0 comes together
+  double e = 0;  ///< coefficient of restitution, 0 … 1
+  double mu = 0;  ///< coefficient of friction, ≥ 0
 
   /// @throws std::invalid_argument if one of them is no such thing
   void require_valid() const {
     require(K.allFinite() && u.allFinite(), "impact: K or u is not finite");
     require(std::abs(normal.norm() - 1) < 1e-9, "impact: the normal (", normal.transpose(),
             ") has not the length 1");
-    require(normal.dot(K * normal) > 0, "impact: both bodies have infinite mass: nK n = ",
-            normal.dot(K * normal));
+    require(normal.dot(K * normal) > 0,
+            "impact: both bodies have infinite mass: nK n = ", normal.dot(K * normal));
     require(e >= 0 && e <= 1, "impact: restitution e = ", e, " is not in 0 … 1");
     require(mu >= 0 && std::isfinite(mu), "impact: friction mu = ", mu, " is not finite and ≥ 0");
   }
@@ -34,10 +34,10 @@ struct Impact {
 
 /// How a contact with friction went.
 enum class Slip {
-  none,      ///< no impulse: the bodies part
-  kept,      ///< it slid to the end
-  stuck,     ///< it came to rest and stayed
-  turned,    ///< it came to rest and slid on in another direction
+  none,    ///< no impulse: the bodies part
+  kept,    ///< it slid to the end
+  stuck,   ///< it came to rest and stayed
+  turned,  ///< it came to rest and slid on in another direction
 };
 
 /// What a contact leaves.
