@@ -9,6 +9,11 @@ int main(int argc, char** argv) {
                                    "Particles: forces, states, and the steps that follow them");
   chapter.table("orbit", "Five revolutions of a satellite, 960 evaluations each", orbit_table);
   chapter.table("state", "Two particles as one column of numbers", state_table);
+  chapter.table("halved", "Euler's error while the step is halved", halved_table);
+  chapter.table("dydt_by_hand", "The rates of two particles on a spring", dydt_by_hand_table);
+  chapter.table("slopes_by_hand", "The four slopes of one step of RK4", slopes_by_hand_table);
+  chapter.table("steps_by_hand", "One step of each method", steps_by_hand_table);
+  chapter.table("mistakes", "RK4, and RK4 with a mistake", mistakes_table);
   chapter.table("ode", "From perigee to apogee with ode()", ode_table);
   chapter.table("balls", "The same throw of different balls, by RK4 in steps of 1/64 s",
                 balls_table);
@@ -23,6 +28,10 @@ int main(int argc, char** argv) {
   chapter.table("time", "A force that depends on time", time_table);
   chapter.table("jump", "A force that jumps", jump_table);
   chapter.figure("orbit", orbit_figure);
+  chapter.figure("column", column_figure);
+  chapter.figure("asks", asks_figure);
+  chapter.figure("spring", spring_figure);
+  chapter.figure("tangents", tangents_figure);
   chapter.figure("balls", balls_figure);
   chapter.figure("net", net_figure);
   chapter.figure("growth", growth_figure);

@@ -18,4 +18,10 @@ void for_each_method(Visit&& visit) {
   visit("RK4", Rk4{}, 4);
 }
 
+/// The colour of a method in the drawings: that of its curve in the plots, where the three stand in
+/// the same order.
+inline std::string colour_of(const std::string& method) {
+  return method == "Euler" ? "c0" : method == "midpoint" ? "c1" : "c2";
+}
+
 }  // namespace particles_chapter

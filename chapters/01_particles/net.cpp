@@ -1,6 +1,7 @@
 /// @file
 /// A net of knots and springs, nailed at two corners, that falls and swings.
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -40,6 +41,17 @@ Vec2 seen(const Vec3& p) {
   return {cos_a * p.x() + sin_a * p.y(), cos_b * p.z() + sin_b * (cos_a * p.y() - sin_a * p.x())};
 }
 
+/// Three short arrows below the first moment.
+void draw_axes(support::Sketch& sketch) {
+  const Vec3 corner(0.1, 0, -1.15);
+  const std::array<const char*, 3> names{"x", "y", "z"};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Vec2 tip = seen(corner + 0.4 * Vec3::Unit(i));
+    sketch.arrow(seen(corner), tip, {"faint", 1.5});
+    sketch.words(tip, {5, 4}, names[static_cast<std::size_t>(i)]);
+  }
+}
+
 std::vector<std::vector<Vec2>> lines_of(const Net& net, const Knots& y) {
   std::vector<std::vector<Vec2>> rows(static_cast<std::size_t>(net.rows)),
       columns(static_cast<std::size_t>(net.columns));
@@ -55,7 +67,7 @@ std::vector<std::vector<Vec2>> lines_of(const Net& net, const Knots& y) {
 }  // namespace
 
 std::string net_figure() {
-  constexpr int steps_a_second = 2000;
+  constexpr int steps_per_second = 2000;
   const Net net{23, 16, 0.02};
   support::Sketch sketch(690, 420, "a net of springs falls and swings");
   const auto f = hanging(net);
@@ -65,7 +77,7 @@ std::string net_figure() {
   for (const double now : {0., 0.35, 0.55, 0.75, 0.95, 1.2}) {
     if (now > then)
       y = integrate_fixed<Rk4>(f, y, then, now,
-                               static_cast<int>(std::lround((now - then) * steps_a_second)));
+                               static_cast<int>(std::lround((now - then) * steps_per_second)));
     then = now;
     const int row = panel / 3, column = panel % 3;
     sketch.look({14. + 230 * column, 72. + 185 * row, 78});
@@ -73,6 +85,7 @@ std::string net_figure() {
     for (const int nailed : {net.knot(0, 0), net.knot(net.columns - 1, 0)})
       sketch.dot(seen(y.segment<3>(place(nailed))), "c1", 3.5);
     sketch.words({0, 0}, {-8, -24}, number(now) + " s");
+    if (panel == 0) draw_axes(sketch);
     ++panel;
   }
   return sketch.svg();
@@ -91,7 +104,7 @@ std::string energy_text(double gained) {
 }  // namespace
 
 Table net_table() {
-  Table table({"steps a second", "Euler", "midpoint", "RK4"});
+  Table table({"steps per second", "Euler", "midpoint", "RK4"});
   const Net net{9, 7, 0};
   const auto f = hanging(net);
   const Knots start = particles::flatten(level(net));

@@ -1,99 +1,17 @@
 /// @file
-/// One step of each method as a picture, and the conditions that make a method's order.
+/// One step of each method as a picture.
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "hanging_net.hpp"
 #include "methods.hpp"
 #include "parts.hpp"
 #include "support/sketch.hpp"
-#include "tumble/ode/explicit_runge_kutta.hpp"
 
 namespace particles_chapter {
 
-using support::number;
 using support::Vec2;
-
-// ── The methods as tableaux ──
-
-namespace {
-
-/// One slope, at the start.
-struct EulerTableau {
-  static constexpr std::size_t stages = 1;
-  static constexpr int order = 1;
-  static constexpr runge_kutta::Weights<1> c{0}, b{1};
-  static constexpr std::array<runge_kutta::Weights<1>, 1> a{};
-};
-
-/// Two slopes; the second, halfway, is the one that counts.
-struct MidpointTableau {
-  static constexpr std::size_t stages = 2;
-  static constexpr int order = 2;
-  static constexpr runge_kutta::Weights<2> c{0, 1 / 2.L}, b{0, 1};
-  static constexpr std::array<runge_kutta::Weights<2>, 2> a{{{0}, {1 / 2.L}}};
-};
-
-/// The classical method of order four.
-struct Rk4Tableau {
-  static constexpr std::size_t stages = 4;
-  static constexpr int order = 4;
-  static constexpr runge_kutta::Weights<4> c{0, 1 / 2.L, 1 / 2.L, 1};
-  static constexpr runge_kutta::Weights<4> b{1 / 6.L, 1 / 3.L, 1 / 3.L, 1 / 6.L};
-  static constexpr std::array<runge_kutta::Weights<4>, 4> a{
-      {{0}, {1 / 2.L}, {0, 1 / 2.L}, {0, 0, 1}}};
-};
-
-/// Kutta's other method of order four, with slopes at thirds of the step.
-struct ThreeEighthsTableau {
-  static constexpr std::size_t stages = 4;
-  static constexpr int order = 4;
-  static constexpr runge_kutta::Weights<4> c{0, 1 / 3.L, 2 / 3.L, 1};
-  static constexpr runge_kutta::Weights<4> b{1 / 8.L, 3 / 8.L, 3 / 8.L, 1 / 8.L};
-  static constexpr std::array<runge_kutta::Weights<4>, 4> a{
-      {{0}, {1 / 3.L}, {-1 / 3.L, 1}, {1, -1, 1}}};
-};
-
-/// The sums of the eight conditions up to order four, in the order of the page.
-template <runge_kutta::ButcherTableau T>
-std::array<double, 8> condition_sums() {
-  constexpr int s = T::stages;
-  Eigen::Matrix<double, s, s> A;
-  Eigen::Matrix<double, s, 1> b, c;
-  for (int i = 0; i < s; ++i) {
-    b[i] = static_cast<double>(T::b[static_cast<std::size_t>(i)]);
-    c[i] = static_cast<double>(T::c[static_cast<std::size_t>(i)]);
-    for (int j = 0; j < s; ++j)
-      A(i, j) = static_cast<double>(T::a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
-  }
-  const Eigen::Matrix<double, s, 1> cc = c.cwiseProduct(c), ccc = cc.cwiseProduct(c), Ac = A * c;
-  return {b.sum(),       b.dot(c),     b.dot(cc), b.dot(Ac), b.dot(ccc), b.dot(c.cwiseProduct(Ac)),
-          b.dot(A * cc), b.dot(A * Ac)};
-}
-
-}  // namespace
-
-Table conditions_table() {
-  const std::array<std::string, 8> sums{"Σ bᵢ",         "Σ bᵢ cᵢ",        "Σ bᵢ cᵢ²",
-                                        "Σ bᵢ aᵢⱼ cⱼ",  "Σ bᵢ cᵢ³",       "Σ bᵢ cᵢ aᵢⱼ cⱼ",
-                                        "Σ bᵢ aᵢⱼ cⱼ²", "Σ bᵢ aᵢⱼ aⱼₖ cₖ"};
-  const std::array<int, 8> order{1, 2, 3, 3, 4, 4, 4, 4}, one_over{1, 2, 3, 6, 4, 8, 12, 24};
-  const std::array all{condition_sums<EulerTableau>(), condition_sums<MidpointTableau>(),
-                       condition_sums<Rk4Tableau>(), condition_sums<ThreeEighthsTableau>()};
-  Table table({"for order", "sum", "must be", "Euler", "midpoint", "RK4", "3/8 rule"});
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    std::vector<std::string> row{number(order[i]), sums[i],
-                                 one_over[i] == 1 ? "1" : "1/" + number(one_over[i])};
-    for (const std::array<double, 8>& method : all)
-      row.push_back(std::abs(method[i] * one_over[i] - 1) < 1e-14 ? "holds" : number(method[i], 3));
-    table.add(row);
-  }
-  return table;
-}
-
-// ── One step, with its slopes ──
 
 namespace {
 
@@ -133,30 +51,42 @@ std::vector<Vec2> exact_curve() {
 void draw_slope(support::Sketch& sketch, const Vec2& place, const std::string& name) {
   const Vec2 at = drawn(place.x(), place.y());
   const Vec2 along = drawn(1, logistic(0, Scalar(place.y()))[0]).normalized() * 0.08;
-  sketch.curve({drawn(0, logistic_start), at}, {"c0", 1, 0.5});
-  sketch.curve({at - along, at + along}, {"c0", 3});
-  sketch.dot(at, "c0", 3);
-  sketch.words(at, name == "k₃" ? Vec2(-24, -7) : Vec2(7, 21), name, "c0");
+  sketch.curve({drawn(0, logistic_start), at}, {"c3", 1, 0.5});
+  sketch.curve({at - along, at + along}, {"c3", 3});
+  sketch.dot(at, "c3", 3);
+  sketch.words(at, name == "k₃" ? Vec2(-24, -7) : Vec2(7, 21), name, "c3");
+}
+
+/// The axis of time, with the three moments at which a method may look.
+void draw_time(support::Sketch& sketch) {
+  sketch.arrow({0, 0}, {1.12 * long_step, 0}, {"faint", 1.2});
+  const std::array<const char*, 3> names{"t", "t + h/2", "t + h"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double t = long_step * static_cast<double>(i) / 2;
+    sketch.curve({{t, -0.015}, {t, 0.015}}, {"faint", 1.2});
+    sketch.words({t, 0}, {0, 19}, names[i], "ink", "middle");
+  }
 }
 
 template <class Method>
 void draw_step(support::Sketch& sketch, const std::string& name) {
   const Scalar end = Method::step(logistic, 0., Scalar(logistic_start), long_step);
   const Vec2 arrival = drawn(long_step, end[0]);
+  draw_time(sketch);
   sketch.curve(exact_curve(), {"faint", 2.2});
-  sketch.curve({drawn(0, logistic_start), arrival}, {"c1", 1.4});
+  sketch.curve({drawn(0, logistic_start), arrival}, {colour_of(name), 1.6});
   std::size_t slope = 0;
   for (const Vec2& place : places_of<Method>())
     draw_slope(sketch, place, "k" + std::string(subscripts[slope++]));
-  sketch.dot(arrival, "c1", 4.5);
-  sketch.words({long_step / 2, 0}, {0, 26}, name, "ink", "middle");
+  sketch.dot(arrival, colour_of(name), 4.5);
+  sketch.words({0, 1.08}, {0, 0}, name, colour_of(name));
 }
 
 }  // namespace
 
 std::string one_step_figure() {
-  constexpr double panel = 212;
-  support::Sketch sketch(3 * panel, 290, "one step of Euler, midpoint and RK4");
+  constexpr double panel = 232;
+  support::Sketch sketch(3 * panel, 290, "One step of Euler, midpoint and RK4", 15);
   double x = 22;
   for_each_method([&](const std::string& name, auto method, int) {
     sketch.look({x, 250, 205});

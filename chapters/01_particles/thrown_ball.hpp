@@ -28,9 +28,9 @@ struct ThrownBall {
   double mass, diameter, drag;  // [kg], [m], coefficient of drag
 
   /// ½ ρ c_d A [kg/m]
-  double k() const { return air * drag * std::numbers::pi * diameter * diameter / 8; }
+  double gamma() const { return air * drag * std::numbers::pi * diameter * diameter / 8; }
   /// Where drag carries the weight [m/s].
-  double terminal_speed() const { return std::sqrt(mass * g / k()); }
+  double terminal_speed() const { return std::sqrt(mass * g / gamma()); }
 };
 
 inline const std::vector<ThrownBall> balls{{"shot", 7.26, 0.12, 0.47},
@@ -44,8 +44,9 @@ inline std::array<particles::Particle<double>, 1> thrown(double mass, double spe
 }
 
 inline auto flight(const ThrownBall& ball, double speed) {
-  return particles::ParticleSystem(thrown(ball.mass, speed), particles::UniformGravity{{0, 0, -g}},
-                                   particles::QuadraticDrag{ball.k()});
+  const particles::UniformGravity weight{{0, 0, -g}};
+  const particles::QuadraticDrag drag{ball.gamma()};
+  return particles::ParticleSystem(thrown(ball.mass, speed), weight, drag);
 }
 
 using Flight = Eigen::Matrix<double, 6, 1>;

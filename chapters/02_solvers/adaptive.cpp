@@ -24,8 +24,9 @@ const double period = comet.period();
 
 /// One round of the comet.
 OdeSolution<Vec4> one_round(const Tolerances& tolerances, Track& track) {
-  return integrate_adaptive<DormandPrince54>(SunsPull{}, comet.at(0), 0.0, period, tolerances,
-                                             track);
+  const SunsPull f;
+  const Vec4 y0 = comet.at(0);
+  return integrate_adaptive<DormandPrince54>(f, y0, 0.0, period, tolerances, track);
 }
 
 Path ellipse(const Orbit& orbit) {
@@ -41,7 +42,7 @@ Path ellipse(const Orbit& orbit) {
 }  // namespace
 
 Table comet_table() {
-  Table table({"steps", "how many", "evaluations", "shortest", "longest", "ends off by"});
+  Table table({"steps", "how many", "evaluations", "shortest", "longest", "final error"});
   const auto add = [&](const std::string& name, const Track& track, int evaluations) {
     const double error = (track.places.back() - comet.at(period).head<2>()).norm();
     table.add({name, std::to_string(track.steps.size()), std::to_string(evaluations),
@@ -54,7 +55,7 @@ Table comet_table() {
   for (const int steps : {as_many, 10 * as_many, 100 * as_many}) {
     Track fixed;
     integrate_fixed<Rk4>(SunsPull{}, comet.at(0), 0.0, period, steps, fixed);
-    add("RK4, all alike", fixed, 4 * steps);
+    add("RK4, equal steps", fixed, 4 * steps);
   }
   add("DP 5(4), adaptive", adaptive, solution.evaluations);
   return table;
@@ -130,7 +131,7 @@ std::string steps_figure() {
                      {"time since the farthest point [a]"},
                      {"length of the step [d]", support::Scale::log},
                      {}};
-  support::Series circle{"a round at this distance", {}, {}};
+  support::Series circle{"a revolution here", {}, {}};
   for (int i = 0; i <= 600; ++i) {
     const double t = period * i / 600, r = comet.at(t).head<2>().norm();
     circle.x.push_back(t);
@@ -155,7 +156,7 @@ std::string steps_figure() {
 }
 
 Table tolerance_table() {
-  Table table({"method", "tolerance", "kept", "rejected", "evaluations", "ends off by",
+  Table table({"method", "tolerance", "kept", "rejected", "evaluations", "final error",
                "error / tolerance"});
   const auto add = [&]<class Method>(const std::string& name, Method) {
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {

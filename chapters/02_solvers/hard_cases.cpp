@@ -99,7 +99,7 @@ Table rest_table() {
 }
 
 Table floor_table() {
-  Table table({"tolerance", "evaluations", "ends off by"});
+  Table table({"tolerance", "evaluations", "final error"});
   for (const double tolerance : {1e-11, 1e-12, 1e-13, 1e-15, 1e-17}) {
     const auto s = integrate_adaptive<DormandPrince54>(SunsPull{}, mild.at(0), 0.0, mild.period(),
                                                        {tolerance, tolerance});
@@ -112,11 +112,11 @@ Table floor_table() {
 
 Table no_solution_table() {
   using Vec1 = Eigen::Matrix<double, 1, 1>;
-  Table table({"h", "rounds", "y₁ found", "(1 − √(1 − 4h)) / 2h"});
+  Table table({"h", "iterations", "y₁ found", "(1 − √(1 − 4h)) / 2h"});
   for (const double h : {0.1, 0.2, 0.24, 0.2499, 0.26, 0.5}) {
-    int rounds = 0;
+    int iterations = 0;
     const auto square = [&](double, const Vec1& y) {
-      ++rounds;
+      ++iterations;
       return Vec1(y[0] * y[0]);
     };
     const auto dfdy = [](double, const Vec1& y) { return Vec1(2 * y[0]); };
@@ -126,7 +126,7 @@ Table no_solution_table() {
           runge_kutta::backward_euler_step(with_jacobian(square, dfdy), 0.0, Vec1(1.0), h)[0], 6);
     } catch (const std::runtime_error&) {
     }
-    table.add({number(h, 4), std::to_string(rounds), found,
+    table.add({number(h, 4), std::to_string(iterations), found,
                h <= 0.25 ? number((1 - std::sqrt(1 - 4 * h)) / (2 * h), 6) : "no real number"});
   }
   return table;
@@ -134,7 +134,7 @@ Table no_solution_table() {
 
 Table rod_table() {
   constexpr double angle = pi / 3, seconds = 10;
-  Table table({"stiffness", "DP 5(4), x and y", "Radau5, x and y", "Radau5, angle and stretch",
+  Table table({"stiffness", "DP 5(4), x and z", "Radau5, x and z", "Radau5, angle and stretch",
                "apart by"});
   for (const double k : {1e2, 1e4, 1e6, 1e8}) {
     const double stretch = gravity * std::cos(angle) / k, r = 1 + stretch;
@@ -163,7 +163,7 @@ Table unseen_table() {
   add("Euler", 1, "mild orbit", {2048, 4096, 8192}, orbit_error(runge_kutta::Euler{}));
   add("Euler", 1, "mild orbit, long steps", {8, 16, 32}, orbit_error(runge_kutta::Euler{}));
   add("DP 5(4)", 5, "mild orbit", {48, 96, 192}, orbit_error(DormandPrince54{}));
-  add("DP 5(4)", 5, "mild orbit, to 7/10 of the round", {96, 192, 288}, [](int n) {
+  add("DP 5(4)", 5, "mild orbit, 7/10 of a revolution", {96, 192, 288}, [](int n) {
     const double t = 0.7 * mild.period();
     const Vec4 y = integrate_fixed<DormandPrince54>(SunsPull{}, mild.at(0), 0.0, t, n);
     return (y - mild.at(t)).norm();

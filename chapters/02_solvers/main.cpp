@@ -10,13 +10,17 @@ int main(int argc, char** argv) {
   chapter.table("comet", "One round of a comet, 75 years", comet_table);
   chapter.table("norm", "Four errors and their norm", norm_table);
   chapter.table("estimate", "Estimated and true errors of one step, allowed = 1", estimate_table);
-  chapter.table("tolerance", "What is asked for and what comes out", tolerance_table);
+  chapter.table("tolerance", "Tolerance and final error", tolerance_table);
+  chapter.table("factors", "The next step after an error", factors_table);
+  chapter.table("eigenvalues", "A speck in a simple wind", eigenvalues_table);
+  chapter.table("damped", "A damped spring, and what one step makes of it", damped_table);
+  chapter.table("newton_by_hand", "One implicit step by hand", newton_by_hand_table);
   chapter.table("stability", "How far each method is stable", stability_table);
   chapter.table("dust", "Ten seconds of a speck of dust, tolerance 1e-6", dust_table);
   chapter.table("indifferent", "A speck of 1 µm at several tolerances", indifferent_table);
   chapter.table("newton", "Distance from the solution of a backward Euler step", newton_table);
   chapter.table("order", "The order that is seen", order_table);
-  chapter.table("eccentricity", "Evaluations to come round within 1e-6", eccentricity_table);
+  chapter.table("eccentricity", "Evaluations for one revolution within 1e-6", eccentricity_table);
   chapter.table("reach", "Evaluations to reach an error", reach_table);
   chapter.measured("times", "Time to reach an error", times_table);
   chapter.table("kink", "An engine that stops", kink_table);
@@ -27,6 +31,8 @@ int main(int argc, char** argv) {
   chapter.table("rod", "Evaluations for a pendulum on a stiff rod", rod_table);
   chapter.table("unseen", "Orders that are not seen", unseen_table);
   chapter.figure("comet", comet_figure);
+  chapter.figure("norm", norm_figure);
+  chapter.figure("implicit", implicit_figure);
   chapter.figure("steps", steps_figure);
   chapter.figure("regions", regions_figure);
   chapter.figure("dust", dust_figure);

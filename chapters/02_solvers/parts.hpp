@@ -25,6 +25,22 @@ std::string steps_figure();
 /// What is asked for and what comes out.
 Table tolerance_table();
 
+// ── by_hand.cpp ──
+
+/// The factors by which a solver changes its step after several errors.
+Table factors_table();
+/// A speck in a wind that blows towards a line: the two eigenvalues, and what they forbid.
+Table eigenvalues_table();
+/// One implicit step by fixed-point iteration and by Newton's method, from the same guess.
+Table newton_by_hand_table();
+
+// ── diagrams.cpp ──
+
+/// What is allowed of two errors, before and after the division by their allowances.
+std::string norm_figure();
+/// A backward step beside Euler's, and the tangents of Newton's method.
+std::string implicit_figure();
+
 // ── hard_cases.cpp ──
 
 /// y' = 1 + sin 9t until an engine stops at t = 1/3, then 0. Solved as it is, and in two
@@ -76,6 +92,8 @@ Table eccentricity_table();
 Table stability_table();
 /// Where a step makes y smaller: inside the coloured regions, for explicit methods.
 std::string regions_figure();
+/// By which factor a step of each method changes a damped spring.
+Table damped_table();
 
 // ── stiff.cpp ──
 

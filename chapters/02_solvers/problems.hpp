@@ -56,9 +56,9 @@ inline Vec2 wind(const Vec2& x) {
           -speed * std::cos(pi * x[0]) * std::sin(pi * x[1])};
 }
 
-/// dy/dt of a speck that the wind takes along.
+/// dy/dt of a speck that drifts with the wind.
 struct Dust {
-  double tau;  ///< the time in which it gives in to the wind [s]
+  double tau;  ///< in which it takes on the wind's velocity, but for 1/e [s]
 
   Vec4 operator()(double, const Vec4& y) const {
     const Vec2 x = y.head<2>(), v = y.tail<2>();

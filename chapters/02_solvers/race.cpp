@@ -189,7 +189,7 @@ Table times_table() {
 }
 
 Table eccentricity_table() {
-  Table table({"eccentricity", "closest : farthest", "steps all alike", "adaptive", "ratio"});
+  Table table({"eccentricity", "closest : farthest", "equal steps", "adaptive", "ratio"});
   for (const double e : {0.0, 0.5, 0.9, 0.967, 0.99}) {
     const Orbit orbit{1, e};
     const Race<SunsPull> race{{}, orbit.at(0), orbit.period(), orbit.at(orbit.period()).head<2>()};

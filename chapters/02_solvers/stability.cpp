@@ -72,7 +72,7 @@ Path stability_boundary() {
 }  // namespace
 
 Table stability_table() {
-  Table table({"method", "evaluations a step", "stable from 0 to −…", "to ±… i", "|R(−1000)|"});
+  Table table({"method", "evaluations per step", "stable from 0 to −…", "to ±… i", "|R(−1000)|"});
   const auto add = [&]<class Method>(const std::string& name, const std::string& cost, Method) {
     table.add({name, cost, stable_length<Method>(-1), stable_length<Method>(Complex(0, 1)),
                error_number(std::abs(stability_function<Method>(-1000)))});
@@ -84,6 +84,22 @@ Table stability_table() {
   add("DOP853", "12", Dop853{});
   add("backward Euler", "a few, and ∂f/∂y", runge_kutta::BackwardEuler{});
   add("Radau5", "some ten, and ∂f/∂y", Radau5{});
+  return table;
+}
+
+Table damped_table() {
+  Table table({"method", "|R| for h = 0.01 s", "h = 0.05 s", "h = 0.2 s", "h = 0.3 s"});
+  const Complex lambda(-1, std::sqrt(99.0));  // of a kilogram on 100 N/m with 2 N s/m
+  const auto add = [&]<class Method>(const std::string& name, Method) {
+    std::vector<std::string> row{name};
+    for (const double h : {0.01, 0.05, 0.2, 0.3})
+      row.push_back(number(std::abs(stability_function<Method>(h * lambda)), 3));
+    table.add(row);
+  };
+  add("Euler", runge_kutta::Euler{});
+  add("midpoint", runge_kutta::Midpoint{});
+  add("RK4", Rk4{});
+  add("backward Euler", runge_kutta::BackwardEuler{});
   return table;
 }
 
@@ -102,9 +118,9 @@ std::string regions_figure() {
   };
   add(stability_boundary<Dop853>(), "c4", "DOP853", {-3.4, 4.2});
   add(stability_boundary<DormandPrince54>(), "c3", "DP 5(4)", {-3.8, 2.1});
-  add(stability_boundary<Rk4>(), "c2", "RK4", {-0.6, 2.2});
-  add(stability_boundary<runge_kutta::Midpoint>(), "c1", "midpoint", {-1, 1.06});
-  add(stability_boundary<runge_kutta::Euler>(), "c0", "Euler", {-1, 0.3});
+  add(stability_boundary<Rk4>(), "c0", "RK4", {-0.6, 2.2});
+  add(stability_boundary<runge_kutta::Midpoint>(), "c2", "midpoint", {-1, 1.06});
+  add(stability_boundary<runge_kutta::Euler>(), "c1", "Euler", {-1, 0.3});
   add(stability_boundary<runge_kutta::BackwardEuler>(), "c6", "backward Euler: stable outside",
       {5, 0.9});
   sketch.words({7.9, -0.42}, {0, 0}, "Re z", "ink", "end");

@@ -24,8 +24,8 @@ std::string micrometres(double radius) { return number(1e6 * radius) + " µm"; }
 
 template <class Method>
 OdeSolution<Vec4> fly(double radius, const Tolerances& tolerances = dust_tolerances) {
-  return integrate_adaptive<Method>(dust_of_radius(radius), dust_start(), 0.0, dust_time,
-                                    tolerances);
+  const Dust f = dust_of_radius(radius);
+  return integrate_adaptive<Method>(f, dust_start(), 0.0, dust_time, tolerances);
 }
 
 /// Where the air itself goes.
@@ -118,9 +118,9 @@ Table newton_table() {
   const Dust dust = dust_of_radius(3e-6);
   const Vec4 y = fly<Radau5>(3e-6).y;
   constexpr double h = 0.1;
-  std::vector<Vec4> rounds;
+  std::vector<Vec4> tried;
   const auto watched = [&](double t, const Vec4& z) {
-    rounds.push_back(z);
+    tried.push_back(z);
     return dust(t, z);
   };
   const auto dfdy = [&](double t, const Vec4& z) {
@@ -128,11 +128,11 @@ Table newton_table() {
   };
   const Vec4 y1 = runge_kutta::backward_euler_step(with_jacobian(watched, dfdy), 0.0, y, h);
 
-  Table table({"round", "put back in again", "Newton's method"});
+  Table table({"iteration", "fixed-point iteration", "Newton's method"});
   Vec4 z = y;
-  for (std::size_t i = 0; i < rounds.size(); ++i) {
+  for (std::size_t i = 0; i < tried.size(); ++i) {
     table.add({std::to_string(i), error_number((z - y1).norm()),
-               error_or_rounding((rounds[i] - y1).norm())});
+               error_or_rounding((tried[i] - y1).norm())});
     z = y + h * dust(h, z);
   }
   return table;

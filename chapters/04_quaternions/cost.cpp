@@ -1,67 +1,15 @@
 /// @file
-/// What a step costs, in operations and in time, and what error it buys.
+/// What error a step buys, against operations and against time.
 
-#include "common.hpp"
+#include <functional>
+
+#include "counted_steps.hpp"
 #include "parts.hpp"
-#include "rates.hpp"
-#include "support/counted.hpp"
 #include "support/plot.hpp"
 #include "support/stopwatch.hpp"
 #include "tumble/ode.hpp"
 
 namespace quaternions_chapter {
-
-using support::Counted;
-using support::text_of;
-
-// ── What a step costs ──
-
-namespace {
-
-const Quaternion<Counted> counted_q(0.5, 0.5, 0.5, 0.5);
-const Vector3<Counted> counted_v(0.1, 0.2, 0.3);
-
-Vector3<Counted> counted_spin(const Counted&) { return counted_v; }
-
-template <class Method>
-support::Operations step_of_four() {
-  const Four<Counted> y = coefficients(counted_q);
-  const auto rate = rate_of_four<Counted>(counted_spin);
-  return support::count([&] { Method::step(rate, Counted(0), y, Counted(0.1)); });
-}
-
-template <class Method>
-support::Operations step_of_nine() {
-  const Nine<Counted> y = to_matrix(counted_q).reshaped();
-  const auto rate = rate_of_nine<Counted>(counted_spin);
-  return support::count([&] { Method::step(rate, Counted(0), y, Counted(0.1)); });
-}
-
-}  // namespace
-
-Table counts_table() {
-  Table table({"what", "four numbers", "nine numbers"});
-  const Quaternion<Counted>& q = counted_q;
-  const Vector3<Counted>& v = counted_v;
-  const Matrix3<Counted> R = to_matrix(q);
-  const auto count = [](auto&& action) {
-    return text_of(support::count([&] { support::keep(action()); }));
-  };
-  table.add({"compose two", count([&] { return Quaternion<Counted>(q * q); }),
-             count([&] { return Matrix3<Counted>(R * R); })});
-  table.add({"turn a point", count([&] { return Vector3<Counted>(q * v); }),
-             count([&] { return Vector3<Counted>(R * v); })});
-  table.add({"rate of change", count([&] { return rotation::quaternion_dot<Counted>(q, v); }),
-             count([&] { return rotation::rotation_dot<Counted>(R, v); })});
-  table.add({"one step of Euler", text_of(step_of_four<runge_kutta::Euler>()),
-             text_of(step_of_nine<runge_kutta::Euler>())});
-  table.add({"one step of midpoint", text_of(step_of_four<runge_kutta::Midpoint>()),
-             text_of(step_of_nine<runge_kutta::Midpoint>())});
-  table.add({"one step of RK4", text_of(step_of_four<Rk4>()), text_of(step_of_nine<Rk4>())});
-  table.add({"normalise", count([&] { return q.normalized(); }), ""});
-  table.add({"turn into a matrix", count([&] { return to_matrix(q); }), ""});
-  return table;
-}
 
 // ── Error against cost ──
 

@@ -81,7 +81,7 @@ std::string drift_figure() {
 }
 
 Table big_steps_table() {
-  Table table({"asked for", "Euler turns by", "midpoint", "RK4", "|q|: Euler", "midpoint", "RK4"});
+  Table table({"to turn by", "Euler turns by", "midpoint", "RK4", "|q|: Euler", "midpoint", "RK4"});
   const auto four = rate_of_four<double>([](double) { return Vec3(0, 0, 1); });
   for (const double angle : {0.1, 0.5, 1.0, 2.0, 3.0, 6.0}) {
     const Quat e = from_coefficients(runge_kutta::Euler::step(four, 0.0, four_start, angle));

@@ -9,6 +9,10 @@ int main(int argc, char** argv) {
   tumble::support::Chapter chapter(
       "04_quaternions", "Quaternions: the way between two orientations, drift, and its price");
   chapter.table("ways", "Five ways of 150°", ways_table);
+  chapter.table("by_hand", "The product of two quarter turns", product_by_hand_table);
+  chapter.table("point", "Four points, turned by that product", point_by_hand_table);
+  chapter.table("halfway", "Halfway by mixing", halfway_table);
+  chapter.table("shrink", "How RK4 shortens a quaternion", shrink_table);
   chapter.table("turns", "Some turns and their quaternions", turns_table);
   chapter.table("order", "Two quarter turns in both orders", order_table);
   chapter.table("length", "A turn of 60° by a quaternion that is too long", length_table);
@@ -22,6 +26,8 @@ int main(int argc, char** argv) {
   chapter.table("near", "A quarter of the way between two that are close", near_table);
   chapter.figure("between", between_figure);
   chapter.figure("tracks", tracks_figure);
+  chapter.figure("turn", turn_figure);
+  chapter.figure("arc", arc_figure);
   chapter.figure("circle", circle_figure);
   chapter.figure("half_turn", half_turn_figure);
   chapter.figure("chord", chord_figure);

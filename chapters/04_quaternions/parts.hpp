@@ -10,16 +10,37 @@ namespace quaternions_chapter {
 
 using tumble::support::Table;
 
+// ── arrows.cpp ──
+
+/// What both factors of q p q⁻¹ do to a point.
+std::string turn_figure();
+/// The arc from one quaternion to another, and the parts of a point on it.
+std::string arc_figure();
+
+// ── by_hand.cpp ──
+
+/// The product of two quarter turns.
+Table product_by_hand_table();
+/// What that product does to some points.
+Table point_by_hand_table();
+/// What is left halfway if nine numbers are mixed, and if four are.
+Table halfway_table();
+/// How long RK4 takes to make a quaternion shorter by a hundredth.
+Table shrink_table();
+
 // ── cost.cpp ──
 
-/// What the arithmetic of an orientation costs.
-Table counts_table();
 /// Error after ten seconds of a top against the multiplications spent.
 std::string work_figure();
 /// What an orientation error costs.
 Table reach_table();
 /// What the other operations take.
 Table times_table();
+
+// ── counts.cpp ──
+
+/// What the arithmetic of an orientation costs.
+Table counts_table();
 
 // ── digits.cpp ──
 
@@ -36,6 +57,15 @@ Table drift_table();
 std::string drift_figure();
 /// One step of a turn that is large for it.
 Table big_steps_table();
+
+// ── pace.cpp ──
+
+/// Equal parts of the chord, seen from the middle, are unequal parts of the arc.
+std::string chord_figure();
+/// How fast the plane turns on each way of 150°. Only slerp keeps its pace.
+std::string pace_figure();
+/// How uneven the pace of a mixture is, and how far it is from where slerp is, at worst.
+Table pace_table();
 
 // ── turns.cpp ──
 
@@ -60,11 +90,5 @@ Table ways_table();
 std::string between_figure();
 /// Where the nose points on the way, with a dot at every eighth of the time.
 std::string tracks_figure();
-/// Equal parts of the chord, seen from the middle, are unequal parts of the arc.
-std::string chord_figure();
-/// How fast the plane turns on each way of 150°. Only slerp keeps its pace.
-std::string pace_figure();
-/// How uneven the pace of a mixture is, and how far it is from where slerp is, at worst.
-Table pace_table();
 
 }  // namespace quaternions_chapter

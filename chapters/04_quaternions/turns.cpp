@@ -28,15 +28,15 @@ Table turns_table() {
 Table order_table() {
   Table table({"first", "then", "product (w, x, y, z)", "the angle", "about"});
   const Quat x = from_axis_angle(Vec3::UnitX(), 90 * degree);
-  const Quat y = from_axis_angle(Vec3::UnitY(), 90 * degree);
+  const Quat z = from_axis_angle(Vec3::UnitZ(), 90 * degree);
   const auto add = [&](const char* first, const char* then, const Quat& q) {
     const Vec3 turn = log_quaternion(q);
     const Vec3 axis = turn / turn.cwiseAbs().maxCoeff();
     table.add({first, then, four_numbers(q), degrees(turn.norm()),
                "(" + number(axis[0]) + ", " + number(axis[1]) + ", " + number(axis[2]) + ")"});
   };
-  add("90° about x", "90° about y", y * x);
-  add("90° about y", "90° about x", x * y);
+  add("90° about x", "90° about z", z * x);
+  add("90° about z", "90° about x", x * z);
   return table;
 }
 
@@ -60,6 +60,13 @@ std::string circle_figure() {
     const Vec2 beside(std::cos(half + 0.25), std::sin(half + 0.25));
     sketch.words(0.76 * beside, {0, 5}, number(turn) + "°", "ink", "middle");
   }
+  sketch.look({34, 490, 1});
+  sketch.arrow({0, 0}, {34, 0}, {"ink", 1.5});
+  sketch.words({34, 0}, {8, 5}, "x");
+  sketch.arrow({0, 0}, {0, 34}, {"ink", 1.5});
+  sketch.words({0, 34}, {8, 2}, "y");
+  sketch.words({440, 0}, {0, 5}, "the planes, seen from above", "ink", "end");
+  sketch.look({260, 260, 110});
   sketch.words({0, 0}, {-252, -236}, "to the right: w = cos ½θ", "c0");
   sketch.words({0, 0}, {-252, -218}, "up: z = sin ½θ", "c0");
   return with_planes(sketch, planes);
@@ -68,10 +75,10 @@ std::string circle_figure() {
 // ── A length that is not 1 ──
 
 Table length_table() {
-  Table table({"|q|", "formula", "across the axis: length", "turned by", "along it: length"});
-  const Vec3 across = Vec3::UnitX(), along = Vec3::UnitZ();
+  Table table({"|q|", "formula", "perpendicular: length", "turned by", "along the axis: length"});
+  const Vec3 perpendicular = Vec3::UnitX(), along = Vec3::UnitZ();
   const auto add = [&](double size, const std::string& formula, auto&& rotate) {
-    const Vec3 a = rotate(across);
+    const Vec3 a = rotate(perpendicular);
     table.add({number(size), formula, number(a.norm(), 4), degrees(std::atan2(a.y(), a.x())),
                number(rotate(along).norm(), 4)});
   };

@@ -15,16 +15,18 @@ namespace momentum_chapter {
 namespace {
 
 /// At the angle from the axle that it is welded to, in the plane of the picture.
-constexpr double lean = 50 * degree;
+constexpr double lean = 45 * degree;
 
-void draw_arrow_mark(support::Sketch& sketch, const Vec2& p, bool towards_viewer) {
-  sketch.curve(circle(p, 0.12), {"c2", 2});
+/// An arrow along the line of sight: its point, or its feathers.
+void draw_arrow_mark(support::Sketch& sketch, const Vec2& p, bool towards_viewer,
+                     const std::string& colour = "c2") {
+  sketch.curve(circle(p, 0.12), {colour, 2});
   if (towards_viewer) {
-    sketch.dot(p, "c2", 3);
+    sketch.dot(p, colour, 3);
   } else {
     const double d = 0.085;
     sketch.curves({{p + Vec2(-d, -d), p + Vec2(d, d)}, {p + Vec2(-d, d), p + Vec2(d, -d)}},
-                  {"c2", 2});
+                  {colour, 2});
   }
 }
 
@@ -38,21 +40,29 @@ void draw_dumbbell(support::Sketch& sketch, double side, const std::string& capt
     sketch.disc(end * along, 0.15, "solid");
     draw_arrow_mark(sketch, end * along * 1.34, end * side < 0);
   }
-  sketch.arrow({0, 0}, {0, 1.45}, {"c0", 3});
-  sketch.words({0, 1.45}, {8, 4}, "ω", "c0");
-  sketch.arrow({0, 0}, 1.5 * L, {"c1", 3});
-  sketch.words(1.5 * L, {side > 0 ? -8. : 8., -4}, "L", "c1", side > 0 ? "end" : "start");
+  sketch.arrow({0, 0}, {0, 1.45}, {"c1", 3});
+  sketch.words({0, 1.45}, {8, 4}, "ω", "c1");
+  const std::string outside = side > 0 ? "end" : "start";
+  sketch.arrow({0, 0}, 1.3 * L, {"c0", 3});
+  sketch.words(0.75 * L, {side > 0 ? -8. : 8., 20}, "L", "c0", outside);
+  draw_arrow_mark(sketch, 1.5 * L, side > 0, "c3");
+  sketch.words(1.5 * L, {side > 0 ? -20. : 20., 6}, "ω × L", "c3", outside);
   sketch.words({0, -1.45}, {0, 26}, caption, "ink", "middle");
 }
 
 }  // namespace
 
 std::string askew_figure() {
-  support::Sketch sketch(640, 390, "Two masses on a leaning rod: L is not along ω");
-  sketch.look({160, 178, 112});
+  support::Sketch sketch(760, 390, "Two masses on a leaning rod: L is not along ω");
+  sketch.look({250, 178, 112});
   draw_dumbbell(sketch, 1, "now");
-  sketch.look({480, 178, 112});
+  sketch.look({510, 178, 112});
   draw_dumbbell(sketch, -1, "half a turn later");
+  sketch.look({40, 360, 1});
+  sketch.arrow({0, 0}, {44, 0}, {"ink", 1.5});
+  sketch.words({44, 0}, {8, 5}, "x");
+  sketch.arrow({0, 0}, {0, 44}, {"ink", 1.5});
+  sketch.words({0, 44}, {0, -8}, "z", "ink", "middle");
   return sketch.svg();
 }
 

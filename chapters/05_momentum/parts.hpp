@@ -19,12 +19,30 @@ Table apart_table();
 /// The angular momentum of bodies: the orbital part and the spin part.
 Table split_table();
 
+// ── by_hand.cpp ──
+
+/// A force at two points of its line: the torque is the same.
+Table lever_table();
+/// A kick of 2 N s a sixth of the plank's length off its centre.
+Table sixth_table();
+/// Two masses on a leaning rod: tensor, L, torque of the bearings.
+Table askew_table();
+/// The same rod, spun about a principal axis, and about itself.
+Table along_table();
+
 // ── cost.cpp ──
 
 /// From L to ω: operations.
 Table counts_table();
 /// From L to ω: times.
 Table times_table();
+
+// ── diagrams.cpp ──
+
+/// A point of a racket in the world's axes and in its own.
+std::string frames_figure();
+/// Arm, force and torque.
+std::string torque_figure();
 
 // ── far.cpp ──
 
@@ -73,11 +91,16 @@ std::string push_figure();
 
 /// Ten minutes of a free T-handle.
 Table kept_table();
-/// Ten seconds of a free T-handle, by RK4.
+/// The energy after ten minutes and after fifteen, by Euler.
+Table longer_table();
+/// Ten seconds of a free T-handle, by RK4, averaged over starts.
 Table stored_table();
-/// Orientation after ten seconds against evaluations.
+/// Orientation after ten seconds against evaluations, averaged over starts.
 std::string stored_figure();
-/// The way of the tip of ω, with L upright, seen from a little above.
+
+// ── wander.cpp ──
+
+/// The path of the tip of ω in its plane, with L upright, seen from a little above.
 std::string wander_figure();
 
 }  // namespace momentum_chapter

@@ -4,6 +4,7 @@
 #include "common.hpp"
 #include "parts.hpp"
 #include "support/plot.hpp"
+#include "support/view.hpp"
 
 namespace point_sampling_chapter {
 
@@ -13,13 +14,16 @@ namespace {
 
 const objects::Object& racket_object = objects::all[2];
 
-/// The racket of chapter 5, its handle along −x.
-PolygonMesh racket_mesh() { return racket_object.mesh(racket_object.for_drawings); }
+/// The racket of chapter 5, its handle along −x, by its finest mesh.
+PolygonMesh racket_mesh() { return racket_object.mesh(racket_object.fine); }
 
 const MassProperties& racket() {
   static const MassProperties body = mesh_mass_properties(racket_mesh(), racket_object.density);
   return body;
 }
+
+/// Where it is held, 10 cm from the end of the handle [m].
+double hand() { return bounds(racket_mesh()).min().x() + 0.1; }
 
 std::string gram_square_metres(double I) { return number(1000 * I, 4) + " g m²"; }
 
@@ -28,7 +32,7 @@ std::string gram_square_metres(double I) { return number(1000 * I, 4) + " g m²"
 Table racket_table() {
   Table table({"about an axis through", "off the centre of mass", "I_yy", "added"});
   const Eigen::AlignedBox3d box = bounds(racket_mesh());
-  const double end = box.min().x(), hand = end + 0.1, tip = box.max().x();  // [m]
+  const double end = box.min().x(), tip = box.max().x();  // [m]
   const double mass = racket().mass, centre = racket().centre.x();
   const auto about = [&](double x) { return inertia_about(racket(), {x, 0, 0})(1, 1); };
   const auto add = [&](const std::string& name, double x) {
@@ -36,12 +40,49 @@ Table racket_table() {
                percent(1 - about(centre) / about(x), 3)});
   };
   add("the centre of mass", centre);
-  add("the hand, 10 cm from the end", hand);
+  add("the hand, 10 cm from the end", hand());
   add("the end of the handle", end);
   add("the tip", tip);
   table.add({"the end, in one step from the hand", "",
-             gram_square_metres(about(hand) + mass * 0.1 * 0.1), "wrong"});
+             gram_square_metres(about(hand()) + mass * 0.1 * 0.1), "wrong"});
   return table;
+}
+
+Table twice_table() {
+  Table table({"mass of the racket", "I_yy about its centre of mass", "twice that is at"});
+  const double I = racket().inertia(1, 1);
+  table.add({number(1000 * racket().mass, 4) + " g", gram_square_metres(I),
+             number(1000 * std::sqrt(I / racket().mass), 4) + " mm from it"});
+  return table;
+}
+
+std::string swing_figure() {
+  support::Sketch sketch(760, 330, "A tennis racket and two axes");
+  const PolygonMesh drawn = racket_object.mesh(racket_object.for_drawings);
+  const Eigen::AlignedBox3d box = bounds(drawn);
+  constexpr double scale = 980;
+  const support::Window window{30 - scale * box.min().x(), 168, scale};
+  sketch.drawing(support::draw_mesh(drawn, Mat3::Identity(), {window.x, window.y, scale}));
+  sketch.look(window);
+  const Vec2 p(hand(), 0), c(racket().centre.x(), 0), point(box.max().x() - 0.07, 0.118);
+  for (const Vec2& at : {p, c}) {
+    sketch.curve({at - Vec2(0, 0.135), at + Vec2(0, 0.135)}, {"ink", 1.4});
+    sketch.dot(at, "ink", 4.5);
+  }
+  sketch.words(p, {-9, -120}, "p, the hand", "ink", "end");
+  sketch.words(c, {-9, -120}, "c, the centre of mass", "ink", "end");
+  sketch.arrow(p, c, {"c1", 2.6});
+  sketch.words((p + c) / 2, {0, -12}, "d", "c1", "middle");
+  sketch.arrow(c, point, {"c2", 2.6});
+  sketch.words(c + 0.3 * (point - c), {2, 26}, "r", "c2");
+  sketch.arrow(p, point, {"c0", 2.6});
+  sketch.words(p + 0.44 * (point - p), {-6, -12}, "d + r", "c0", "end");
+  const Vec2 corner(box.min().x(), -0.14);
+  sketch.arrow(corner, corner + Vec2(0.05, 0), {"faint", 1.4});
+  sketch.arrow(corner, corner + Vec2(0, 0.05), {"faint", 1.4});
+  sketch.words(corner + Vec2(0.05, 0), {5, 5}, "x", "faint");
+  sketch.words(corner + Vec2(0, 0.05), {-5, -6}, "y", "faint");
+  return sketch.svg();
 }
 
 // ── Far from the origin ──

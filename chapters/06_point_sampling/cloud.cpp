@@ -27,9 +27,10 @@ std::vector<Vec3> points_inside(const MeshSolid& solid, int tried) {
 /// What the viewer sees of a place in the mug's coordinates, the middle of its box as the origin.
 Vec2 seen(const Vec3& p) { return (upright() * (p - mug_solid().bounds().center())).head<2>(); }
 
+const std::array<std::string, 5> colours{"c0", "c7", "c2", "c4", "c1"};
+
 /// The points in five colours, by their distance from the upright axis through the centre of mass.
 void draw_cloud(support::Sketch& sketch, int tried, double pixels) {
-  const std::array<std::string, 5> colours{"c0", "c7", "c2", "c4", "c1"};
   constexpr std::array<double, 4> borders{0.022, 0.036, 0.041, 0.05};  // [m]
   std::array<std::vector<Vec2>, 5> bands;
   for (const Vec3& p : points_inside(mug_solid(), tried)) {
@@ -38,6 +39,15 @@ void draw_cloud(support::Sketch& sketch, int tried, double pixels) {
     bands[static_cast<std::size_t>(band)].push_back(seen(p));
   }
   for (std::size_t i = 0; i < bands.size(); ++i) sketch.specks(bands[i], colours[i], pixels);
+}
+
+/// Which colour is near the axis, and which is far.
+void draw_key(support::Sketch& sketch) {
+  sketch.look({380, 332, 1});
+  sketch.words({-66, 0}, {0, 8}, "near the upright axis", "ink", "end");
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    sketch.dot({30 * (static_cast<double>(i) - 1.5), 0}, colours[i], 7);
+  sketch.words({96, 0}, {0, 8}, "far from it");
 }
 
 void draw_box(support::Sketch& sketch) {
@@ -57,7 +67,8 @@ void draw_box(support::Sketch& sketch) {
 }  // namespace
 
 std::string cloud_figure() {
-  support::Sketch sketch(760, 312, "A mug filled with points", 22);
+  support::Sketch sketch(760, 350, "A mug filled with points", 22);
+  draw_key(sketch);
   const std::array<int, 3> tried{1000, 4000, 16000};
   const std::array<double, 3> pixels{2.2, 1.6, 1.1};
   for (std::size_t i = 0; i < 3; ++i) {

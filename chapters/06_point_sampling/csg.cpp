@@ -49,15 +49,15 @@ Table die_table() {
 namespace {
 
 std::string caption(double x, double y, const std::string& words) {
-  return "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(y) +
-         "\" fill=\"var(--ink)\" font-size=\"22\" text-anchor=\"middle\">" +
+  return "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(y) + "\" " +
+         support::fill_of("ink") + " font-size=\"22\" text-anchor=\"middle\">" +
          support::svg_text(words) + "</text>\n";
 }
 
 }  // namespace
 
 std::string csg_figure() {
-  constexpr int n = 96;
+  constexpr int n = 150;
   constexpr double cell = 253, size = cell / n;
   std::string svg =
       support::svg_open(760, 300, "Solids made of solids, drawn by asking for points");

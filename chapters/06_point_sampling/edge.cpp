@@ -57,10 +57,8 @@ std::vector<Vec3> grid_in(const Vec3& size, int n) {
   return list;
 }
 
-}  // namespace
-
-Table edge_table() {
-  constexpr int n = 32;
+/// What of a cube and a box n³ points find, by each rule.
+Table by_rules(int n) {
   Table table({"a ray through an edge", "points inside", "cube of 1 kg", "box of 6 kg", "off by"});
   const auto add = [&](const std::string& name, EdgeRule rule) {
     std::vector<std::string> row{name};
@@ -81,6 +79,12 @@ Table edge_table() {
   add("counts for one", EdgeRule::one);
   return table;
 }
+
+}  // namespace
+
+Table edge_table() { return by_rules(32); }
+
+Table edge_31_table() { return by_rules(31); }
 
 std::string edge_figure() {
   constexpr int n = 32;

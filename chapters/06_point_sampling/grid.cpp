@@ -13,13 +13,12 @@ struct LooseCube : Box {
   static Eigen::AlignedBox3d bounds() { return {Vec3::Constant(-0.515), Vec3::Constant(0.515)}; }
 };
 
-}  // namespace
-
-Table cells_table() {
+/// A plank by n³ points, for each n.
+Table planks(const std::vector<int>& numbers) {
   Table table({"cells", "mass", "I_zz", "missing", "1/n²"});
   const Box plank{Vec3(1, 0.2, 0.05)};
   const MassProperties truth = mass_properties(plank, 500);
-  for (const int n : {1, 2, 4, 8, 16}) {
+  for (const int n : numbers) {
     const auto body = sampling::sample_mass_properties(plank, 500, sampling::GridPoints(n));
     table.add(
         {number(n) + "³", number(body.mass, 6) + " kg", number(body.inertia(2, 2), 6) + " kg m²",
@@ -27,6 +26,12 @@ Table cells_table() {
   }
   return table;
 }
+
+}  // namespace
+
+Table cells_table() { return planks({1, 2, 4, 8, 16}); }
+
+Table finer_table() { return planks({32, 45}); }
 
 Table fill_table() {
   Table table({"object", "share of its box", "1000 random points leave", "for 1 %"});

@@ -12,10 +12,21 @@ using tumble::support::Table;
 
 // ── axes.cpp ──
 
+/// A racket from above, and two axes to swing it about.
+std::string swing_figure();
+/// How far from its centre of mass a racket is twice as hard to swing.
+Table twice_table();
 /// How hard a racket is to swing about an axis across its handle, in the plane of the strings.
 Table racket_table();
 /// Error of the inertia of 300 points, moved without being rounded.
 std::string far_figure();
+
+// ── by_hand.cpp ──
+
+/// One, two and four kilograms, and their products of inertia.
+Table kilograms_table();
+/// The same objects by coarser and finer meshes.
+Table meshes_table();
 
 // ── cloud.cpp ──
 
@@ -45,6 +56,8 @@ std::string csg_figure();
 
 /// A box on a grid of 32³ points.
 Table edge_table();
+/// The same on 31³ points.
+Table edge_31_table();
 /// The cube from above: where columns of points have gone.
 std::string edge_figure();
 
@@ -52,6 +65,8 @@ std::string edge_figure();
 
 /// A box that its cells fill exactly: what is missing is the cells' own inertia.
 Table cells_table();
+/// The same with more cells.
+Table finer_table();
 /// How much of their boxes the objects fill, and what that means for random points.
 Table fill_table();
 /// Flat faces along the planes of the grid.
@@ -65,6 +80,13 @@ Table orders_table();
 std::string orders_figure();
 /// The standard error of a mug's mass.
 Table honest_table();
+
+// ── rays.cpp ──
+
+/// Rays to the right through the wall of a mug.
+std::string rays_figure();
+/// A triangle from above, and the small triangles that a point makes with its edges.
+std::string sides_figure();
 
 // ── squares.cpp ──
 

@@ -46,10 +46,10 @@ Table times_table() {
   add_sum("exact sum, tight", [density](const PolygonMesh& mesh) {
     return unchecked_mass_properties(mesh, density, Accuracy::tight);
   });
-  add_sum("fast, mesh looked over", [density](const PolygonMesh& mesh) {
+  add_sum("fast, mesh checked", [density](const PolygonMesh& mesh) {
     return mesh_mass_properties(mesh, density, {Accuracy::fast});
   });
-  add_sum("tight, mesh looked over", [density](const PolygonMesh& mesh) {
+  add_sum("tight, mesh checked", [density](const PolygonMesh& mesh) {
     return mesh_mass_properties(mesh, density, {Accuracy::tight});
   });
   Table table({"for a mug's inertia", "time", "as a ratio", "looks at", "error"});

@@ -78,13 +78,13 @@ std::string equivalent_figure() {
     const Vec3 middle = R * around.centre;
     const support::Placement at{x - scale * middle.x(), 150 + scale * middle.y(), scale};
     const BoxLines outer(around, R, at), inner(equivalent_box(body.truth), R, at);
-    const std::string blue = R"svg(stroke="var(--c0)" stroke-width="1.6")svg",
-                      orange = R"svg(stroke="var(--c1)" stroke-width="2.2")svg";
+    const std::string blue = support::stroke_of("c0") + " stroke-width=\"1.6\"",
+                      orange = support::stroke_of("c1") + " stroke-width=\"2.2\"";
     svg += outer.behind(blue + " opacity=\"0.6\"") + support::draw_mesh(body.mesh, R, at);
     svg += inner.behind(orange + " stroke-dasharray=\"4 4\"") + inner.in_front(orange);
     svg += outer.in_front(blue);
-    svg += "<text x=\"" + svg_number(x) + "\" y=\"316\" fill=\"var(--ink)\" font-size=\"20\" " +
-           "text-anchor=\"middle\">" + body.name + "</text>\n";
+    svg += "<text x=\"" + svg_number(x) + "\" y=\"316\" " + support::fill_of("ink") +
+           " font-size=\"20\" " + "text-anchor=\"middle\">" + body.name + "</text>\n";
   };
   draw(t_handle(), axis_rotation(0, -0.75) * axis_rotation(2, -0.5), 200, 2250);
   draw(wing_nut(), axis_rotation(0, 0.4) * axis_rotation(0, -pi / 2) * axis_rotation(2, -0.45), 565,

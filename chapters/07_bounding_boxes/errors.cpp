@@ -87,7 +87,7 @@ std::string between_figure() {
                      {"share of the box that the body fills", support::Scale::linear},
                      {"inertia: body / box", support::Scale::linear},
                      {}};
-  support::Series full{"true mass: 1", {}, {}}, shrunk{"true volume: f^⅔", {}, {}},
+  support::Series full{"true mass: 1", {}, {}}, shrunk{"true volume: ∛f²", {}, {}},
       ball{"hollow balls", {}, {}};
   for (int i = 1; i <= 50; ++i) {
     const double f = 0.6 * i / 50, r = std::cbrt(std::max(0.0, 1 - f * 6 / pi));

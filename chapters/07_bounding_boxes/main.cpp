@@ -7,7 +7,9 @@ int main(int argc, char** argv) {
   using namespace bounding_boxes_chapter;
   tumble::support::Chapter chapter("07_bounding_boxes",
                                    "Bounding boxes: a box in the place of a body");
-  chapter.table("mug", "A mug spun about its easiest axis, 3 turns a second", mug_table);
+  chapter.table("mug", "A mug spun about its easiest axis, 3 turns per second", mug_table);
+  chapter.table("corners", "The box of three points", corners_table);
+  chapter.table("diamond", "Eight points, and two boxes", diamond_table);
   chapter.table("errors", "Inertia of a box for that of an object: relative error", errors_table);
   chapter.table("descent", "Turning boxes until no turn makes them smaller", descent_table);
   chapter.table("hollow", "The inertia of a cube around a hollow ball, to the ball's",

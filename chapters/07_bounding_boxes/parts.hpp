@@ -10,10 +10,22 @@ namespace bounding_boxes_chapter {
 
 using tumble::support::Table;
 
+// ── by_hand.cpp ──
+
+/// The box of three points, and of many more in one place.
+Table corners_table();
+/// Eight points whose principal box is larger than the one along the axes.
+Table diamond_table();
+
 // ── cost.cpp ──
 
 /// What a box takes, and what the exact sum does.
 Table times_table();
+
+// ── cube.cpp ──
+
+/// A cube with eight vertices and with nine, and their principal boxes.
+std::string cube_figure();
 
 // ── equivalent.cpp ──
 
@@ -45,7 +57,7 @@ Table flight_table();
 std::string rule_figure();
 /// Which axis is the easy one.
 Table moments_table();
-/// A mug spun about its easiest axis, 3 turns a second.
+/// A mug spun about its easiest axis, 3 turns per second.
 Table mug_table();
 /// One throw, computed twice. The arrow, painted on the mug, is the axis of its spin.
 std::string spin_figure();
@@ -59,8 +71,6 @@ Table hard_table();
 
 /// A racket from above. Its points scatter most along the handle and least across it.
 std::string lies_figure();
-/// A cube from above, with eight vertices and with nine.
-std::string cube_figure();
 /// From the side, the mug's handle tilts its principal box.
 std::string sides_figure();
 /// Volume of the mug's box against its turn. Upright it stands in a shallow valley.

@@ -3,7 +3,6 @@
 /// right, where they are not, and how a turn changes the volume.
 
 #include "common.hpp"
-#include "cube_with_a_vertex.hpp"
 #include "parts.hpp"
 #include "support/plot.hpp"
 
@@ -54,25 +53,6 @@ std::string lies_figure() {
   const Vec2 corner = upright.size.head<2>().cwiseProduct(Vec2(-0.5, 0.5));
   sketch.words(corner, {0, -10}, "along the axes", "c0");
   sketch.words({0.16, -0.27}, {0, 0}, "along the racket", "c1");
-  return sketch.svg();
-}
-
-// ── A cube with one vertex more ──
-
-std::string cube_figure() {
-  support::Sketch sketch(700, 360, "A cube from above, with eight vertices and with nine", 20);
-  const auto draw = [&](double x, const Points& points, const std::string& caption) {
-    sketch.look({x, 156, 146});
-    sketch.curve({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}},
-                 {"solid", 1, 1, 0.75});
-    const boxes::OrientedBox box = boxes::principal_box(points);
-    sketch.curve(rectangle(box, 0, 1, 2), {"c1", 2.4});
-    for (const Vec3& p : points) sketch.dot(p.head<2>(), "ink", 4.5);
-    if (points.size() > 8) sketch.dot(points[8].head<2>(), "c6", 7);
-    sketch.words({0, 0}, {0, 188}, caption + times(box.volume()), "ink", "middle");
-  };
-  draw(175, cube_corners(), "8 vertices: volume ");
-  draw(525, cube_with_a_vertex(), "9 vertices: volume ");
   return sketch.svg();
 }
 
@@ -135,11 +115,11 @@ double turn_of(const boxes::OrientedBox& box) {
 std::string valley_figure() {
   support::Plot plot{"boxes of a mug",
                      {"turned about the upright axis by [°]", support::Scale::linear},
-                     {"volume / mug's", support::Scale::linear},
+                     {"volume of the box, in volumes of the mug", support::Scale::linear},
                      {}};
   const auto volume = [](const boxes::OrientedBox& box) { return box.volume() / mug().volume(); };
   support::Series curve{"any turn", {}, {}};
-  for (int i = 0; i <= 360; ++i) {
+  for (int i = 0; i <= 400; ++i) {
     curve.x.push_back(i / 4.0);
     curve.y.push_back(
         volume(boxes::box_around(mug().points(), axis_rotation(2, i / 4.0 * degree))));
@@ -150,6 +130,11 @@ std::string valley_figure() {
   const boxes::OrientedBox smaller = boxes::fit_oriented_box(mug().points());
   plot.series.push_back(
       {"smaller", {turn_of(smaller) / degree}, {volume(smaller)}, support::Look::dots});
+  const double mirrored = pi / 2 - turn_of(smaller);
+  plot.series.push_back({"handle in the next corner",
+                         {mirrored / degree},
+                         {volume(boxes::box_around(mug().points(), axis_rotation(2, mirrored)))},
+                         support::Look::dots});
   return support::to_svg(plot);
 }
 

@@ -37,6 +37,11 @@ FarErrors far_errors(double distance) {
   return worst;
 }
 
+/// What Mirtich's three steps find about a point.
+MassProperties by_shadows(const PolygonMesh& mesh, const Vec3& p) {
+  return mass_properties(mirtich::volume_integrals(mesh, p), p, 1);
+}
+
 using Long = Vector3<simd::DoubleDouble>;
 
 /// The centre of mass in 32 digits.
@@ -65,6 +70,24 @@ CentreErrors centre_errors(double distance) {
 }
 
 }  // namespace
+
+Table far_by_shadows_table() {
+  Table table({"distance", "mass", "inertia", "about the body: mass", "inertia"});
+  for (const double distance : {1., 10., 100., 1e3, 1e4, 1e6, 1e8}) {
+    std::array<double, 4> worst{};
+    for (const Vec3& way : ways_off) {
+      const PolygonMesh mesh = mug_at(distance, way);
+      const MassProperties truth = exact(mesh), far = by_shadows(mesh, Vec3::Zero()),
+                           near = by_shadows(mesh, detail::reference_point(mesh));
+      const std::array errors{mass_error(far, truth), inertia_error(far, truth),
+                              mass_error(near, truth), inertia_error(near, truth)};
+      for (std::size_t i = 0; i < 4; ++i) worst[i] = std::max(worst[i], errors[i]);
+    }
+    table.add({number(distance) + " m", while_any(worst[0]), while_any(worst[1]),
+               while_any(worst[2]), while_any(worst[3])});
+  }
+  return table;
+}
 
 Table far_table() {
   Table table(

@@ -99,6 +99,37 @@ Table shadows_table() {
   return table;
 }
 
+namespace {
+
+/// The gem's volume from rods along an axis, if the faces of some parts are turned round.
+double volume_with_turned(const Gem& g, int axis, bool (*is_turned)(Facet)) {
+  double volume = 0;
+  for (int f = 0; f < g.mesh.face_count(); ++f) {
+    std::vector<Vec3> corners = corners_of(g.mesh, f);
+    for (Vec3& p : corners)  // the axis becomes x, along which face_moments() has its rods
+      p = Vec3(p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]);
+    const double brought = mirtich::face_moments(corners).one;
+    volume += is_turned(g.facets[static_cast<std::size_t>(f)]) ? -brought : brought;
+  }
+  return volume;
+}
+
+}  // namespace
+
+Table turned_table() {
+  const Gem g = gem(gem_radius, 0);
+  Table table({"turned round", "rods along z [mm³]", "rods along x [mm³]"});
+  const auto add = [&](const std::string& name, bool (*is_turned)(Facet)) {
+    table.add({name, number(volume_with_turned(g, 2, is_turned) * 1e9, 4),
+               number(volume_with_turned(g, 0, is_turned) * 1e9, 4)});
+  };
+  add("no face", [](Facet) { return false; });
+  add("the table", [](Facet facet) { return facet == Facet::table; });
+  add("all of the crown", [](Facet facet) { return facet == Facet::crown; });
+  add("all faces", [](Facet) { return true; });
+  return table;
+}
+
 Table gem_table() {
   const MassOptions textbook{Accuracy::textbook, Policy::refuse, anywhere};
   const PolygonMesh mesh = gem(gem_radius, 0).mesh;
@@ -139,6 +170,18 @@ void draw_floor(support::Sketch& sketch) {
     const double at = half * i / 2;
     sketch.curve({seen({at, -half, 0}), seen({at, half, 0})}, {"grid", 1});
     sketch.curve({seen({-half, at, 0}), seen({half, at, 0})}, {"grid", 1});
+  }
+}
+
+void draw_axes(support::Sketch& sketch) {
+  const Vec3 corner(-1.2, -1.2, 0);
+  const std::array<std::string, 3> names{"x", "y", "z"};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Vec2 from = seen(corner), to = seen(corner + 0.4 * Vec3::Unit(i));
+    sketch.arrow(from, to, {"ink", 1.5});
+    const Vec2 along = (to - from).normalized();
+    sketch.words(to, {11 * along.x(), 5 - 11 * along.y()}, names[static_cast<std::size_t>(i)],
+                 "ink", "middle");
   }
 }
 
@@ -187,6 +230,7 @@ std::string gem_figure() {
   for (const bool up : {true, false}) {
     sketch.look({up ? 190.0 : 570.0, 300, 148});
     draw_floor(sketch);
+    if (!up) draw_axes(sketch);  // once, in the middle of the figure
     draw_side(sketch, g, up, up ? "c0" : "c1");
     sketch.words(seen({0, 0, 0}), {0, 92},
                  up ? "look up: shadows count plus" : "look down: shadows count minus",

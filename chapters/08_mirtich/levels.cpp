@@ -1,5 +1,5 @@
 /// @file
-/// Rods through a body, edges of a shadow, and shadows that are cast along the wrong axis.
+/// Rods through a body, and shadows that are cast along the wrong axis.
 
 #include <cmath>
 
@@ -80,35 +80,12 @@ std::string rods_figure() {
   draw_rods(sketch);
   sketch.look({665, 185, 85});
   draw_rod_end(sketch);
+  sketch.look({470, 378, 1});
+  sketch.arrow({0, 0}, {46, 0}, {"ink", 1.5});
+  sketch.arrow({0, 0}, {0, 46}, {"ink", 1.5});
+  sketch.words({46, 0}, {8, 5}, "x");
+  sketch.words({0, 46}, {-4, -8}, "y");
   return sketch.svg();
-}
-
-// ── Edges ──
-
-namespace {
-
-std::string corner_text(const Vec2& p) { return "(" + number(p.x()) + ", " + number(p.y()) + ")"; }
-
-}  // namespace
-
-Table walk_table() {
-  const std::vector<Vec2> line{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}};
-  Table table({"edge", "Δβ", "for ∬ 1", "for ∬ α", "by its midpoint", "by its ends"});
-  double area = 0, first = 0, by_middle = 0, by_ends = 0;
-  for (std::size_t k = 0; k < line.size(); ++k) {
-    const Vec2 &p = line[k], &q = line[(k + 1) % line.size()];
-    mirtich::ProjectionIntegrals edge;
-    mirtich::add_edge(edge, p, q);
-    const double rise = q.y() - p.y(), middle = (p.x() + q.x()) / 2;
-    const double of_middle = rise * middle * middle / 2,
-                 of_ends = rise * (p.x() * p.x() + q.x() * q.x()) / 4;
-    table.add({corner_text(p) + " → " + corner_text(q), number(rise), number(edge.one / 2),
-               number(edge.a / 6, 4), number(of_middle + 0), number(of_ends + 0)});
-    area += edge.one / 2, first += edge.a / 6, by_middle += of_middle, by_ends += of_ends;
-  }
-  table.add({"once around", "0", number(area), number(first, 4), number(by_middle, 4),
-             number(by_ends, 4)});
-  return table;
 }
 
 // ── The wrong axis ──

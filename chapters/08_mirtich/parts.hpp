@@ -27,6 +27,17 @@ std::string places_figure();
 /// The depth along a line through a body with a part inside.
 std::string depth_figure();
 
+// ── by_hand.cpp ──
+
+/// The corner of a cube, by all three steps.
+Table corner_table();
+/// Its mass, centre and inertia.
+Table corner_body_table();
+/// Once around a square of side 4 with a dent: what each edge contributes.
+Table walk_table();
+/// The same for ∬ β.
+Table walk_beta_table();
+
 // ── cost.cpp ──
 
 /// What a triangle costs, in operations.
@@ -40,8 +51,17 @@ Table times_table();
 /// Cubes that are very small or very large, and what the library says of them.
 Table sizes_table();
 
+// ── drawings.cpp ──
+
+/// A face and its shadow, in space and from the side.
+std::string shadow_figure();
+/// Once around a square with a dent.
+std::string walk_figure();
+
 // ── far.cpp ──
 
+/// A mug far from the origin, by shadows: relative errors.
+Table far_by_shadows_table();
 /// A mug far from the origin: relative errors.
 Table far_table();
 /// The centre of mass of a mug far from the origin.
@@ -51,8 +71,10 @@ std::string far_figure();
 
 // ── gem.cpp ──
 
-/// What the faces of a gem bring to its volume.
+/// What the faces of a gem contribute to its volume.
 Table shadows_table();
+/// The gem's volume if some of its faces are turned round.
+Table turned_table();
 /// The gem, of diamond.
 Table gem_table();
 /// A gem over a floor.
@@ -62,13 +84,20 @@ std::string gem_figure();
 
 /// A body cut into rods along x. Each rod knows only its ends.
 std::string rods_figure();
-/// Once around a square of side 4 with a dent: what each edge brings.
-Table walk_table();
 /// Relative errors of shadows along z, the worst of 50 faces.
 Table axis_table();
 
+// ── pairs.cpp ──
+
+/// Sums and products with what rounding loses of them.
+Table pairs_table();
+
 // ── tetrahedra.cpp ──
 
+/// The corner of a cube as signed tetrahedra, with different apexes.
+Table apex_table();
+/// The same with the apex in the body.
+Table apex_inside_table();
 /// Triangles over the edges of an outline, with their apex outside.
 std::string tetrahedra_figure();
 

@@ -58,7 +58,10 @@ std::string thin_figure() {
   const std::array<std::string, 7> names{
       "needle: fast's bound", "needle: fast",          "needle: textbook", "plate: fast's bound",
       "plate: fast",          "needle: tight's bound", "needle: tight"};
-  for (const std::string& name : names) plot.series.push_back({name, {}, {}});
+  for (const std::string& name : names) {
+    const bool bound = name.ends_with("bound");
+    plot.series.push_back({name, {}, {}, bound ? support::Look::dashed : support::Look::line});
+  }
   for (int i = 0; i <= 16; ++i) {
     const double t = std::pow(10, -0.5 * i);
     const ThinErrors needle = thin_errors({1, t, t}), plate = thin_errors({1, 1, t});

@@ -109,7 +109,7 @@ Table laws_table() {
 
 std::string laws_figure() {
   support::Plot plot{"ω about the middle axis of a free handle", {"time [s]"}, {"[rad/s]"}, {}};
-  const std::array<std::string, 3> names{"as it is", "term left out", "term put in"};
+  const std::array<std::string, 3> names{"right law", "term left out", "term put in"};
   const std::array<std::size_t, 3> which{0, 2, 3};
   for (std::size_t i = 0; i < 3; ++i) {
     support::Series series{names[i], {}, {}};

@@ -44,7 +44,7 @@ Table thousand_table() {
     FlipCounter counter;
     const int steps = rate * static_cast<int>(duration);
     const auto end = integrate_fixed<Rk4>(motion, start, 0, duration, steps, std::ref(counter));
-    add("RK4, " + std::to_string(rate) + " steps a second", 4 * steps, counter.flips(), end);
+    add("RK4, " + std::to_string(rate) + " steps per second", 4 * steps, counter.flips(), end);
   }
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
     FlipCounter counter;
@@ -75,7 +75,7 @@ auto motor() {
 }  // namespace
 
 Table begins_table() {
-  Table table({"RK4", "60 steps a second", "120", "240", "480"});
+  Table table({"RK4", "60 steps per second", "120", "240", "480"});
   const RigidBodyRhs motion(handle(), motor());
   const auto in_two_parts = [&](auto&& part) {
     PackedState<double> y = part(pack(handle_start()), 0.0, switched_at);
@@ -112,7 +112,7 @@ Table begins_table() {
 // ── Too much of a turn in a step ──
 
 Table fast_table() {
-  Table table({"steps a turn", "radians a step", "orientation off", "energy", "|q|"});
+  Table table({"steps per turn", "radians per step", "orientation off", "energy", "|q|"});
   // Mostly about the axis of the least moment: stable, with a wobble.
   const Quat q = from_matrix(principal_axes(handle().I_body()).R).conjugate();
   const RigidBodyState<> start = state_of_motion<double>(handle(), Vec3::Zero(), q, Vec3::Zero(),

@@ -52,7 +52,7 @@ Drifted drifted(const Rhs& motion, const RigidBodyState<>& start, double duratio
 }  // namespace
 
 Table length_table() {
-  Table table({"q normalised", "|q| − 1 at worst", "60 steps a second", "120", "240", "order"});
+  Table table({"q normalised", "|q| − 1 at worst", "60 steps per second", "120", "240", "order"});
   constexpr int seconds = 10;
   const RigidBodyRhs motion(handle());
   const RigidBodyState<> exact = FreeTrajectory(handle(), handle_start()).at(seconds);

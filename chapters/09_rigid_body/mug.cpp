@@ -2,7 +2,7 @@
 /// A real body with real forces: a mug that hangs by its handle from a spring, in the air.
 
 #include "common.hpp"
-#include "objects/hanging_mug.hpp"
+#include "mug_drawing.hpp"
 #include "parts.hpp"
 
 namespace rigid_body_chapter {
@@ -60,61 +60,49 @@ namespace {
 /// From the world to the viewer, who looks along y, a little from above.
 Mat3 mug_view() { return exp_rotation(Vec3(0.2, 0, 0)) * exp_rotation(Vec3(-pi / 2, 0, 0)); }
 
-/// The lines of a mug about its centre of mass: rims, foot, two sides and the handle.
-/// @param toward the viewer, in body axes: the sides are where the wall turns away
-std::vector<std::vector<Vec3>> mug_lines(const Vec3& toward) {
-  constexpr double radius = 0.041, height = 0.095, middle = 0.053;
-  const auto at = [](double r, double angle, double z) -> Vec3 {
-    return Vec3(r * std::cos(angle), r * std::sin(angle), z) - properties_of(mug_object).centre;
-  };
-  std::vector<std::vector<Vec3>> lines(4);
-  for (int i = 0; i <= 24; ++i) {
-    const double angle = 2 * pi * i / 24, bend = pi * (0.09 + 0.082 * i / 2.4);
-    lines[0].push_back(at(radius, angle, 0));
-    lines[1].push_back(at(radius, angle, height));
-    lines[2].push_back(at(radius - 0.004, angle, height));
-    lines[3].push_back(at(radius + 0.030 * std::sin(bend), 0, middle + 0.026 * std::cos(bend)));
-  }
-  const double side = std::atan2(toward.y(), toward.x());
-  for (const double angle : {side + pi / 2, side - pi / 2})
-    lines.push_back({at(radius, angle, 0), at(radius, angle, height)});
-  return lines;
-}
-
-void draw_mug(support::Sketch& sketch, const Derived<>& now) {
+/// Two seconds of the motion, or a part of them, and the mug at some moments.
+void draw_motion(support::Sketch& sketch, double from, double to,
+                 const std::vector<double>& times) {
   const Mat3 view = mug_view();
-  const Vec3 toward = (view * now.R).transpose() * Vec3::UnitZ();
-  std::vector<std::vector<Vec2>> seen;
-  for (const std::vector<Vec3>& line : mug_lines(toward)) {
-    seen.emplace_back();
-    for (const Vec3& p : line)
-      seen.back().push_back((view * point_position<double>(now, p)).head<2>());
+  const auto motion = hanging_mug();
+  std::vector<Vec2> centre, hook;
+  for (int i = 0; i <= 120; ++i) {
+    const Derived<> now =
+        derived(mug(), followed(motion, mug_start(), from + (to - from) * i / 120.0));
+    centre.push_back((view * now.x).head<2>());
+    hook.push_back((view * point_position(now, spring.p_body)).head<2>());
   }
-  sketch.curves(seen, {"ink", 1.5});
+  sketch.curve(hook, {"c1", 1.4});
+  sketch.curve(centre, {"c0", 2.2});
+  for (const double t : times) {
+    const Derived<> now = derived(mug(), followed(motion, mug_start(), t));
+    sketch.curve({{0, 0}, (view * point_position(now, spring.p_body)).head<2>()}, {"c2", 1.4});
+    draw_mug(sketch, view, now);
+    const bool at_the_edge = now.x.z() > -0.35, left = now.x.x() < 0;
+    const Vec2 beside = at_the_edge ? Vec2(0, 58) : Vec2(left ? -34 : 34, 40);
+    const std::string anchor = at_the_edge ? "middle" : left ? "end" : "start";
+    sketch.words((view * now.x).head<2>(), beside, support::svg_number(t, 2) + " s", "ink", anchor);
+  }
+  sketch.dot({0, 0}, "ink", 5);
 }
 
 }  // namespace
 
 std::string mug_figure() {
-  support::Sketch sketch(760, 560, "A mug on a spring: its centre of mass, its handle, the spring");
-  sketch.look({370, 30, 560});
-  const Mat3 view = mug_view();
-  const auto motion = hanging_mug();
-  std::vector<Vec2> centre, hook;
-  for (int i = 0; i <= 240; ++i) {
-    const Derived<> now = derived(mug(), followed(motion, mug_start(), i / 100.0));
-    centre.push_back((view * now.x).head<2>());
-    hook.push_back((view * point_position(now, spring.p_body)).head<2>());
-  }
-  sketch.curve(hook, {"c1", 1.2});
-  sketch.curve(centre, {"c0", 2});
-  for (const double t : {0., 0.35, 0.75, 1.05, 1.45, 1.9}) {
-    const Derived<> now = derived(mug(), followed(motion, mug_start(), t));
-    sketch.curve({{0, 0}, (view * point_position(now, spring.p_body)).head<2>()}, {"c2", 1, 0.7});
-    draw_mug(sketch, now);
-    sketch.words((view * now.x).head<2>(), {24, 34}, support::svg_number(t, 2) + " s");
-  }
-  sketch.dot({0, 0}, "ink", 5);
+  support::Sketch sketch(760, 450, "A mug on a spring: its centre of mass, its handle, the spring",
+                         15);
+  sketch.look({205, 48, 400});
+  draw_motion(sketch, 0, 1, {0, 0.35, 0.9});
+  sketch.words({0, 0}, {0, -18}, "the first second", "ink", "middle");
+  // Axes and a length, in the corner that stays free.
+  const Vec2 corner(-0.48, -0.9);
+  sketch.arrow(corner, corner + Vec2(0.1, 0), {"faint", 1.6});
+  sketch.words(corner + Vec2(0.1, 0), {4, 5}, "x, 10 cm", "ink");
+  sketch.arrow(corner, corner + Vec2(0, 0.1), {"faint", 1.6});
+  sketch.words(corner + Vec2(0, 0.1), {-4, -6}, "z", "ink");
+  sketch.look({575, 48, 400});
+  draw_motion(sketch, 1, 2, {1.05, 1.45, 1.9});
+  sketch.words({0, 0}, {0, -18}, "the next second", "ink", "middle");
   return sketch.svg();
 }
 

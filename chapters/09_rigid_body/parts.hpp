@@ -10,6 +10,17 @@ namespace rigid_body_chapter {
 
 using tumble::support::Table;
 
+// ── by_hand.cpp ──
+
+/// What follows from a state with numbers that fit on paper.
+Table derived_by_hand_table();
+/// One step of Euler's method from that state.
+Table step_by_hand_table();
+/// The length of its quaternion after that step, and the rate of a quaternion twice as long.
+Table length_by_hand_table();
+/// The gyroscopic term in that state.
+Table term_by_hand_table();
+
 // ── cost.cpp ──
 
 /// One evaluation: operations.
@@ -23,10 +34,21 @@ Table stated_table();
 /// Half a second of the mug: time to reach an error.
 Table race_table();
 
+// ── diagrams.cpp ──
+
+/// The way of the numbers through dydt.
+std::string machine_figure();
+/// A point of the mug from the world's origin and from its centre of mass.
+std::string frames_figure();
+/// L, seen from the world and from the body.
+std::string seen_figure();
+
 // ── frames.cpp ──
 
 /// How far ω is off, by the size of the true one, for a body that has turned.
 Table frames_table();
+/// The same after a half turn about a principal axis.
+Table half_turn_table();
 
 // ── gyroscopic.cpp ──
 
@@ -85,7 +107,7 @@ std::string energy_figure();
 
 // ── tumbling.cpp ──
 
-/// The nut photographed by flashes that follow each other as the turns do.
+/// The nut photographed by flashes that follow each other as the turns do, and its spin.
 std::string nut_figure();
 /// ω along the three axes of the nut, over some flips.
 std::string spin_figure();
@@ -93,5 +115,7 @@ std::string spin_figure();
 std::string polhode_figure();
 /// How often a body turns over.
 Table flips_table();
+/// The same for a handle that is aimed to a billionth of a radian.
+Table aimed_table();
 
 }  // namespace rigid_body_chapter

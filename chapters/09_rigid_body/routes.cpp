@@ -54,7 +54,7 @@ void add_ways(Table& table, const std::string& scene, int rate, const TwoWays& w
 }  // namespace
 
 Table matrix_table() {
-  Table table({"scene", "steps a second", "by q: off", "by R: off", "apart", "‖RᵀR − 1‖"});
+  Table table({"scene", "steps per second", "by q: off", "by R: off", "apart", "‖RᵀR − 1‖"});
   const Mat3 handle_end = to_matrix(FreeTrajectory(handle(), handle_start()).at(10).q);
   for (const int rate : {60, 240, 960})
     add_ways(table, "free handle, 10 s", rate, both_ways(handle(), handle_start(), 10, 10 * rate),

@@ -30,7 +30,7 @@ RigidBodyState<> with_stale_forces(const Rhs& motion, const RigidBodyState<>& st
 
 // ── The order ──
 
-/// A row of errors at 60, 120, 240 … steps a second, and the order that the last two show.
+/// A row of errors at 60, 120, 240 … steps per second, and the order that the last two show.
 template <class End>
 void add_orders(Table& table, std::vector<std::string> row, const End& end) {
   std::vector<double> errors;
@@ -45,7 +45,7 @@ void add_orders(Table& table, std::vector<std::string> row, const End& end) {
 }  // namespace
 
 Table steps_table() {
-  Table table({"method", "slopes", "60 steps a second", "120", "240", "480", "order"});
+  Table table({"method", "slopes", "60 steps per second", "120", "240", "480", "order"});
   const auto add = [&]<class Method>(const std::string& name, const std::string& slopes, Method) {
     add_orders(table, {name, slopes}, [](int rate) {
       return stepped<Method>(hanging_mug(), mug_start(), mug_time,
@@ -60,12 +60,12 @@ Table steps_table() {
 }
 
 Table stale_table() {
-  Table table({"RK4, forces asked", "60 steps a second", "120", "240", "480", "order"});
+  Table table({"RK4, forces evaluated", "60 steps per second", "120", "240", "480", "order"});
   const auto add = [&](const std::string& name, auto&& end) { add_orders(table, {name}, end); };
-  add("four times a step", [](int rate) {
+  add("four times per step", [](int rate) {
     return stepped<Rk4>(hanging_mug(), mug_start(), mug_time, static_cast<int>(rate * mug_time));
   });
-  add("once a step", [](int rate) {
+  add("once per step", [](int rate) {
     return with_stale_forces<Rk4>(hanging_mug(), mug_start(), mug_time,
                                   static_cast<int>(rate * mug_time));
   });
@@ -75,7 +75,8 @@ Table stale_table() {
 // ── Against the closed form ──
 
 Table free_table() {
-  Table table({"steps a second", "after 1 s", "order", "after 10 s", "order", "energy after 10 s"});
+  Table table(
+      {"steps per second", "after 1 s", "order", "after 10 s", "order", "energy after 10 s"});
   const FreeTrajectory exact(handle(), handle_start());
   const double energy = kinetic_energy(handle(), handle_start());
   double before1 = 0, before10 = 0;
@@ -100,7 +101,7 @@ Table free_table() {
 
 namespace {
 
-/// The energy of the free handle over time, with as many evaluations a second for every method.
+/// The energy of the free handle over time, with as many evaluations per second for every method.
 template <class Method>
 support::Series energy_series(const std::string& name, int rate) {
   const RigidBodyRhs motion(handle());
@@ -123,7 +124,7 @@ support::Series energy_series(const std::string& name, int rate) {
 }  // namespace
 
 std::string energy_figure() {
-  support::Plot plot{"a free handle, 240 evaluations a second",
+  support::Plot plot{"a free handle, 240 evaluations per second",
                      {"time [s]", support::Scale::log},
                      {"largest error of the energy so far", support::Scale::log},
                      {}};

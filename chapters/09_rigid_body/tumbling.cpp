@@ -17,26 +17,74 @@ using support::sphere_view, support::visible, support::Way;
 
 // ── The nut ──
 
+namespace {
+
+/// Where things stand: a row of pictures two turns apart, and below it the spin, each picture above
+/// its time.
+struct NutStrip {
+  static constexpr int pictures = 8;
+  static constexpr double width = 760, cell = width / pictures, row = 150, curve = 130;  // [px]
+  double turn;                                                                           ///< [s]
+
+  double time(int i) const { return 2 * turn * i; }
+  double x(double t) const { return cell * (0.5 + t / (2 * turn)); }
+};
+
+/// The nut, and an arrow that is painted on it: out of its bore, along its middle axis.
+void draw_nut(support::Sketch& sketch, const RigidBodyState<>& state,
+              const support::Placement& at) {
+  static const PolygonMesh mesh = centred(nut_object);
+  static const Vec3 bore = principal_axes(nut().I_body()).R.col(1);
+  const Mat3 view = exp_rotation(Vec3(0.45, 0, 0)) * exp_rotation(Vec3(0, -0.7, 0));
+  const Vec3 along = view * to_matrix(state.q) * bore;
+  sketch.look({at.x, at.y, at.scale});
+  const auto arrow = [&](double from) {
+    sketch.arrow(from * along.head<2>(), 0.034 * along.head<2>(), {"c1", 3});
+  };
+  // A mesh is painted over what points away from the viewer.
+  if (along.z() < 0) arrow(0);
+  sketch.drawing(support::draw_mesh(mesh, view * to_matrix(state.q), at));
+  if (along.z() >= 0) arrow(0.005);
+}
+
+/// Turns per second about the bore, over the time of the strip.
+void draw_spin(support::Sketch& sketch, const NutStrip& strip) {
+  const FreeTrajectory motion(nut(), nut_start());
+  const double middle = strip.row + strip.curve / 2, scale = 0.38 * strip.curve / nut_rate;
+  const auto at = [&](double t) -> Vec2 {
+    return {strip.x(t), -middle + scale * omega_principal(nut(), motion.at(t))[1]};
+  };
+  std::vector<Vec2> curve, moments;
+  for (int i = 0; i <= 400; ++i)
+    curve.push_back(at(strip.time(strip.pictures - 1) * i / 400.0 * 1.02));
+  for (int i = 0; i < strip.pictures; ++i) moments.push_back(at(strip.time(i)));
+  sketch.look({0, 0, 1});
+  sketch.curve({{strip.x(0), -middle}, {strip.width, -middle}}, {"faint", 1});
+  sketch.curve(curve, {"c1", 2.2});
+  sketch.dots(moments, "c1", 4);
+  sketch.words({4, -middle + scale * nut_rate}, {0, 5}, "+5");
+  sketch.words({4, -middle}, {0, 5}, "0");
+  sketch.words({4, -middle - scale * nut_rate}, {0, 5}, "−5");
+  sketch.words({strip.width - 8, -middle + scale * nut_rate}, {0, 5},
+               "turns per second about the arrow", "c1", "end");
+}
+
+}  // namespace
+
 std::string nut_figure() {
-  constexpr int pictures = 4;
-  constexpr double width = 760, cell = width / pictures, row = 190;
-  const PolygonMesh mesh = support::coarsened(centred(nut_object), 13);
-  const Mat3 view = (exp_rotation(Vec3(0.45, 0, 0)) * exp_rotation(Vec3(0, -0.7, 0)));
-  const double flips = time_between_flips(nut(), nut_start());
   // |L|/B is how fast the nut goes round L while it turns about its middle axis.
-  const double turn = 2 * pi * principal_axes(nut().I_body()).moments[1] / nut_start().L.norm();
-  std::string svg = support::svg_open(width, row, "A wing nut turns over");
-  for (int i = 0; i < pictures; ++i) {
-    const double t = turn * std::round((flips * (0.5 + i) / pictures) / turn);
-    const double x = cell * (i + 0.5);
-    const RigidBodyState<> state =
-        stepped<Rk4>(RigidBodyRhs(nut()), nut_start(), t, static_cast<int>(2000 * t));
-    svg += support::draw_mesh(mesh, view * to_matrix(state.q), {x, 84, 3000});
-    svg += "<text x=\"" + support::svg_number(x) + "\" y=\"" + support::svg_number(row - 8) +
-           "\" fill=\"var(--ink)\" font-size=\"16\" text-anchor=\"middle\">" +
-           support::svg_number(t, 2) + " s</text>\n";
+  const NutStrip strip{2 * pi * principal_axes(nut().I_body()).moments[1] / nut_start().L.norm()};
+  support::Sketch sketch(strip.width, strip.row + strip.curve, "A wing nut turns over", 15);
+  const FreeTrajectory motion(nut(), nut_start());
+  for (int i = 0; i < strip.pictures; ++i) {
+    const double t = strip.time(i);
+    draw_nut(sketch, motion.at(t), {strip.x(t), 66, 1850});
+    sketch.look({0, 0, 1});
+    sketch.words({strip.x(t), -strip.row}, {0, -2}, support::svg_number(t, 1) + " s", "ink",
+                 "middle");
   }
-  return svg + "</svg>\n";
+  draw_spin(sketch, strip);
+  return sketch.svg();
 }
 
 std::string spin_figure() {
@@ -155,6 +203,13 @@ Table flips_table() {
     return support::svg_number(2 * std::log(10) / growth, 2) + " s";
   };
   table.add({"2 ln 10 / λ", added(handle(), 2 * pi), added(nut(), nut_rate)});
+  return table;
+}
+
+Table aimed_table() {
+  Table table({"aimed to", "handle turns over every"});
+  const double time = time_between_flips(handle(), spinning(handle(), 2 * pi, 1e-9));
+  table.add({"1e-09 rad", support::svg_number(time, 2) + " s"});
   return table;
 }
 

@@ -13,7 +13,7 @@ namespace scene_chapter {
 
 namespace {
 
-/// sn over one period, for k'² = 1 − k².
+/// sn over one period and a little more, where the curves part again, for k'² = 1 − k².
 support::Series elliptic_sine(const std::string& name, double kc2) {
   const elliptic::Modulus modulus{1 - kc2, kc2};
   const elliptic::Amplitude eta{0, 1};
@@ -23,7 +23,7 @@ support::Series elliptic_sine(const std::string& name, double kc2) {
                                     : elliptic::ComplementaryThetaSeries(modulus, eta)(u).sn;
   };
   support::Series series{name, {}, {}};
-  for (int i = 0; i <= 240; ++i) {
+  for (int i = 0; i <= 252; ++i) {
     const double turns = i / 240.0;
     series.x.push_back(turns);
     series.y.push_back(sn(4 * K * turns));
@@ -35,7 +35,7 @@ support::Series elliptic_sine(const std::string& name, double kc2) {
 
 std::string sn_figure() {
   support::Plot plot{"one period of sn", {"u / 4K"}, {"sn u"}, {}};
-  plot.series = {elliptic_sine("k² = 0: the sine", 1), elliptic_sine("0.9", 0.1),
+  plot.series = {elliptic_sine("k² = 0: a sine", 1), elliptic_sine("0.9", 0.1),
                  elliptic_sine("0.9999", 1e-4), elliptic_sine("1 − 10⁻¹²", 1e-12)};
   return support::to_svg(plot);
 }

@@ -4,6 +4,7 @@
 #include "common.hpp"
 #include "named_bodies.hpp"
 #include "parts.hpp"
+#include "support/two_axes.hpp"
 
 namespace scene_chapter {
 
@@ -155,11 +156,14 @@ void draw_cones(support::Sketch& sketch, double A, double C, double tilt, const 
 }  // namespace
 
 std::string cones_figure() {
-  support::Sketch sketch(760, 330, "The two cones of a free symmetric top", 19);
+  support::Sketch sketch(760, 336, "The two cones of a free symmetric top", 19);
   sketch.look({170, 280, 150});
   draw_cones(sketch, 1, 0.35, 38 * degree, "long: C < A");
   sketch.look({540, 280, 150});
   draw_cones(sketch, 1, 1.9, 38 * degree, "flat: C > A");
+  sketch.look({300, 292, 1});
+  support::draw_two_axes(sketch, 36, {"x", "z"});
+  sketch.words({0, 0}, {-8, 32}, "y: away from you");
   return sketch.svg();
 }
 

@@ -309,7 +309,7 @@ Table hard_float_table() {
   const Case c{{1, 2, 3}, {0.5, 1, 0.7}};
   const Quat truth = reference::LongFreeTurning(c.turning()).at(60).q;
   for (const int rate : {10, 30, 60, 240})
-    table.add({std::to_string(rate) + " steps a second",
+    table.add({std::to_string(rate) + " steps per second",
                error_number(minute_by_rk4<float>(c, rate, truth)) + " rad",
                error_number(minute_by_rk4<double>(c, rate, truth)) + " rad"});
   return table;

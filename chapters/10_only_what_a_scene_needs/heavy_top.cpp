@@ -5,6 +5,7 @@
 #include "by_series.hpp"
 #include "common.hpp"
 #include "parts.hpp"
+#include "support/two_axes.hpp"
 #include "tilted_top.hpp"
 
 namespace scene_chapter {
@@ -42,6 +43,7 @@ void draw_tip(support::Sketch& sketch, const KnownTurning& scene, const std::str
   sketch.curves(visible(way, view, true), way.pen);
   const Vec2 pole = (view * Vec3::UnitZ()).head<2>();
   sketch.dot(pole, "ink", 3);
+  sketch.words(pole, {8, 4}, "z");
   sketch.dot((view * way.points.front()).head<2>(), "c1", 4.5);
   sketch.words({0, -1}, {0, 30}, name, "ink", "middle");
 }
@@ -57,6 +59,8 @@ std::string tip_figure() {
     sketch.look({130 + 250 * static_cast<double>(i), 132, 118});
     draw_tip(sketch, tilted_top(spin, tilt, rounds[i]), names[i]);
   }
+  sketch.look({12, 288, 1});
+  support::draw_two_axes(sketch, 30, {"x", "y"});
   return sketch.svg();
 }
 
@@ -142,7 +146,7 @@ std::string sleep_figure() {
     lean.y.push_back(std::atan2(std::hypot(n.x(), n.y()), n.z()) / degree);
   }
   const double slow = first_event(way, too_slow)->t;
-  plot.series = {lean, {"spin below 8.94 rad/s", {slow, slow}, {0, 20}}};
+  plot.series = {lean, {"spin below 8.94 rad/s", {slow, slow}, {0, 60}, support::Look::dashed}};
   return support::to_svg(plot);
 }
 

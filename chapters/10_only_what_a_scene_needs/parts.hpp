@@ -10,6 +10,13 @@ namespace scene_chapter {
 
 using tumble::support::Table;
 
+// ── by_hand.cpp ──
+
+/// A free symmetric top, small enough for paper.
+Table top_by_hand_table();
+/// Five energies and the line that fits them, small enough for paper.
+Table energy_by_hand_table();
+
 // ── cost.cpp ──
 
 /// Error against evaluations. The closed form is one question, at the error it promises.
@@ -21,6 +28,11 @@ Table work_table();
 
 /// Many bodies at once: what each takes.
 Table crowd_table();
+
+// ── diagrams.cpp ──
+
+/// Which model a scene needs.
+std::string tree_figure();
 
 // ── elliptic.cpp ──
 
@@ -49,6 +61,13 @@ std::string drift_figure();
 Table spoiled_table();
 /// The energy, if the length of the steps changes.
 Table changing_table();
+
+// ── equal.cpp ──
+
+/// How wrong a simpler body turns.
+Table equal_table();
+/// The wing nut taken for a top.
+Table nut_table();
 
 // ── free_top.cpp ──
 
@@ -99,8 +118,10 @@ Table ladder_table();
 Table rungs_table();
 /// What forces of zero cost.
 Table absent_table();
-/// How wrong a simpler body turns.
-Table equal_table();
+// ── spinning_ball.cpp ──
+
+/// A golf ball with back-spin as a particle, as a spinning ball and as a full body.
+Table spin_table();
 
 // ── stated.cpp ──
 

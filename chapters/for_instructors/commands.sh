@@ -10,10 +10,11 @@ cd "$work"
 
 # What depends on the machine is left out: walls that it lacks, times, how far a slow one is after
 # ten seconds. The page's column is narrow.
-tumble() {
-  "$judge" "$@" 2>&1 | grep -v -e 'the sandbox lacks' -e ' left$' | sed 's/  ([0-9.]* s)$//; s/^tumble: [0-9]* s; /tumble: /' |
+plain() {
+  grep -v -e 'the sandbox lacks' -e ' left$' | sed 's/  ([0-9.]* s)$//; s/^tumble: [0-9]* s; /tumble: /' |
     fold -s -w 96
 }
+tumble() { "$judge" "$@" 2>&1 | plain; }
 
 # solve FOLDER UNIT...: puts solutions of chapter 1 there.
 solve() {
@@ -101,6 +102,19 @@ JSON
     class
     grade >/dev/null
     tumble report ;;
+  slurm)
+    cat "$root/chapters/for_instructors/slurm.sh" ;;
+  shards) # what SLURM would start, one after the other, on three machines
+    class
+    mkdir -p class tumble/build/release/tests/judge
+    mv moodle.zip worksheet.csv course.json class
+    ln -s "$judge" tumble/build/release/tests/judge/tumble_judge
+    sed 's/^shards=50/shards=3/' "$root/chapters/for_instructors/slurm.sh" >slurm.sh
+    for SLURM_ARRAY_TASK_ID in 1 2 3; do
+      export SLURM_ARRAY_TASK_ID
+      sh slurm.sh 2>&1
+    done | plain
+    tumble grade --merge grades ;;
   mistake)
     echo '{"units": ["1.1", "1.3", "1.5"], "weight": {"1.5": 2}}' >course.json
     mkdir -p submissions/ann

@@ -2,14 +2,22 @@
 /// @file
 /// `./tumble mass` and `./tumble simulate`: what they are asked, and that they do it.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace tumble::scenes {
 
 struct MassCommand {
-  std::string file, accuracy = "tight";
-  double density = 1;  ///< [kg/m³]
-  bool json = false, accept = false;
+  std::vector<std::string> files;  ///< or folders with mesh files
+  std::string accuracy = "tight", unit = "m";
+  std::optional<double> density;  ///< [kg/m³], 1 if nothing is said
+  std::optional<double> mass;     ///< as it was weighed [kg]
+  std::optional<double> shell;    ///< of a unit of area [kg/m²]: the mass lies in the surface
+  std::vector<double> about;      ///< a point that the inertia is also given about [m]
+  double tolerance = 1e-6;        ///< the share of the volume that may count wrongly at a crossing
+  std::string block;              ///< "urdf", "sdf" or "mjcf": print only this
+  bool json = false, accept = false, thorough = false;
 };
 
 struct SimulateCommand {
@@ -17,10 +25,11 @@ struct SimulateCommand {
   bool json = false;
 };
 
-/// Prints the mass properties of a mesh file (OBJ, STL or PLY) and what was found about it.
-/// @return 0, or 1 if the mesh is not the boundary of a body (with `accept`: only if nothing could
-///         be integrated over)
-/// @throws std::invalid_argument if the file cannot be read
+/// Prints the mass properties of mesh files (OBJ, STL or PLY) and what was found about them; of
+/// several files a table, one line each.
+/// @return 0, or 1 if a mesh is not the boundary of a body (with `accept`: only if nothing could be
+///         integrated over)
+/// @throws std::invalid_argument if a file cannot be read
 int run(const MassCommand& command);
 
 /// Simulates a scene file and prints the motion and what it took.

@@ -2,23 +2,46 @@
 #include "scenes/commands.hpp"
 #include "support/command_line.hpp"
 
+namespace {
+
+void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
+  app.add_option("files", mass.files,
+                 "closed meshes in OBJ, STL or PLY files, or folders with such files")
+      ->required();
+  CLI::Option* const density =
+      app.add_option("--density", mass.density, "[kg/m³], 1 if nothing is said");
+  app.add_option("--mass", mass.mass, "as it was weighed [kg]")->excludes(density);
+  app.add_option("--shell", mass.shell,
+                 "the mass lies in the surface, which may be open: density times thickness [kg/m²]")
+      ->excludes(density);
+  app.add_option("--unit", mass.unit, "of the lengths in the file: mm, cm, m or in")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  app.add_option("--about", mass.about, "x y z: the inertia about this point too [m]")->expected(3);
+  app.add_option("--accuracy", mass.accuracy, "fast, tight or textbook")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"fast", "tight", "textbook"}));
+  app.add_option("--tolerance", mass.tolerance,
+                 "the share of the volume that may count wrongly where a surface crosses itself")
+      ->capture_default_str();
+  app.add_flag("--thorough", mass.thorough, "look for crossings at every pair of triangles");
+  app.add_flag("--accept", mass.accept, "compute what can be computed from a bad mesh too");
+  app.add_flag("--json", mass.json, "all digits, and everything that was found, as JSON");
+  for (const char* format : {"urdf", "sdf", "mjcf"})
+    app.add_flag_callback(
+        std::string("--") + format, [&mass, format] { mass.block = format; },
+        "only the <inertial> element of such a file");
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace tumble::scenes;
   CLI::App app("Mass properties of meshes, and the motion of bodies.", "./tumble");
   app.require_subcommand(1);
   MassCommand mass;
-  CLI::App* mass_app = app.add_subcommand("mass", "mass, centre of mass and inertia of a mesh");
-  mass_app
-      ->add_option("file", mass.file, "a closed mesh in an OBJ, STL or PLY file, lengths in metres")
-      ->required();
-  mass_app->add_option("--density", mass.density, "[kg/m³]")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  mass_app->add_option("--accuracy", mass.accuracy, "fast, tight or textbook")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"fast", "tight", "textbook"}));
-  mass_app->add_flag("--accept", mass.accept, "compute what can be computed from a bad mesh too");
-  mass_app->add_flag("--json", mass.json, "all digits, and everything that was found, as JSON");
+  CLI::App* mass_app = app.add_subcommand("mass", "mass, centre of mass and inertia of meshes");
+  add_options(*mass_app, mass);
 
   SimulateCommand simulate;
   CLI::App* simulate_app = app.add_subcommand("simulate", "the motion of a scene file's bodies");

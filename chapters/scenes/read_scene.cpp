@@ -169,10 +169,11 @@ void require_numbers_of_this_world(const nlohmann::json& value, const std::strin
             ": no number of a scene is larger than ", most);
   if (value.is_object())
     for (const auto& [key, each] : value.items())
-      require_numbers_of_this_world(each, name + "." + key);
+      require_numbers_of_this_world(each, std::string(name).append(".").append(key));
   if (value.is_array())
     for (std::size_t i = 0; i < value.size(); ++i)
-      require_numbers_of_this_world(value[i], name + "[" + std::to_string(i) + "]");
+      require_numbers_of_this_world(
+          value[i], std::string(name).append("[").append(std::to_string(i)).append("]"));
 }
 
 void require_different_names(const std::vector<SceneBody>& bodies, const Place& list) {

@@ -112,15 +112,18 @@ void show_drift(const Subject& subject, Output& output) {
 
   support::Table table(
       {"orientation", "repair each step", "shape error", "orientation error [rad]", "time a step"});
-  support::Plot plot{"drift of the orientation",
-                     {"time [s]", support::Scale::log},
-                     {"distance from a rotation, ‖RᵀR − 1‖", support::Scale::log},
-                     {}};
+  support::Plot plot{
+      "drift of the orientation",
+      {"time [s]", support::Scale::log},
+      {"distance from a rotation, ‖RᵀR − 1‖ (0 drawn as 10⁻¹⁶)", support::Scale::log},
+      {}};
   const auto add = [&](const std::string& kind, const std::string& repair, const Run& result) {
     table.add({kind, repair, support::error_number(result.shape_error.back()),
                support::error_number(angle_between(result.end, exact)),
                support::duration(result.seconds_per_step)});
-    plot.series.push_back({kind + ", " + repair, result.time, result.shape_error});
+    support::Series series{kind + ", " + repair, result.time, result.shape_error};
+    for (double& error : series.y) error = std::max(error, 1e-16);
+    plot.series.push_back(series);
   };
   progress("drift of the matrix and of the quaternion");
   add("matrix", "none", run_matrix(body, start, [](const Mat3& R) { return R; }));

@@ -1,9 +1,10 @@
 #pragma once
 /// @file
-/// Chapter 1, particles: what is to be written, one function a file.
+/// Chapter 1, particles: what you write, one function per file.
 ///
 /// To a solver, particles are one column of numbers, and all that moves them is one function of the
-/// time and of that column. Who can write this function can use every solver there is. SI units.
+/// time and of that column. Once you have written this function, you can use every solver there is.
+/// All numbers are in SI units.
 
 #include <Eigen/Core>
 #include <functional>
@@ -30,36 +31,36 @@ struct Spring {
 
 /// The masses of the particles, and what acts on them.
 struct System {
-  std::vector<double> masses;  ///< [kg], positive, one a particle
+  std::vector<double> masses;  ///< [kg], positive, one per particle
   Eigen::Vector3d gravity;     ///< acceleration of free fall [m/s²]
   double linear_drag;          ///< [kg/s]
   double quadratic_drag;       ///< [kg/m]
   std::vector<Spring> springs;
 };
 
-/// The right-hand side f of y' = f(t, y). On plain arrays it is written
+/// The right-hand side f of y' = f(t, y). On plain arrays you would write it as
 ///
 ///     void dydt(double t, const double y[], double ydot[]);
 ///
-/// where the result goes into ydot; here it is returned.
+/// and put the result into ydot. Here you return it.
 using Rhs = std::function<Eigen::VectorXd(double t, const Eigen::VectorXd& y)>;
 
 // == 1.1 flatten: many particles, one state
-/// Six numbers a particle, in the order of the particles: first its position, then its velocity.
-/// The masses are not in it: they do not change.
+/// Six numbers per particle, in the order of the particles: first its position, then its velocity.
+/// Leave the masses out: they do not change.
 /// @param particles any number of them, also none
-/// @return y = (x₁, v₁, x₂, v₂, …), the numbers as they are, unrounded
+/// @return y = (x₀, v₀, x₁, v₁, …), the numbers as they are, unrounded
 Eigen::VectorXd flatten(const std::vector<Particle>& particles);
 
 // == 1.2 dydt: what moves the particles
-/// The forces on a particle add up. They are
+/// The rates of all positions and velocities. The forces on a particle add up. They are
 /// - its weight;
 /// - drag, against the velocity: linear_drag times the speed, plus quadratic_drag times the square
 ///   of the speed;
-/// - the pull of each spring that ends at it, towards the other end: stiffness times what the
-///   spring is longer than its rest length, plus damping times the rate at which it gets longer. A
-///   negative pull is a push. Both ends are pulled alike. A spring whose ends are at the same place
-///   has no direction and does not pull, however its ends move.
+/// - the tension of each spring that ends at it, towards the other end: stiffness times how much
+///   longer than at rest the spring is, plus damping times the rate at which it gets longer. A
+///   negative tension pushes. Both ends feel it equally strongly. A spring whose ends are at the
+///   same place has no direction: it does not pull, however its ends move.
 ///
 /// @param system any number of particles and of springs, also none; several springs may end at one
 ///               particle, and join the same two
@@ -70,8 +71,8 @@ Eigen::VectorXd flatten(const std::vector<Particle>& particles);
 Eigen::VectorXd dydt(const System& system, double t, const Eigen::VectorXd& y);
 
 // == 1.3 euler_step: follow the tangent
-/// One step of Euler's method: the slope at the start is taken for the whole step.
-/// @param f right-hand side; evaluated exactly once
+/// One step of Euler's method: follow the slope at the start for the whole step.
+/// @param f right-hand side; evaluate it exactly once
 /// @param t time at the start [s]
 /// @param y state at the start, of any size, also empty
 /// @param h step [s]: positive, zero, or negative to go back in time
@@ -79,9 +80,9 @@ Eigen::VectorXd dydt(const System& system, double t, const Eigen::VectorXd& y);
 Eigen::VectorXd euler_step(const Rhs& f, double t, const Eigen::VectorXd& y, double h);
 
 // == 1.4 midpoint_step: look halfway, then go
-/// One step of the midpoint method: the slope where Euler's method comes to in half of the step is
-/// taken for the whole step. The error of many steps falls as h².
-/// @param f right-hand side; evaluated exactly twice
+/// One step of the midpoint method: make half of an Euler step to look at the slope there, and
+/// follow that slope for the whole step. The error after many steps falls as h².
+/// @param f right-hand side; evaluate it exactly twice
 /// @param t time at the start [s]
 /// @param y state at the start, of any size, also empty
 /// @param h step [s]: positive, zero, or negative to go back in time
@@ -89,10 +90,11 @@ Eigen::VectorXd euler_step(const Rhs& f, double t, const Eigen::VectorXd& y, dou
 Eigen::VectorXd midpoint_step(const Rhs& f, double t, const Eigen::VectorXd& y, double h);
 
 // == 1.5 rk4_step: four slopes for one step
-/// One step of the classical Runge–Kutta method. Of its four slopes one is at the start, two are
-/// halfway, one is at the end, and each one is looked at from the start y along the slope before.
-/// They are averaged as Simpson's rule does it. The error of many steps falls as h⁴.
-/// @param f right-hand side; evaluated exactly four times
+/// One step of the classical Runge–Kutta method, RK4. Of its four slopes one is at the start, two
+/// are halfway, and one is at the end. To look at each of the last three, go from the start y along
+/// the slope before it. Average the four as Simpson's rule does. The error after many steps falls
+/// as h⁴.
+/// @param f right-hand side; evaluate it exactly four times
 /// @param t time at the start [s]
 /// @param y state at the start, of any size, also empty
 /// @param h step [s]: positive, zero, or negative to go back in time

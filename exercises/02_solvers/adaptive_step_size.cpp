@@ -3,7 +3,7 @@
 namespace solvers {
 
 // 2.2 adaptive_step_size: how long the next step may be.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 2.2 · Be judged: ./tumble check 2.2
+// contract.hpp says what to write. Stuck? ./tumble hint 2.2 · Done? ./tumble check 2.2
 double adaptive_step_size(double h, double error, int order) {
   throw NotImplemented{};
 }

@@ -1,10 +1,10 @@
 #pragma once
 /// @file
-/// Chapter 2, solvers: what is to be written, one function a file.
+/// Chapter 2, solvers: what you write, one function per file.
 ///
-/// A solver is as good as the error it makes in the time it takes. These are the parts that such a
-/// comparison is made of: how an error is measured, how a step is chosen by it, what to do where no
-/// short step would be short enough, and how to see that a method does what it promises.
+/// A solver is as good as the error it makes in the time it takes. Here you measure the error of a
+/// step, choose the next step by it, take a step where no explicit one would be short enough, and
+/// see whether a method keeps what it promises.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -19,18 +19,19 @@ namespace solvers {
 
 using particles::Rhs;
 
-/// The Jacobian ∂f/∂y of a right-hand side, as a function of t and y: in row i and column j stands
-/// the derivative of fᵢ by yⱼ.
+/// The Jacobian ∂f/∂y of a right-hand side, as a function of t and y: row i and column j hold the
+/// derivative of fᵢ with respect to yⱼ.
 using Jacobian = std::function<Eigen::MatrixXd(double t, const Eigen::VectorXd& y)>;
 
-/// The error that is allowed: of a large number a fraction, of a small one an amount.
+/// The error that you allow: a fraction of a large number, a fixed amount of a small one.
 struct Tolerances {
   double relative;  ///< positive
   double absolute;  ///< positive, in the unit of the state
 };
 
-/// The x with A x = b, ready for use: Gaussian elimination with the largest pivot of each column.
-/// @param A square; where it is singular, x is not finite
+/// The x with A x = b, ready for you to use: Gaussian elimination with the largest pivot of each
+/// column.
+/// @param A square; if it is singular, x is not finite
 inline Eigen::VectorXd solve(Eigen::MatrixXd A, Eigen::VectorXd b) {
   const Eigen::Index n = b.size();
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -54,10 +55,10 @@ inline Eigen::VectorXd solve(Eigen::MatrixXd A, Eigen::VectorXd b) {
 }
 
 // == 2.1 error_norm: one number for the error of a step
-/// Each component's error is measured in units of what is allowed there: the absolute tolerance,
-/// plus the relative one times the component's size, which is the larger one of its sizes before
-/// and after the step. Of these ratios the root mean square is taken: the root of the mean of the
-/// squares. A step may be kept if it is at most 1.
+/// Measure each component's error in units of what you allow there: the absolute tolerance, plus
+/// the relative one times the component's size. Its size is the larger one of those before and
+/// after the step. Then take the root mean square of these ratios: the root of the mean of their
+/// squares. A solver keeps the step if this norm is at most 1.
 /// @param error      estimated error of each component, of either sign; as many as there are in y0
 ///                   and y1
 /// @param y0, y1     the state before and after the step; all may be empty
@@ -67,35 +68,35 @@ double error_norm(const Eigen::VectorXd& error, const Eigen::VectorXd& y0,
                   const Eigen::VectorXd& y1, const Tolerances& tolerances);
 
 // == 2.2 adaptive_step_size: how long the next step may be
-/// That for which the error norm would come out as 1, times 0.9 for safety; but never shorter than
-/// 0.2 times the step just tried, and never longer than 10 times.
-/// @param h     the step just tried [s]; negative where time runs backwards, and then so is the
+/// Take the step for which the error norm would be 1, times 0.9 for safety; but none shorter than
+/// 0.2 times the step just tried, and none longer than 10 times.
+/// @param h     the step just tried [s]; if time runs backwards it is negative, and then so is the
 ///              next one
-/// @param error its error norm, 0 or more, also infinite: then the next step is the shortest
-///              possible. So it is where the error is NaN, because something went wrong.
+/// @param error its error norm, 0 or more. If it is infinite, or NaN because something went wrong,
+///              the next step is the shortest possible
 /// @param order q ≥ 1: the error norm of a step is proportional to |h| to the power q + 1
 /// @return the next step [s]
 double adaptive_step_size(double h, double error, int order);
 
 // == 2.3 backward_euler_step: the slope at the end, which is not known yet
-/// One step of the backward Euler method: y₁ with y₁ = y + h f(t + h, y₁). The equation is solved
-/// by Newton's method. Where the problem is stiff, such as y' = −10⁶ y, putting y₁ back into the
-/// right side again and again does not lead there.
-/// @param f    right-hand side; evaluated at most 50 times
-/// @param dfdy its Jacobian, which is needed anew in each round; evaluated at most 50 times
+/// One step of the backward Euler method: the y₁ with y₁ = y + h f(t + h, y₁). Solve this equation
+/// by Newton's method. Fixed-point iteration, which puts y₁ back into the right side again and
+/// again, does not lead there if the problem is stiff, such as y' = −10⁶ y.
+/// @param f    right-hand side; evaluate it at most 50 times
+/// @param dfdy its Jacobian, which you need anew in each iteration; evaluate it at most 50 times
 /// @param t    time at the start [s]
-/// @param y    state at the start, of any size, also empty or zero. From here Newton's method finds
-///             y₁ in at most 20 rounds, in all that is tried.
+/// @param y    state at the start, of any size, also empty or zero. In all that the judge tries,
+///             Newton's method finds y₁ from here in at most 20 iterations
 /// @param h    step [s]: positive, zero, or negative to go back in time
-/// @return y₁, as exactly as rounding allows: the rounds may stop after a correction below 1e-8 of
-///         y's size, since the next one would be about the square of that
+/// @return y₁, as exactly as rounding allows: you may stop after a correction below 1e-8 of y's
+///         size, since the next one would be about the square of that
 Eigen::VectorXd backward_euler_step(const Rhs& f, const Jacobian& dfdy, double t,
                                     const Eigen::VectorXd& y, double h);
 
 // == 2.4 observed_order: the order that a method is seen to have
-/// Where error = C hᵖ, the points (log h, log error) lie on a line of slope p. Measured errors lie
-/// near one: taken is the line with the smallest sum of squares of vertical distances.
-/// @param h      steps, positive, in any order; two at least are different, some may be equal
+/// If error = C hᵖ, the points (log h, log error) lie on a line of slope p. Measured errors lie
+/// near one: take the line with the smallest sum of squares of vertical distances.
+/// @param h      steps, positive, in any order; at least two are different, some may be equal
 /// @param errors the error at each of these steps, positive
 /// @return p; negative or zero if the errors fall or stay as h grows
 double observed_order(const std::vector<double>& h, const std::vector<double>& errors);

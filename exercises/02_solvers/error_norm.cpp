@@ -3,7 +3,7 @@
 namespace solvers {
 
 // 2.1 error_norm: one number for the error of a step.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 2.1 · Be judged: ./tumble check 2.1
+// contract.hpp says what to write. Stuck? ./tumble hint 2.1 · Done? ./tumble check 2.1
 double error_norm(const Eigen::VectorXd& error, const Eigen::VectorXd& y0,
                   const Eigen::VectorXd& y1, const Tolerances& tolerances) {
   throw NotImplemented{};

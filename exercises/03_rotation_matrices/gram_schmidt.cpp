@@ -3,7 +3,7 @@
 namespace rotation_matrices {
 
 // 3.4 gram_schmidt: a rotation again, column by column.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 3.4 · Be judged: ./tumble check 3.4
+// contract.hpp says what to write. Stuck? ./tumble hint 3.4 · Done? ./tumble check 3.4
 Eigen::Matrix3d gram_schmidt(const Eigen::Matrix3d& M) {
   throw NotImplemented{};
 }

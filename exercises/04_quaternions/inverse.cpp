@@ -3,7 +3,7 @@
 namespace quaternions {
 
 // 4.2 inverse: the quaternion that undoes another.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 4.2 · Be judged: ./tumble check 4.2
+// contract.hpp says what to write. Stuck? ./tumble hint 4.2 · Done? ./tumble check 4.2
 Quaternion inverse(const Quaternion& q) {
   throw NotImplemented{};
 }

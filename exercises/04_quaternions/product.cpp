@@ -3,7 +3,7 @@
 namespace quaternions {
 
 // 4.1 product: the product of two quaternions.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 4.1 · Be judged: ./tumble check 4.1
+// contract.hpp says what to write. Stuck? ./tumble hint 4.1 · Done? ./tumble check 4.1
 Quaternion product(const Quaternion& a, const Quaternion& b) {
   throw NotImplemented{};
 }

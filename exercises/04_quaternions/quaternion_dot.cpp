@@ -3,7 +3,7 @@
 namespace quaternions {
 
 // 4.8 quaternion_dot: how fast a quaternion changes.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 4.8 · Be judged: ./tumble check 4.8
+// contract.hpp says what to write. Stuck? ./tumble hint 4.8 · Done? ./tumble check 4.8
 Quaternion quaternion_dot(const Quaternion& q, const Eigen::Vector3d& omega) {
   throw NotImplemented{};
 }

@@ -3,7 +3,7 @@
 namespace quaternions {
 
 // 4.7 slerp: the orientation a fraction of the way between two.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 4.7 · Be judged: ./tumble check 4.7
+// contract.hpp says what to write. Stuck? ./tumble hint 4.7 · Done? ./tumble check 4.7
 Quaternion slerp(const Quaternion& a, const Quaternion& b, double t) {
   throw NotImplemented{};
 }

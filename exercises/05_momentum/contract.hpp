@@ -1,15 +1,15 @@
 #pragma once
 /// @file
-/// Chapter 5, momentum: what is to be written, one function a file.
+/// Chapter 5, momentum: what you write, one function per file.
 ///
 /// A rigid body has its centre of mass at x in the world [m]. Body coordinates have their origin
-/// there, and R turns their axes into those of the world: its columns are the body's axes. R is a
-/// rotation to rounding. A name with `_body` says: in body coordinates, where it stays the same
-/// while the body moves; everything else is in world axes.
+/// there. R takes body axes to world axes: its columns are the body's axes. R is a rotation to
+/// rounding. A name with `_body` is in body coordinates, where it stays the same while the body
+/// moves. Everything else is in world axes.
 ///
-/// The cross product a × b is `rotation_matrices::skew(a) * b`, with 3.2; or write its three
-/// components out. Eigen's own `.cross()` is not among what an exercise has. "To rounding" means:
-/// off by some roundings of a double, not more.
+/// For the cross product a × b you may call `rotation_matrices::skew(a) * b`, from 3.2, or write
+/// its three components out. Eigen's own `.cross()` is not among what your exercises may use. "To
+/// rounding" means: your result may be off by some roundings of a double, not by more.
 
 #include <Eigen/Core>
 #include <vector>
@@ -40,7 +40,7 @@ struct Wrench {
 // == 5.1 centre_of_mass: the point where masses balance
 /// @param points one mass or more, each 0 or between 1e-100 and 1e100 kg, but not all of them 0;
 ///               up to 1e100 m away from the origin
-/// @return their centre of mass [m], to rounding of the places: the errors may grow with the number
+/// @return their centre of mass [m], to rounding of the places: your error may grow with the number
 ///         of points and with the distance of the farthest one from the origin
 Eigen::Vector3d centre_of_mass(const std::vector<PointMass>& points);
 
@@ -50,8 +50,8 @@ Eigen::Vector3d centre_of_mass(const std::vector<PointMass>& points);
 /// @param v      velocity of the centre of mass [m/s]
 /// @param omega  angular velocity, in world axes [rad/s]
 /// @param p_body the point, in body coordinates [m]
-/// @return the velocity of that point in world axes [m/s], to rounding, also for a body that is
-///         1e8 m away from the origin: no digit may be lost by that
+/// @return the velocity of that point in world axes [m/s], to rounding. Don't lose any digit
+///         for a body that is 1e8 m away from the origin
 Eigen::Vector3d point_velocity(const Eigen::Vector3d& x, const Eigen::Matrix3d& R,
                                const Eigen::Vector3d& v, const Eigen::Vector3d& omega,
                                const Eigen::Vector3d& p_body);
@@ -60,25 +60,26 @@ Eigen::Vector3d point_velocity(const Eigen::Vector3d& x, const Eigen::Matrix3d& 
 /// @param force [N]
 /// @param p     the point that it acts on, in the world [m]
 /// @param x     the centre of mass [m]
-/// @return the torque about the centre of mass [N m], to rounding, also where p and x are together
-///         1e8 m away from the origin: no digit may be lost by that
+/// @return the torque about the centre of mass [N m], to rounding. Don't lose any digit
+///         where p and x are together 1e8 m away from the origin
 Eigen::Vector3d torque(const Eigen::Vector3d& force, const Eigen::Vector3d& p,
                        const Eigen::Vector3d& x);
 
-// == 5.4 net_wrench: everything that pushes a body, added up
-/// The weight of a body acts at its centre of mass.
+// == 5.4 net_wrench: all that pushes a body, added up
+/// Add the weight yourself. It acts at the centre of mass, and it is not among the forces of the
+/// list.
 /// @param mass   of the body [kg]
 /// @param x      where the centre of mass is [m]
 /// @param R      orientation, body → world
 /// @param g      acceleration of free fall [m/s²], in any direction, zero in orbit
 /// @param forces all other forces: none, one or many
 /// @return the sum of all forces, and the sum of their torques about the centre of mass, to
-///         rounding; the errors may grow with the number of forces and with the distance of the
+///         rounding; your error may grow with the number of forces and with the distance of the
 ///         body from the origin
 Wrench net_wrench(double mass, const Eigen::Vector3d& x, const Eigen::Matrix3d& R,
                   const Eigen::Vector3d& g, const std::vector<ForceAtBodyPoint>& forces);
 
-// == 5.5 angular_velocity: how fast a body turns that has an angular momentum
+// == 5.5 angular_velocity: from L to ω
 /// @param R          orientation, body → world
 /// @param I_body_inv the inverse of the inertia tensor, in body coordinates [1/(kg m²)]: symmetric,
 ///                   but not always diagonal

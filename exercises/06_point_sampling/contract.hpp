@@ -1,9 +1,9 @@
 #pragma once
 /// @file
-/// Chapter 6, point sampling: what is to be written, one function a file.
+/// Chapter 6, point sampling: what you write, one function per file.
 ///
 /// An inertia tensor says how hard it is to turn a body: L = I ω. Its products, the numbers off the
-/// diagonal, carry the minus sign: I_xy = −∫ x y dm. Unless something else is said, it is about the
+/// diagonal, carry the minus sign: I_xy = −∫ x y dm. Where we say nothing else, it is about the
 /// centre of mass. "To rounding" means: off by some roundings of a double, not more.
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ struct Mesh {
                                               ///< counter-clockwise, seen from outside the body
 };
 
-/// What the motion of a rigid body needs to know of its shape and material.
+/// All that the motion of a rigid body needs to know about its shape and material.
 struct MassProperties {
   double mass;              ///< [kg]
   Eigen::Vector3d centre;   ///< centre of mass [m]
@@ -38,36 +38,37 @@ struct MassProperties {
 // == 6.1 inertia_of_points: the discrete inertia sum
 /// @param points masses in points of the world: none, one or many, each 0 or between 1e-100 and
 ///               1e100 kg
-/// @param about  the point that the inertia is asked for about [m]; not always the centre of mass
+/// @param about  the point about which you want the inertia [m]; not always the centre of mass
 /// @return the inertia tensor in world axes [kg m²], to rounding; zero if there are no points.
-///         Where the points and `about` are together 1e8 m away from the origin, no digit may be
-///         lost by that; with the number of points the errors may grow.
+///         Points and `about` may lie together 1e8 m away from the origin: you must lose no digit
+///         by that. Errors may grow with the number of points.
 Eigen::Matrix3d inertia_of_points(const std::vector<PointMass>& points,
                                   const Eigen::Vector3d& about);
 
 // == 6.2 inside_mesh: is a point inside?
-/// @param mesh  of any shape: with notches, holes and cavities, also of several parts that are side
-///              by side or in one another's cavities. It is closed: each edge belongs to two
-///              triangles, which run through it in opposite directions. No parts overlap. A mesh
-///              without triangles has no inside.
+/// @param mesh  of any shape: with notches, holes and cavities, or of several parts, side by side
+/// or
+///              in one another's cavities. It is closed: each edge belongs to two triangles, which
+///              run through it in opposite directions. Parts don't overlap. A mesh without
+///              triangles has no inside.
 /// @param point a place [m], away from the surface by 1/1000 of the mesh's largest extent or more.
-///              A line through it may meet edges and vertices, exactly or but for rounding, or run
-///              along a triangle or an edge: on lines along x, y and z that is tried on purpose.
-/// @return whether the point is inside the body; in a hole or in a cavity it is not
+///              A line through it may meet edges and vertices, exactly or nearly, or run along a
+///              triangle or an edge. On lines along x, y and z the judge tries that on purpose.
+/// @return whether the point is inside the body; a point in a hole or in a cavity is not
 bool inside_mesh(const Mesh& mesh, const Eigen::Vector3d& point);
 
 // == 6.3 sample_mass_properties: a body by counting points
-/// The box is cut into n × n × n equal cells along the axes. If the middle of a cell is inside the
-/// body, the mass of a full cell is put into that point; otherwise nothing is. Asked for are the
-/// mass properties of these point masses.
-/// @param inside    to be asked once for the middle of each cell: n³ times in all, in any order
+/// Cut the box into n × n × n equal cells along the axes. If the middle of a cell is inside the
+/// body, put the mass of a full cell into that point; otherwise put nothing there. Give the mass
+/// properties of these point masses.
+/// @param inside    ask it once for the middle of each cell: n³ times in all, in any order
 /// @param low, high two opposite corners of the box, with the smallest and with the largest
 ///                  coordinates [m]; its edges may be of three different lengths, none is zero
 /// @param n         number of cells along each edge, 1 or more
 /// @param density   of the body [kg/m³], positive
 /// @return the sum of the masses, their centre, and their inertia about that centre; all zero if
-///         there are none. To rounding of the places: the errors may grow with n³ and with the
-///         distance of the box from the origin, but not with the square of the distance.
+///         no middle is inside. To rounding of the places: errors may grow with n³ and with the
+///         distance of the box from the origin, but not with the square of that distance.
 MassProperties sample_mass_properties(const Inside& inside, const Eigen::Vector3d& low,
                                       const Eigen::Vector3d& high, int n, double density);
 
@@ -76,10 +77,10 @@ MassProperties sample_mass_properties(const Inside& inside, const Eigen::Vector3
 /// @param mass   of the body [kg]
 /// @param centre its centre of mass [m]
 /// @param from   the point that I is about [m]; only sometimes the centre of mass
-/// @param to     the point that the inertia is asked for about [m]; it may be the centre of mass
-/// @return the inertia about `to` [kg m²], to rounding: the errors may grow with the mass and with
-///         the squares of the distances of both points from the centre. Where all three are
-///         together 1e8 m away from the origin, no digit may be lost by that.
+/// @param to     the point about which you want it [m]; it may be the centre of mass
+/// @return the inertia about `to` [kg m²], to rounding: errors may grow with the mass and with the
+///         squares of the distances of both points from the centre. All three may lie together
+///         1e8 m away from the origin: you must lose no digit by that.
 Eigen::Matrix3d parallel_axis(const Eigen::Matrix3d& I, double mass, const Eigen::Vector3d& centre,
                               const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 

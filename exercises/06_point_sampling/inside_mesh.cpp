@@ -2,8 +2,8 @@
 
 namespace point_sampling {
 
-// 6.2 inside_mesh: is a point inside?.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 6.2 · Be judged: ./tumble check 6.2
+// 6.2 inside_mesh: is a point inside?
+// contract.hpp says what to write. Stuck? ./tumble hint 6.2 · Done? ./tumble check 6.2
 bool inside_mesh(const Mesh& mesh, const Eigen::Vector3d& point) {
   throw NotImplemented{};
 }

@@ -3,7 +3,7 @@
 namespace bounding_boxes {
 
 // 7.1 bounding_box: the box along the axes.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 7.1 · Be judged: ./tumble check 7.1
+// contract.hpp says what to write. Stuck? ./tumble hint 7.1 · Done? ./tumble check 7.1
 Box bounding_box(const std::vector<Eigen::Vector3d>& points) {
   throw NotImplemented{};
 }

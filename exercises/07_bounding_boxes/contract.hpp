@@ -1,9 +1,9 @@
 #pragma once
 /// @file
-/// Chapter 7, bounding boxes: what is to be written, one function a file.
+/// Chapter 7, bounding boxes: what you write, one function per file.
 ///
-/// A box around a body can stand in for it: its inertia is a short formula. What that costs in
-/// accuracy is for the page to say; here the boxes are to be made.
+/// A box around a body can stand in for it, because its inertia is a short formula. The page says
+/// what that costs in accuracy; here you make the boxes.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -25,7 +25,7 @@ struct Box {
 /// that S only stretches, so that Rᵀ S R is diagonal. Jacobi's method: one number off the diagonal
 /// after the other is turned to zero.
 /// @param S symmetric; if it stretches by equal amounts along two of the axes, those two are any of
-///          the plane between them
+///          the plane of the two
 inline Eigen::Matrix3d principal_axes(Eigen::Matrix3d S) {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   for (int round = 0; round < 24; ++round) {
@@ -55,24 +55,25 @@ inline Eigen::Matrix3d principal_axes(Eigen::Matrix3d S) {
 Box bounding_box(const std::vector<Eigen::Vector3d>& points);
 
 // == 7.2 box_inertia: what a box in the place of the body would have
-/// The mass fills the box evenly: the true mass of a body, as a rule, spread over a box around it.
+/// The mass fills the box evenly. As a rule it is the true mass of a body, spread over a box around
+/// it.
 /// @param mass  of the box [kg], 0 or more
 /// @param box   anywhere, turned in any way; an edge may be zero, as of a plate or of a rod
-/// @param about the point that the inertia is asked for about [m]; only sometimes the box's centre
+/// @param about the point about which you want the inertia [m]; only sometimes the box's centre
 /// @return the inertia tensor in world axes [kg m²], products with the minus sign, to rounding.
-///         Where the box and `about` are together 1e8 m away from the origin, no digit may be lost
-///         by that.
+///         Box and `about` may lie together 1e8 m away from the origin: you must lose no digit by
+///         that.
 Eigen::Matrix3d box_inertia(double mass, const Box& box, const Eigen::Vector3d& about);
 
 // == 7.3 fit_oriented_box: a box that lies along the body
-/// The points scatter about their mean c by the matrix Σ (p − c)(p − c)ᵀ, where each counts alike.
-/// Its principal axes are the directions of the box's edges; of all boxes with these directions it
-/// is the smallest that holds all points.
-/// @param points one or more, anywhere [m]. Along no two of the axes do they scatter by almost the
-///               same amount, unless they are all on a line or in one place.
-/// @return the box: R is a rotation, and its columns, each with its number in `size`, may come in
-///         any order and with either sign. To rounding of the places: the errors may grow with the
-///         number of points, and with their distance from the origin, but not with its square.
+/// The points scatter about their mean c by the matrix Σ (p − c)(p − c)ᵀ, in which all count alike.
+/// Take its principal axes as the directions of the box's edges. Of all boxes with these directions
+/// give the smallest that holds all points.
+/// @param points one or more, anywhere [m]. They scatter by clearly different amounts along the
+///               three axes, unless they are all on a line or in one place.
+/// @return the box: R is a rotation. Its columns, each with its number in `size`, may come in any
+///         order and with either sign. To rounding of the places: errors may grow with the number
+///         of points, and with their distance from the origin, but not with its square.
 Box fit_oriented_box(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace bounding_boxes

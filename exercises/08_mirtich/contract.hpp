@@ -1,17 +1,17 @@
 #pragma once
 /// @file
-/// Chapter 8, Mirtich's method: what is to be written, one function a file.
+/// Chapter 8, Mirtich's method: what you write, one function per file.
 ///
 /// The integrals over a body become sums over its faces, those over a face become integrals over
-/// the face's shadow in a coordinate plane, and those over the shadow sums over its edges.
+/// the face's shadow in a coordinate plane, and those over the shadow become sums over its edges.
 ///
-/// γ is the axis along which the shadow is cast: 0 for x, 1 for y, 2 for z. α and β are the two
+/// γ is the axis along which we cast the shadow: 0 for x, 1 for y, 2 for z. α and β are the two
 /// other axes, in a cycle: α = γ + 1 and β = γ + 2, modulo 3. So (α, β, γ) is (x, y, z), (y, z, x)
-/// or (z, x, y), and whoever looks from the tip of the γ axis sees α go to the right and β go up.
-/// The shadow of a point has its coordinates α and β; its γ is dropped.
+/// or (z, x, y), and if you look down from the tip of the γ axis, you see α go to the right and β
+/// go up. The shadow of a point has its coordinates α and β; we drop its γ.
 ///
-/// The cross product a × b is `rotation_matrices::skew(a) * b`, with 3.2; or write its three
-/// components out. Eigen's own `.cross()` is not among what an exercise has.
+/// The cross product a × b is `rotation_matrices::skew(a) * b`, with your 3.2; or write out its
+/// three components. An exercise does not have Eigen's own `.cross()`.
 ///
 /// "To rounding" means: off by some roundings of a double, not more.
 
@@ -63,28 +63,27 @@ struct VolumeIntegrals {
 };
 
 // == 8.1 projection_integrals: from a shadow to its edges
-/// The integrals over the shadow of a polygon. They count as they are where the shadow's corners go
-/// round counter-clockwise, α to the right and β up, and with a minus where they go round
-/// clockwise.
+/// The integrals over the shadow of a polygon: as they are if the shadow's corners go round
+/// counter-clockwise, α to the right and β up, and all with a minus if they go round clockwise.
 /// @param corners the polygon's corners in space [m], in order; the last one is joined to the
-///                first. It may have any shape, also with dents, but does not cross itself. Corners
-///                may lie in the middle of an edge, or be given twice in a row, the first one also
-///                at the end. A shadow without area, such as that of fewer than three corners or of
-///                none, has integrals of 0.
-/// @param gamma   the axis along which the shadow is cast: 0, 1 or 2
+///                first. The polygon may have any shape, also with dents, but does not cross
+///                itself. A corner may lie in the middle of an edge, or stand twice in a row, the
+///                first one also at the end. A shadow without area has integrals of 0, and so have
+///                fewer than three corners.
+/// @param gamma   the axis along which you cast the shadow: 0, 1 or 2
 /// @return the ten integrals, to rounding: the errors may grow with the number of corners, and that
 ///         of ∬ αⁱβʲ with the farthest corner's coordinate to the power i + j + 2
 ProjectionIntegrals projection_integrals(const std::vector<Eigen::Vector3d>& corners, int gamma);
 
 // == 8.2 face_integrals: from a face to its shadow
 /// The corners of a face go round counter-clockwise, seen from the side to which its normal n
-/// points. So its shadow along γ goes round counter-clockwise where n_γ is positive, and clockwise
-/// where it is negative. The face's own area is positive in both cases.
+/// points. So its shadow along γ goes round counter-clockwise if n_γ is positive, and clockwise if
+/// it is negative. The face's own area is positive in both cases.
 /// @param shadow what 8.1 gives for the face's corners and this γ: an area with the sign of n_γ
 /// @param plane  the face's plane. n_γ is not 0, and usually the largest of n's three numbers in
 ///               size, but any other will do.
 /// @param gamma  the axis along which the shadow was cast: 0, 1 or 2
-/// @return the twelve integrals, to rounding; all 0 where those of the shadow are. The errors may
+/// @return the twelve integrals, to rounding; all 0 if those of the shadow are. The errors may
 ///         grow with the distance of the farthest corner from the origin and with 1/n_γ, in the
 ///         powers in which both enter.
 FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& plane, int gamma);
@@ -93,9 +92,11 @@ FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& pla
 /// The integrals over what the faces enclose, about the origin of the coordinates.
 /// - Faces are plane to rounding and of any shape, as in 8.1: a face may have a dent at its first
 ///   corners, or its first three corners on one line.
-/// - A face without area brings nothing: fewer than three corners, all in one point, or all on one
-///   line. All others count, however small.
-/// - The faces of a cavity are seen from within the cavity: it is taken off.
+/// - A face without area contributes nothing: fewer than three corners, all in one point, or all on
+///   one line. All others count, however small.
+/// - The faces of a cavity go round counter-clockwise seen from within the cavity, which takes
+/// itself
+///   off.
 /// - A body inside out, whose faces all go round clockwise seen from outside, has the negatives of
 ///   all integrals. Without a face they are 0.
 /// @param body closed: along every edge two faces meet. Between 1e-40 and 1e40 m large
@@ -104,13 +105,14 @@ FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& pla
 VolumeIntegrals volume_integrals(const Polyhedron& body);
 
 // == 8.4 mass_properties: mass, centre of mass and inertia
-/// - The body may be up to 1e8 m away from the origin: mass and inertia lose no digit by that, and
-///   the centre no more than a place so far out has to.
-/// - A body inside out has the negatives of its mass and its inertia, so that it can be told from a
-///   good one, and its centre where it is.
-/// - Where there is no volume at all, because there are no faces or all corners are in one point,
+/// - The body may be up to 1e8 m away from the origin. Mass and inertia must lose no digit by that,
+///   and the centre no more than any place so far out does.
+/// - A body inside out has the negatives of its mass and its inertia, so that you can tell it from
+/// a
+///   good one. Its centre is where it is.
+/// - If there is no volume at all, because there are no faces or all corners are in one point, then
 ///   mass, centre and inertia are 0.
-/// @param body    as in 8.3; every vertex belongs to a face, if there is a face
+/// @param body    as in 8.3; if there is a face, every vertex belongs to one
 /// @param density [kg/m³], positive, the same all over the body
 /// @return its mass properties, to rounding: the errors may grow with the number of corners and,
 ///         for a body with the diameter d, those of the mass with d³, those of the inertia with d⁵,

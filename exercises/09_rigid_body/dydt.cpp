@@ -3,7 +3,7 @@
 namespace rigid_body {
 
 // 9.4 dydt: what moves a rigid body.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 9.4 · Be judged: ./tumble check 9.4
+// contract.hpp says what to write. Stuck? ./tumble hint 9.4 · Done? ./tumble check 9.4
 PackedState dydt(const Body& body, const WrenchAt& wrench, double t, const PackedState& y) {
   throw NotImplemented{};
 }

@@ -3,7 +3,7 @@
 namespace rigid_body {
 
 // 9.1 pack: a state becomes thirteen numbers.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 9.1 · Be judged: ./tumble check 9.1
+// contract.hpp says what to write. Stuck? ./tumble hint 9.1 · Done? ./tumble check 9.1
 PackedState pack(const State& state) {
   throw NotImplemented{};
 }

@@ -1,12 +1,12 @@
 #pragma once
 /// @file
-/// Chapter 10, only what a scene needs: what is to be written, one function a file.
+/// Chapter 10, only what a scene needs: what you write, one function per file.
 ///
-/// Nothing is computed that nobody needs: no orientation for a particle, no tensor for a ball, no
-/// step where nothing pushes. And what is computed is watched: a free body keeps its energy, so
-/// that an energy which does not stay tells what a method is worth.
+/// You compute nothing that you don't need: no orientation for a particle, no tensor for a ball, no
+/// step where nothing pushes. And you watch what you compute: a free body keeps its energy, so an
+/// energy that doesn't stay tells you what your method is worth.
 ///
-/// Conventions, bodies and states are those of chapter 9. "To rounding" means: off by some
+/// Conventions, bodies and states are those of chapter 9. "To rounding" means: off by a few
 /// roundings of a double, not more.
 
 #include <Eigen/Core>
@@ -21,21 +21,22 @@ using quaternions::Quaternion;
 using rigid_body::Body;
 using rigid_body::State;
 
-/// What has to be known of a body, from the least to the most.
+/// What you have to know of a body, from the least to the most.
 enum class Model {
   particle = 0,       ///< its mass: where it is matters, how it is turned does not
   ball = 1,           ///< one moment of inertia for all axes
-  symmetric_top = 2,  ///< one moment about an axis of symmetry, another across it
+  symmetric_top = 2,  ///< one moment about an axis of symmetry, another perpendicular to it
   full_body = 3,      ///< three moments
 };
 
-/// What happens to a body, and what is wanted of it.
+/// What happens to a body, and what you want to know of it. No force of the scene depends on how
+/// fast the body spins, as that of the air on a ball with top-spin does.
 struct Scene {
   Eigen::Vector3d moments;            ///< principal moments of inertia, in any order [kg m²]:
                                       ///< positive, of any size
   double omega;                       ///< the largest |ω| that occurs [rad/s], 0 or more
-  double duration;                    ///< how long it is followed [s], 0 or more
-  bool orientation_is_asked;          ///< somebody wants to know how it is turned
+  double duration;                    ///< how long you follow it [s], 0 or more
+  bool orientation_is_asked;          ///< you want to know how it is turned
   bool force_depends_on_orientation;  ///< such as that of a sail or of a rocket's engine
   bool torque_acts;
 };
@@ -43,35 +44,39 @@ struct Scene {
 /// The least that will do.
 struct Choice {
   Model model;
-  bool steps;  ///< must its turning be integrated step by step?
+  bool steps;  ///< do you have to integrate its turning step by step?
 };
 
 /// How the energy of a motion has strayed from what it was at first.
 struct EnergyDrift {
   double largest;  ///< by how much at most, as a fraction of the first energy
-  double trend;    ///< by how much on average in a second, as such a fraction too [1/s]
+  double trend;    ///< by how much per second on average, as such a fraction too [1/s]
 };
 
 // == 10.1 choose_model: the least that will do
-/// - Orientation counts if it is asked for, and also if a force depends on it: then it decides
+/// - Orientation counts if you want to know it, and also if a force depends on it: then it decides
 ///   where the body flies. Otherwise a particle will do, torque or no torque.
-/// - Two moments count as equal if that turns the body wrong by no more than is allowed. It turns
-///   by the angle omega · duration, and wrong by about that angle times the difference of the two
-///   moments as a fraction of the larger one: this product may be up to the tolerance.
+/// - Two moments count as equal if their difference makes the orientation wrong by no more than the
+///   tolerance. The body turns by the angle omega · duration. Multiply this angle by the difference
+///   of the two moments, divided by the larger one: the product may be up to the tolerance.
 /// - If orientation counts, the body is a ball if each two of its moments count as equal, a
 ///   symmetric top if only some two do, and a full body if no two do.
-/// - Steps are needed where orientation counts and a torque acts. Without a torque every body's
-///   turning is known in closed form: that of a ball and of a top with sines, that of a full body
+/// - Steps are needed where orientation counts and a torque acts. Without a torque you know every
+///   body's turning in closed form: that of a ball and of a top with sines, that of a full body
 ///   with elliptic functions.
+///
+/// The rule for equal moments is an estimate. It holds for bodies that don't spin perpendicular to
+/// an axis of near-symmetry: for those the error grows with the square of the angle. The scene
+/// doesn't say about which axis its body spins, so use the rule for all of them.
 /// @param scene     what happens
 /// @param tolerance by how much the orientation may be wrong at the end [rad]: 0 or more
 /// @return the model that needs the least, and whether it needs steps
 Choice choose_model(const Scene& scene, double tolerance);
 
 // == 10.2 free_symmetric_top: any time at once
-/// A body with two equal moments that nothing pushes. Its orientation at any time is known without
+/// A body with two equal moments that nothing pushes. You know its orientation at any time without
 /// a single step: there are two turns, each at a rate that stays the same.
-/// @param A  moment of inertia about every axis across the axis of symmetry [kg m²]
+/// @param A  moment of inertia about every axis perpendicular to that of symmetry [kg m²]
 /// @param C  moment of inertia about the axis of symmetry, which is the body's z axis [kg m²]. Both
 ///           are positive, C is at most 2 A, and may be a millionth of A, nearly A, or A.
 /// @param q0 orientation at time 0, of length 1 to rounding
@@ -84,12 +89,12 @@ Quaternion free_symmetric_top(double A, double C, const Quaternion& q0, const Ei
 
 // == 10.3 energy_drift: does the energy swing, or does it run away?
 /// The energy is kinetic, of the centre's motion and of the turning about it. A good method lets it
-/// swing about the right value: then `largest` stays, however long one looks on, and `trend` goes
+/// swing about the right value: then `largest` stays, however long you look on, and `trend` goes
 /// to zero. A bad one lets it run away: then `trend` stays, and `largest` grows.
 ///
-/// With eₙ = (Eₙ − E₀)/E₀, for the state with the number n at the time n h,
-/// - `largest` is the largest size of all eₙ;
-/// - `trend` is the slope of the straight line that fits the points (n h, eₙ) best: with the
+/// With eᵢ = (Eᵢ − E₀)/E₀, for the state with the number i at the time i h,
+/// - `largest` is the largest size of all eᵢ;
+/// - `trend` is the slope of the straight line that fits the points (i h, eᵢ) best: with the
 ///   smallest sum of squares of vertical distances. The line need not go through any of them.
 ///
 /// Of a single state the trend is 0; of none, and of a body that is at rest in all of them, both

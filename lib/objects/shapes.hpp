@@ -66,6 +66,36 @@ inline PolygonMesh box_mesh(const Vec3& size) {
   return mesh;
 }
 
+/// The cube [−h, h]³ of n × n squares a side, each of two right triangles: 12 n² in all, equal
+/// ones.
+inline PolygonMesh regular_cube(int n, double h) {
+  PolygonMesh mesh;
+  std::map<std::array<int, 3>, int> number;  // by place in the grid
+  const auto at = [&](const std::array<int, 3>& place) {
+    const auto [it, is_new] = number.try_emplace(place, static_cast<int>(mesh.vertices.size()));
+    if (is_new)
+      mesh.vertices.push_back((Vec3(place[0], place[1], place[2]) * (2 * h / n)).array() - h);
+    return it->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int side : {0, n})
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+          const auto corner = [&](int di, int dj) {
+            std::array<int, 3> place{};
+            place[axis] = side;
+            place[(axis + 1) % 3] = i + di;
+            place[(axis + 2) % 3] = j + dj;
+            return at(place);
+          };
+          const int a = corner(0, 0), c = corner(1, 1);
+          const int b = side ? corner(1, 0) : corner(0, 1), d = side ? corner(0, 1) : corner(1, 0);
+          mesh.add_face({a, b, c});
+          mesh.add_face({a, c, d});
+        }
+  return mesh;
+}
+
 /// A torus around z of n × k quads that are not planar; R to the middle of the tube, r its radius.
 inline PolygonMesh torus_mesh(int n, int k, double R, double r) {
   constexpr double pi = std::numbers::pi;

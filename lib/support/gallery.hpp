@@ -30,8 +30,8 @@ inline std::string gallery(const std::string& title, const PolygonMesh& mesh, do
     const Vec3 middle = pictures[i].R * bounds(mesh).center();
     svg += draw_mesh(mesh, pictures[i].R,
                      {x - scale * middle.x(), cell / 2 + 8 + scale * middle.y(), scale});
-    svg += "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(height - 14) +
-           "\" fill=\"var(--ink)\" font-size=\"16\" text-anchor=\"middle\">" +
+    svg += "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(height - 14) + "\" " +
+           fill_of("ink") + " font-size=\"16\" text-anchor=\"middle\">" +
            svg_text(pictures[i].caption) + "</text>\n";
   }
   return svg + "</svg>\n";

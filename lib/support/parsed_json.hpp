@@ -54,10 +54,10 @@ inline nlohmann::json parsed_json(const std::string& text, const std::string& na
   try {
     return Json::parse(text, each_key_once);
   } catch (const Json::parse_error& error) {
-    throw std::invalid_argument(name + " is no JSON: " + line_and_column(text, error.byte) + ": " +
-                                what_was_expected(error.what()));
+    throw std::invalid_argument(name + " is not valid JSON: " + line_and_column(text, error.byte) +
+                                ": " + what_was_expected(error.what()));
   } catch (const Json::exception& error) {  // a number that is too large
-    throw std::invalid_argument(name + " is no JSON: " + what_was_expected(error.what()));
+    throw std::invalid_argument(name + " is not valid JSON: " + what_was_expected(error.what()));
   }
 }
 

@@ -19,6 +19,8 @@ struct Series {
   std::string name;
   std::vector<double> x, y;
   Look look = Look::line;
+  std::string colour = "";  ///< of the palette; if empty, the name decides
+  double width = 1.8;       ///< of the line [px]
 };
 
 /// Whether each axis fills its side of the frame, or a unit is as long on both: for paths.

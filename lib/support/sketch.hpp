@@ -72,7 +72,7 @@ class Sketch {
 
   /// Many dots alike.
   void dots(const std::vector<Vec2>& centres, const std::string& colour, double pixels) {
-    svg_ += "<g fill=\"var(--" + colour + ")\">\n";
+    svg_ += "<g " + fill_of(colour) + ">\n";
     for (const Vec2& centre : centres) svg_ += circle_at(centre, pixels) + "/>\n";
     svg_ += "</g>\n";
   }
@@ -81,9 +81,12 @@ class Sketch {
   void specks(const std::vector<Vec2>& centres, const std::string& colour, double pixels) {
     svg_ += "<path d=\"";
     for (const Vec2& centre : centres) svg_ += "M" + at(centre) + "h0";
-    svg_ += "\" fill=\"none\" stroke=\"var(--" + colour + ")\" stroke-width=\"" +
-            svg_number(2 * pixels) + "\" stroke-linecap=\"round\"/>\n";
+    svg_ += "\" fill=\"none\" " + stroke_of(colour) + " stroke-width=\"" + svg_number(2 * pixels) +
+            "\" stroke-linecap=\"round\"/>\n";
   }
+
+  /// What has been drawn elsewhere, in pixels, such as a mesh.
+  void drawing(const std::string& svg) { svg_ += svg; }
 
   /// Words beside a point.
   /// @param offset [px] right and down of the point
@@ -91,9 +94,9 @@ class Sketch {
   void words(const Vec2& point, const Vec2& offset, const std::string& text,
              const std::string& colour = "ink", const std::string& anchor = "start") {
     const Vec2 p = pixels(point) + offset;
-    svg_ += "<text x=\"" + svg_number(p.x()) + "\" y=\"" + svg_number(p.y()) + "\" fill=\"var(--" +
-            colour + ")\" font-size=\"" + svg_number(text_size_) + "\" text-anchor=\"" + anchor +
-            "\">" + svg_text(text) + "</text>\n";
+    svg_ += "<text x=\"" + svg_number(p.x()) + "\" y=\"" + svg_number(p.y()) + "\" " +
+            fill_of(colour) + " font-size=\"" + svg_number(text_size_) + "\" text-anchor=\"" +
+            anchor + "\">" + svg_text(text) + "</text>\n";
   }
 
   /// The drawing as a complete SVG document.
@@ -110,7 +113,7 @@ class Sketch {
   }
 
   void circle(const Vec2& centre, double radius, const std::string& colour) {
-    svg_ += circle_at(centre, radius) + " fill=\"var(--" + colour + ")\"/>\n";
+    svg_ += circle_at(centre, radius) + " " + fill_of(colour) + "/>\n";
   }
 
   std::string circle_at(const Vec2& centre, double radius) const {
@@ -120,12 +123,11 @@ class Sketch {
   }
 
   static std::string look_of(const Pen& pen) {
-    const std::string colour = "var(--" + pen.colour + ")";
     const std::string inside =
-        pen.fill > 0 ? "fill=\"" + colour + "\" fill-opacity=\"" + svg_number(pen.fill, 2) + "\""
+        pen.fill > 0 ? fill_of(pen.colour) + " fill-opacity=\"" + svg_number(pen.fill, 2) + "\""
                      : "fill=\"none\"";
-    return inside + " stroke=\"" + colour + "\" stroke-width=\"" + svg_number(pen.width) + "\"" +
-           (pen.opacity < 1 ? " opacity=\"" + svg_number(pen.opacity, 2) + "\"" : "");
+    return inside + " " + stroke_of(pen.colour) + " stroke-width=\"" + svg_number(pen.width) +
+           "\"" + (pen.opacity < 1 ? " opacity=\"" + svg_number(pen.opacity, 2) + "\"" : "");
   }
 
   std::string svg_;

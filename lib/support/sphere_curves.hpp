@@ -34,16 +34,22 @@ inline std::vector<std::vector<Vec2>> visible(const Way& way, const Mat3& view, 
   return parts;
 }
 
-/// From principal axes to the viewer's: the middle axis near the front, the largest moment's up.
-inline Mat3 sphere_view() {
-  constexpr double degree = std::numbers::pi / 180;
-  const double around = 56 * degree, above = 24 * degree;
+/// To the axes of a viewer (right, up, towards the viewer) with z up.
+/// @param around where the viewer stands, as an angle about z from x [rad]
+/// @param above  how far above the plane of x and y [rad]
+inline Mat3 view_from(double around, double above) {
   const Vec3 right(-std::sin(around), std::cos(around), 0);
   const Vec3 toward(std::cos(around) * std::cos(above), std::sin(around) * std::cos(above),
                     std::sin(above));
   Mat3 view;
   view << right.transpose(), toward.cross(right).transpose(), toward.transpose();
   return view;
+}
+
+/// From principal axes to the viewer's: the middle axis near the front, the largest moment's up.
+inline Mat3 sphere_view() {
+  constexpr double degree = std::numbers::pi / 180;
+  return view_from(56 * degree, 24 * degree);
 }
 
 }  // namespace tumble::support

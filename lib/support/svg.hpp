@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The pieces that every figure shares: numbers and text as SVG wants them, and one style for light
-/// and dark that works as a file of its own and inlined in a page.
+/// The pieces that every figure shares: numbers and text as SVG wants them, and an opening that
+/// works as a file of its own and inlined in a page.
 
 #include <array>
 #include <charconv>
@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "support/palette.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::support {
@@ -51,19 +52,9 @@ inline std::string svg_open(double width, double height, std::string_view title)
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"tumble-figure\" role=\"img\" "
          "viewBox=\"0 0 " +
          size + "\" width=\"" + svg_number(width) + "\" height=\"" + svg_number(height) +
-         "\">\n<title>" + svg_text(title) + R"svg(</title>
-<style>
-.tumble-figure{--paper:#fff;--ink:#1c2128;--faint:#8b949e;--grid:#e6e9ed;--solid:#b9c7d8;
---c0:#0b62a8;--c1:#c4500a;--c2:#0f7b55;--c3:#9b3a86;--c4:#8a6a00;--c5:#5a6472;--c6:#b3261e;--c7:#2f7f93;--c8:#7a5c3e;--c9:#5b4fc4;
-font:13px system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif;max-width:100%;height:auto}
-@media (prefers-color-scheme:dark){html:not(.light-mode) .tumble-figure,.tumble-figure:root{--paper:#0d1117;
---ink:#e2e8ee;--faint:#7d8590;--grid:#262c34;--solid:#5f7793;
---c0:#58aef0;--c1:#ff9a57;--c2:#4cc79a;--c3:#e28fcd;--c4:#e0bb46;--c5:#a7b1bd;--c6:#ff7b72;--c7:#6cc5d9;--c8:#d0a87c;--c9:#a99cff}}
-html.dark-mode .tumble-figure{--paper:#0d1117;--ink:#e2e8ee;--faint:#7d8590;--grid:#262c34;--solid:#5f7793;
---c0:#58aef0;--c1:#ff9a57;--c2:#4cc79a;--c3:#e28fcd;--c4:#e0bb46;--c5:#a7b1bd;--c6:#ff7b72;--c7:#6cc5d9;--c8:#d0a87c;--c9:#a99cff}
-</style>
-<rect width="100%" height="100%" fill="var(--paper)"/>
-)svg";
+         "\">\n<title>" + svg_text(title) + "</title>\n<style>\n" + figure_style() +
+         "</style>\n<rect class=\"paper\" width=\"100%\" height=\"100%\" " + fill_of("paper") +
+         "/>\n";
 }
 
 }  // namespace tumble::support

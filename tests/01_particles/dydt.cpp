@@ -338,12 +338,12 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return ydot;
       }},
      {"gravity taken for a force",
-      "The acceleration of free fall was added to the forces as it is, so that the heavy fall more "
-      "slowly. It is an acceleration: the weight is a force.",
+      "You have added the acceleration of free fall to the forces as it is, so the heavy fall more "
+      "slowly. Make a force of it first: the weight is mass times acceleration.",
       "Forces",
       with_force([](const System& s, double, const Vec3& v) { return right_force(s, 1, v); })},
      {"drag taken for an acceleration",
-      "The drag was not divided by the mass. It is a force: it slows the heavy less than the "
+      "You have not divided the drag by the mass. It is a force: it slows the heavy less than the "
       "light.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
         return mass * right_force(s, 1, v);
@@ -354,21 +354,21 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return 2 * mass * s.gravity - right_force(s, mass, v);
       })},
      {"squared axis by axis",
-      "The quadratic drag was worked out for each axis by itself, from that axis' part of the "
+      "You have worked out the quadratic drag for each axis by itself, from that axis' part of the "
       "velocity. It is the speed, the length of the whole vector, that counts.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
         return mass * s.gravity - s.linear_drag * v -
                s.quadratic_drag * v.cwiseAbs().cwiseProduct(v);
       })},
      {"square without a direction",
-      "The components of the velocity were squared, which takes their signs away: this drag pushes "
-      "towards the negative axes whichever way the particle moves.",
+      "You have squared the components of the velocity, which takes their signs away: this drag "
+      "pushes towards the negative axes whichever way the particle moves.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
         return mass * s.gravity - s.linear_drag * v - s.quadratic_drag * v.cwiseProduct(v);
       })},
      {"cube of the speed",
-      "The quadratic drag grows as the cube of the speed: the square of the speed was multiplied "
-      "with the velocity, which has the speed in it once more.",
+      "The quadratic drag grows as the cube of the speed: you have multiplied the square of the "
+      "speed by the velocity, which has the speed in it once more.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
         return mass * s.gravity - s.linear_drag * v - s.quadratic_drag * v.squaredNorm() * v;
       })},
@@ -379,7 +379,7 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return opposite(-right_pull(s, l, rate).on_i);
       })},
      {"one end only",
-      "A spring acts on its end i alone. It pulls at both ends: momentum does not come from "
+      "Your spring acts on its end i alone. It pulls at both ends: momentum does not come from "
       "nowhere.",
       "Forces", with_pull([](const Spring& s, const Vec3& l, const Vec3& rate) -> Ends {
         return {right_pull(s, l, rate).on_i, Vec3::Zero()};
@@ -392,27 +392,27 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return {F, F};
       })},
      {"rest length forgotten",
-      "The springs pull with their whole length. What counts is how much longer than at rest they "
+      "Your springs pull with their whole length. What counts is how much longer than at rest they "
       "are.",
       "Forces", with_pull([](Spring s, const Vec3& l, const Vec3& rate) {
         s.rest_length = 0;
         return right_pull(s, l, rate);
       })},
      {"direction not of length 1",
-      "The tension of a spring was multiplied with the whole vector between its ends. A direction "
-      "has length 1.",
+      "You have multiplied the tension of a spring by the whole vector between its ends. A "
+      "direction has length 1.",
       "Forces", with_pull([](const Spring& s, const Vec3& l, const Vec3& rate) {
         return opposite(-tension(s, l, rate) * l);
       })},
      {"damped across the spring too",
-      "The damping resists all of the ends' motion against each other. Only the part along the "
-      "spring changes its length.",
+      "The damping resists all of the ends' motion against each other, also the part perpendicular "
+      "to the spring. Only the part along the spring changes its length.",
       "Forces", with_pull([](const Spring& s, const Vec3& l, const Vec3& rate) {
         if (l.isZero(0)) return opposite(Vec3::Zero());
         return opposite(-tension(s, l, Vec3::Zero()) * l.normalized() - s.damping * rate);
       })},
      {"damping drives",
-      "The damping has the wrong sign: a spring that gets longer is helped to do so. It resists.",
+      "The damping has the wrong sign: it helps a spring that gets longer. It should resist.",
       "Forces", with_pull([](const Spring& s, const Vec3& l, const Vec3& rate) {
         return right_pull(s, l, -rate);
       })},
@@ -422,8 +422,8 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return right_pull(s, l, rate);
       })},
      {"zero over zero",
-      "Where both ends of a spring are at the same place, the vector between them was divided by "
-      "its length, which is 0 there.",
+      "Where both ends of a spring are at the same place, you have divided the vector between them "
+      "by its length, which is 0 there.",
       "Forces", with_pull([](const Spring& s, const Vec3& l, const Vec3& rate) {
         const Vec3 u = l / l.norm();
         const double pull = s.stiffness * (l.norm() - s.rest_length) + s.damping * rate.dot(u);
@@ -445,7 +445,7 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return ydot;
       }},
      {"halves swapped",
-      "ẋ and v̇ have changed places: the rate of the position comes first, as the position does.",
+      "ẋ and v̇ are swapped: the rate of the position comes first, as the position does.",
       "The right-hand side",
       [](const System& system, double t, const VectorXd& y) {
         VectorXd ydot = reference(system, t, y);
@@ -454,7 +454,7 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return ydot;
       }},
      {"position for its rate",
-      "In the places of ẋ stand the positions themselves. What is asked for is how fast they "
+      "In the places of ẋ stand the positions themselves. What the solver wants is how fast they "
       "change.",
       "The right-hand side",
       [](const System& system, double t, const VectorXd& y) {
@@ -463,15 +463,15 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return ydot;
       }},
      {"rate added to the state",
-      "The state itself is contained in the result. What is wanted is the rate alone; the step is "
-      "the integrator's business.",
+      "You have added the state to the result. Return the rate alone; the step is the solver's "
+      "business.",
       "The right-hand side",
       [](const System& system, double t, const VectorXd& y) -> VectorXd {
         return y + reference(system, t, y);
       }},
      {"all positions first",
-      "The state was read, and the rate written, as if all positions came before all velocities. "
-      "The order is that of flatten: particle after particle.",
+      "You have read the state, and written the rate, as if all positions came before all "
+      "velocities. The order is that of flatten: particle after particle.",
       "The state", [](const System& system, double t, const VectorXd& y) {
         return positions_first(reference(system, t, positions_first_undone(y)));
       }}}};

@@ -52,7 +52,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("growth by 1 + hλ a step, also where the step is far too long and y explodes") {
+  TEST_CASE("growth by 1 + hλ per step, also where the step is far too long and y explodes") {
     for (const double z : {0.5, -0.5, -1., -2., -3., -1e6}) {
       const double h = any_number(0.1, 0.5);
       const VectorXd y = any_state(2);
@@ -99,19 +99,18 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(particles::euler_step)> misconceptions{
     TUMBLE_UNIT,
     {{"h forgotten",
-      "The slope was added as it is. It says what would change in one second; the step is h "
+      "You have added the slope as it is. It says what would change in one second; the step is h "
       "seconds long.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double) { return reference(f, t, y, 1); }},
-     {"only the change",
-      "This is by how much y changes, without y itself. Asked for is the new state.",
+     {"only the change", "This is by how much y changes, without y itself. Return the new state.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         const VectorXd slope = f(t, y);
         return h * slope;
       }},
      {"only the slope",
-      "This is f(t, y), the slope. It says where to go; nobody has gone there yet.",
+      "This is f(t, y), the slope. It says where to go, and you have not gone there yet.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double) -> VectorXd { return f(t, y); }},
      {"backwards", "The step goes the wrong way: it leads to the state at t − h.", "Euler's method",
@@ -119,33 +118,36 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
         return reference(f, t, y, -h);
       }},
      {"time of the end",
-      "The slope was taken at the time t + h, but with the state at t. Euler's method looks at the "
-      "start of the step.",
+      "You have taken the slope at the time t + h, but with the state at t. Euler's method looks "
+      "at "
+      "the start of the step.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return reference(f, t + h, y, h);
       }},
      {"time always zero",
-      "The right-hand side was not told the time of the step: it was evaluated at 0.",
+      "You have not told the right-hand side the time of the step: you evaluate it at 0.",
       "Euler's method",
       [](const Rhs& f, double, const VectorXd& y, double h) -> VectorXd {
         return reference(f, 0, y, h);
       }},
      {"h for t",
-      "The right-hand side was evaluated at the time h. The step is how long, the time is when.",
+      "You have evaluated the right-hand side at the time h. The step says how long, the time says "
+      "when.",
       "Euler's method",
       [](const Rhs& f, double, const VectorXd& y, double h) -> VectorXd {
         return reference(f, h, y, h);
       }},
      {"t for h",
-      "The slope was multiplied with the time t. What counts is how long the step is, not when it "
-      "starts.",
+      "You have multiplied the slope by the time t. What counts is how long the step is, not when "
+      "it starts.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double) -> VectorXd {
         return reference(f, t, y, t);
       }},
      {"new numbers used at once",
-      "The components were replaced one after the other, and the later ones already saw the new "
+      "You have replaced the components one after the other, and the later ones already saw the "
+      "new "
       "values of the earlier ones. All slopes belong to the same, old state.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) {
@@ -159,14 +161,14 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       }},
      {"midpoint method",
       "This is the midpoint method, which looks at the slope halfway. It is better, and the next "
-      "unit; here the slope at the start is asked for.",
+      "exercise. Here take the slope at the start.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return tumble::runge_kutta::midpoint_step(f, t, y, h);
       }},
      {"evaluated too often",
-      "The result is right, but the right-hand side was evaluated more often than once. In a large "
-      "scene this is what costs time: keep what it returns, and use it for all components.",
+      "The result is right, but you have evaluated the right-hand side more often than once. In a "
+      "large scene this is what costs time: keep what it returns, and use it for all components.",
       "Euler's method", [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         f(t, y);
         return reference(f, t, y, h);

@@ -58,7 +58,7 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("what particle n is and does stands from place 6 n on") {
     const Particles list = any_particles(9);
     const auto y = student::flatten(list);
-    REQUIRE(y == obeys("there are six numbers a particle",
+    REQUIRE(y == obeys("there are six numbers per particle",
                        std::abs(static_cast<double>(y->size() - 6 * count_of(list))), 0));
     for (std::size_t n = 0; n < list.size(); ++n) {
       const Vec3 x = y->segment<3>(start_of(n)), v = y->segment<3>(start_of(n) + 3);
@@ -103,7 +103,8 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(particles::flatten)> misconceptions{
     TUMBLE_UNIT,
     {{"all positions first",
-      "All positions stand before all velocities. Here a particle's numbers stay together: its "
+      "All positions stand before all velocities. In our state a particle's numbers stay together: "
+      "its "
       "velocity follows its own position.",
       "The state",
       [](const Particles& list) {
@@ -135,9 +136,8 @@ const Misconceptions<decltype(particles::flatten)> misconceptions{
         return y;
       }},
      {"momentum for velocity",
-      "In the places of the velocities stand momenta: the velocities were multiplied by the "
-      "masses. "
-      "Rigid bodies will be stored in this way; particles are not.",
+      "In the places of the velocities stand momenta: you have multiplied the velocities by the "
+      "masses. We will store rigid bodies like this, but not particles.",
       "The state",
       [](const Particles& list) {
         Particles heavy = list;
@@ -145,7 +145,8 @@ const Misconceptions<decltype(particles::flatten)> misconceptions{
         return reference(heavy);
       }},
      {"masses stored too",
-      "There are seven numbers a particle, the mass among them. A mass does not change: it belongs "
+      "There are seven numbers per particle, the mass among them. A mass does not change: it "
+      "belongs "
       "to the system, not to the state.",
       "The state",
       [](const Particles& list) {

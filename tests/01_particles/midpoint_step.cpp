@@ -65,7 +65,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("growth by 1 + hλ + (hλ)²/2 a step, also where the step is far too long") {
+  TEST_CASE("growth by 1 + hλ + (hλ)²/2 per step, also where the step is far too long") {
     for (const double z : {0.5, -0.5, -1., -2., -3., -1e6}) {
       const double h = any_number(0.1, 0.5);
       const VectorXd y = any_state(2);
@@ -113,26 +113,27 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
     TUMBLE_UNIT,
     {{"Euler's method",
-      "This is Euler's step: the slope at the start was followed all the way. The slope halfway "
-      "should be.",
+      "This is Euler's step: you have followed the slope at the start all the way. Follow the "
+      "slope "
+      "halfway.",
       "The midpoint method", euler},
      {"time stands still",
-      "Both slopes were taken at the time t. When the state goes half a step on, the time does "
+      "You have taken both slopes at the time t. When the state goes half a step on, the time does "
       "too.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step_with_slope_at(y, h, f, t, euler(f, t, y, h / 2));
       }},
      {"time of the end",
-      "The second slope was taken at the time t + h, with the state halfway. Both belong to the "
-      "same moment.",
+      "You have taken the second slope at the time t + h, with the state halfway. Both belong to "
+      "the same moment.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step_with_slope_at(y, h, f, t + h, euler(f, t, y, h / 2));
       }},
      {"state stands still",
-      "The second slope was taken at the time halfway, but with the state at the start. When the "
-      "time goes half a step on, the state does too.",
+      "You have taken the second slope at the time halfway, but with the state at the start. When "
+      "the time goes half a step on, the state does too.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step_with_slope_at(y, h, f, t + h / 2, y);
@@ -144,36 +145,36 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
         return step_with_slope_at(y, h, f, t + h / 2, euler(f, t, y, h));
       }},
      {"slope at the end",
-      "The slope was looked at where a whole step of Euler's method ends, in time and state. The "
-      "one halfway is nearer to the average.",
+      "You have looked at the slope where a whole step of Euler's method ends, in time and state. "
+      "The one halfway is nearer to the average.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step_with_slope_at(y, h, f, t + h, euler(f, t, y, h));
       }},
      {"h forgotten on the way",
-      "Half of the slope was added to look ahead, without the step: h is missing in the state "
+      "To look ahead you have added half of the slope, without the step: h is missing in the state "
       "halfway.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step_with_slope_at(y, h, f, t + h / 2, euler(f, t, y, 0.5));
       }},
      {"on from the middle",
-      "The whole step was made from the place halfway, so that it leads half a step too far. That "
+      "You have made the whole step from the place halfway, so it leads half a step too far. That "
       "place is only for looking: the step starts from y.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return euler(f, t + h / 2, euler(f, t, y, h / 2), h);
       }},
      {"two half steps of Euler's",
-      "The slopes at the start and halfway were averaged, as two steps of Euler's method do, each "
-      "half as long. The error falls no faster than Euler's: the slope halfway is to be used "
-      "alone, for the whole step.",
+      "You have averaged the slopes at the start and halfway, as two steps of Euler's method do, "
+      "each half as long. The error falls no faster than Euler's: use the slope halfway alone, for "
+      "the whole step.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return euler(f, t + h / 2, euler(f, t, y, h / 2), h / 2);
       }},
      {"half a step only",
-      "The slope halfway is right, but it was followed for half of the step only.",
+      "The slope halfway is right, but you have followed it for half of the step only.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step_with_slope_at(y, h / 2, f, t + h / 2, euler(f, t, y, h / 2));
@@ -187,9 +188,8 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
         return (one + two) / 2;
       }},
      {"evaluated too often",
-      "The result is right, but the right-hand side was evaluated more often than twice. In a "
-      "large "
-      "scene this is what costs time: keep what it returns.",
+      "The result is right, but you have evaluated the right-hand side more often than twice. In a "
+      "large scene this is what costs time: keep what it returns.",
       "The midpoint method", [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         f(t, y);
         return reference(f, t, y, h);

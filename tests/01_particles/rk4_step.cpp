@@ -113,7 +113,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("growth by the first five terms of exp(hλ) a step, also where the step is too long") {
+  TEST_CASE("growth by the first five terms of exp(hλ) per step, also where the step is too long") {
     for (const double z : {0.5, -0.5, -1., -2., -3., -1e6}) {
       const double h = any_number(0.1, 0.5), size = std::abs(z);
       const VectorXd y = any_state(2);
@@ -162,65 +162,68 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(particles::rk4_step)> misconceptions{
     TUMBLE_UNIT,
     {{"all slopes weigh the same",
-      "The four slopes were averaged with equal weights. As in Simpson's rule, the middle weighs "
+      "You have averaged the four slopes with equal weights. As in Simpson's rule, the middle "
+      "weighs "
       "more than the ends.",
       "Runge–Kutta", with({.weights = {1 / 4., 1 / 4., 1 / 4., 1 / 4.}})},
      {"not divided by six",
-      "The slopes were added with their weights, which sum to 6. An average also divides by that.",
+      "You have added the slopes with their weights, which sum to 6. An average also divides by "
+      "that.",
       "Runge–Kutta", with({.weights = {1, 2, 2, 1}})},
      {"weights of another method",
       "The weights are 1, 3, 3, 1. They belong to the 3/8 rule, whose inner slopes are a third and "
       "two thirds of the way; here both are in the middle.",
       "Runge–Kutta", with({.weights = {1 / 8., 3 / 8., 3 / 8., 1 / 8.}})},
      {"middle weighs once",
-      "The two slopes in the middle were given the weight of one slope together, and the ends "
-      "twice "
-      "theirs: the weights are the wrong way round.",
+      "The two slopes in the middle weigh half as much as the ones at the ends: your weights are "
+      "the wrong way round.",
       "Runge–Kutta", with({.weights = {1 / 3., 1 / 6., 1 / 6., 1 / 3.}})},
      {"third slope from the first",
-      "The third slope was taken where the first one leads to, and is the second one again. Each "
-      "slope shows the way to the next.",
+      "You have taken the third slope where the first one leads to, so it is the second one again. "
+      "Each slope shows the way to the next.",
       "Runge–Kutta", with({.by = {0, 0, 0, 2}})},
      {"fourth slope from the second",
-      "The fourth slope was taken where the second one leads to. Each slope shows the way to the "
-      "next: the third has come in between.",
+      "You have taken the fourth slope where the second one leads to. Each slope shows the way to "
+      "the next: the third comes in between.",
       "Runge–Kutta", with({.by = {0, 0, 1, 1}})},
      {"fourth slope halfway",
-      "The fourth slope was looked at halfway, in time and state. It belongs to the end of the "
+      "You have looked at the fourth slope halfway, in time and state. It belongs to the end of "
+      "the "
       "step.",
       "Runge–Kutta", with({.at = {0, 0.5, 0.5, 0.5}, .along = {0, 0.5, 0.5, 0.5}})},
      {"only half of the way to the end",
-      "The fourth slope was taken at the time of the end, but the state was moved only half of the "
+      "You have taken the fourth slope at the time of the end, but moved the state only half of "
+      "the "
       "step. Time and state belong together.",
       "Runge–Kutta", with({.along = {0, 0.5, 0.5, 0.5}})},
      {"whole steps to look ahead",
-      "For the second and the third slope the state was moved a whole step. They are halfway.",
+      "For the second and the third slope you have moved the state a whole step. They are halfway.",
       "Runge–Kutta", with({.along = {0, 1, 1, 1}})},
      {"time stands still",
-      "All slopes were taken at the time t. When the state is moved on, the time is too.",
+      "You have taken all slopes at the time t. When the state moves on, the time does too.",
       "Runge–Kutta", with({.at = {0, 0, 0, 0}})},
      {"time of the middle too late",
-      "The second and the third slope were taken at the time t + h. They are halfway.",
+      "You have taken the second and the third slope at the time t + h. They are halfway.",
       "Runge–Kutta", with({.at = {0, 1, 1, 1}})},
      {"stages piled up",
-      "Each slope was looked at from where the one before was. All of them are looked at from the "
-      "same y.",
+      "You have started for each slope from where the one before was. Start for all of them from "
+      "the same y.",
       "Runge–Kutta", piled_up},
      {"h twice",
-      "The slopes were multiplied with h when they were taken, and their average once more.",
+      "You have multiplied the slopes by h when you took them, and their average once more.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return y + h * (reference(f, t, y, h) - y);
       }},
      {"h forgotten on the way",
-      "The slopes were added without the step when you looked ahead: h is missing in the states "
+      "To look ahead you have added the slopes without the step: h is missing in the states "
       "between.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step({}, f, t, y, h, 1);
       }},
-     {"only the change",
-      "This is by how much y changes, without y itself. Asked for is the new state.", "Runge–Kutta",
+     {"only the change", "This is by how much y changes, without y itself. Return the new state.",
+      "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return reference(f, t, y, h) - y;
       }},
@@ -232,15 +235,15 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
         return y + 0 * reference(f, t, y, h);
       }},
      {"midpoint method",
-      "This is the midpoint method of the unit before: one slope halfway. Here four slopes are "
-      "averaged.",
+      "This is the midpoint method of the exercise before: one slope halfway. Here average four "
+      "slopes.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return tumble::runge_kutta::midpoint_step(f, t, y, h);
       }},
      {"evaluated too often",
-      "The result is right, but the right-hand side was evaluated more than four times. In a large "
-      "scene this is what costs time: keep what it returns.",
+      "The result is right, but you have evaluated the right-hand side more than four times. In a "
+      "large scene this is what costs time: keep what it returns.",
       "Runge–Kutta", [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         f(t, y);
         return reference(f, t, y, h);

@@ -150,13 +150,13 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
     TUMBLE_UNIT,
     {{"root of the order",
-      "The q-th root of the error was taken. The error of many steps falls as h to the power q, "
-      "that of a single one by one power more.",
+      "You have taken the q-th root of the error. The error after many steps falls as h to the "
+      "power q, that of a single one by one power more.",
       "Adaptive steps",
       with_factor([](double error, int order) { return 0.9 * std::pow(error, -1. / order); })},
      {"no root",
-      "The step was divided by the error itself. With a step twice as long the error is not twice "
-      "as large, but larger by a power of two that depends on the order.",
+      "You have divided the step by the error itself. With a step twice as long the error is not "
+      "twice as large, but larger by a power of two that depends on the order.",
       "Adaptive steps", with_factor([](double error, int) { return 0.9 / error; })},
      {"upside down",
       "The step grows where the error is large, and shrinks where it is small. It should be the "
@@ -165,7 +165,7 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       with_factor([](double error, int order) { return 0.9 * std::pow(error, 1. / (order + 1)); })},
      {"whole numbers divided",
       "The step is 0.9 of what it was, whatever the error. In C++ the quotient of two whole "
-      "numbers is a whole number: the exponent came out as 0.",
+      "numbers is a whole number: your exponent is 0.",
       "Adaptive steps", with_factor([](double, int) { return 0.9; })},
      {"safety forgotten",
       "The next step would have an error of just 1, and half of all steps would fail by a hair. "
@@ -173,12 +173,12 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       "Adaptive steps",
       with_factor([](double error, int order) { return factor_of(error, order) / 0.9; })},
      {"safety under the root",
-      "The 0.9 was put under the root, where little is left of it. It multiplies the step.",
+      "You have put the 0.9 under the root, where little is left of it. It multiplies the step.",
       "Adaptive steps", with_factor([](double error, int order) {
         return std::pow(error / 0.9, -1. / (order + 1));
       })},
      {"safety after the limits",
-      "The factor was limited first and then multiplied by 0.9: so it ends at 0.18 and 9.",
+      "You have limited the factor first and then multiplied by 0.9, so it ends at 0.18 and 9.",
       "Adaptive steps",
       [](double h, double error, int order) {
         if (std::isnan(error)) return 0.2 * h;
@@ -196,13 +196,15 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       [](double h, double error, int order) {
         return std::isnan(error) ? 0.2 * h : h * std::fmin(factor_of(error, order), 10.);
       }},
-     {"no limits", "The factor was not limited, neither upwards nor downwards.", "Adaptive steps",
+     {"no limits", "You have not limited the factor, neither upwards nor downwards.",
+      "Adaptive steps",
       [](double h, double error, int order) {
         return std::isnan(error) ? 0.2 * h : h * factor_of(error, order);
       }},
      {"limits of the step itself",
-      "The step was kept between 0.2 and 10, in seconds. The limits are for the factor between it "
-      "and the step before.",
+      "You have kept the step between 0.2 and 10, in seconds. The limits are for the factor "
+      "between "
+      "it and the step before.",
       "Adaptive steps",
       [](double h, double error, int order) {
         return std::isnan(error) ? 0.2 * h : std::clamp(h * factor_of(error, order), 0.2, 10.);
@@ -218,7 +220,7 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
      {"always forwards", "The sign of h is lost: a step back in time is followed by one forwards.",
       "Adaptive steps",
       [](double h, double error, int order) { return std::abs(reference(h, error, order)); }},
-     {"factor only", "This is the factor. It has to be multiplied with the step that was tried.",
+     {"factor only", "This is the factor. Multiply the step that was tried by it.",
       "Adaptive steps", [](double, double error, int order) { return reference(1, error, order); }},
      {"longer or as it is",
       "After a step that may be kept the next one is never shorter, even if the error was only "
@@ -229,11 +231,12 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
                           : reference(h, error, order);
       }},
      {"halved or doubled",
-      "The step was halved where the error is too large, and else doubled. How much it is too "
-      "large says more than that.",
+      "You have halved the step where the error is too large, and doubled it otherwise. How much "
+      "too large the error is says more than that.",
       "Adaptive steps", [](double h, double error, int) { return error <= 1 ? 2 * h : h / 2; }},
      {"NaN passed on",
-      "An error of NaN gave a step of NaN, and from there on all is lost. Something went wrong in "
+      "For an error of NaN your step is NaN, and from there on all is lost. Something went wrong "
+      "in "
       "that step: try a shorter one.",
       "Adaptive steps",
       [](double h, double error, int order) {

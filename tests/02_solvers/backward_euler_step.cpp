@@ -211,7 +211,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("y' = λy: growth by 1/(1 − hλ) a step, down to hλ = −10¹², and no explosion") {
+  TEST_CASE("y' = λy: growth by 1/(1 − hλ) per step, down to hλ = −10¹², and no explosion") {
     for (const double z : {0.5, -0.5, -1., -3., -1e3, -1e6, -1e12}) {
       const double h = any_number(0.1, 1);
       const Problem problem = linear(z / h * MatrixXd::Identity(2, 2));
@@ -317,22 +317,22 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
         return tumble::runge_kutta::euler_step(f, t, y, h);
       }},
      {"a step back in time",
-      "The step leads back to t − h. Backward is where the slope is looked at, from the end of the "
-      "step; the time runs forwards.",
+      "Your step leads back to t − h. It is only the slope that you look at from behind, from the "
+      "end of the step; the time runs forwards.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
         return with_matrix(right_matrix)(f, dfdy, t, y, -h);
       }},
      {"one look ahead",
-      "The slope was taken where a step of Euler's method ends. That is not yet the place where "
-      "the backward step ends, and in a stiff problem it is far away from it.",
+      "You have taken the slope where a step of Euler's method ends. That is not yet the place "
+      "where the backward step ends, and in a stiff problem it is far away from it.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) -> VectorXd {
         return onward(y, h, f(t + h, tumble::runge_kutta::euler_step(f, t, y, h)));
       }},
      {"put back in again and again",
-      "y₁ was put into the right side again and again, without the Jacobian. Where a problem is "
-      "stiff this does not come nearer to the solution, but runs away from it.",
+      "You have put y₁ into the right side again and again, without the Jacobian: fixed-point "
+      "iteration. Where a problem is stiff this runs away from the solution.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian&, double t, const VectorXd& y, double h) {
         VectorXd y1 = y;
@@ -340,19 +340,20 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
         return y1;
       }},
      {"one round of Newton's method",
-      "This is where the first round leads to. For a linear right-hand side it is the solution, "
+      "This is where the first iteration leads to. For a linear right-hand side it is the "
+      "solution, "
       "for others it is only nearer: go on from there.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) -> VectorXd {
         return y + solvers::solve(identity(y) - h * dfdy(t + h, y), h * f(t + h, y));
       }},
      {"stopped too early",
-      "The rounds stopped at a correction of about a thousandth. The next one would still have "
+      "You have stopped at a correction of about a thousandth. The next one would still have "
       "changed the answer: go on until nothing but rounding is left.",
       "Implicit steps", with_matrix(right_matrix, 1e-3)},
      {"time of the start",
-      "The slope was taken with the state at the end, but at the time of the start. Both belong to "
-      "the end of the step.",
+      "You have taken the slope with the state at the end, but at the time of the start. Both "
+      "belong to the end of the step.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
         const auto at_start = [&](double, const VectorXd& z) { return f(t, z); };
@@ -360,7 +361,8 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
         return with_matrix(right_matrix)(at_start, dfdy_at_start, t, y, h);
       }},
      {"trapezoidal rule",
-      "The slopes at the start and at the end were averaged. That is the trapezoidal rule: more "
+      "You have averaged the slopes at the start and at the end. That is the trapezoidal rule: "
+      "more "
       "exact, but in a stiff problem it swings about the solution for long. Here the slope at the "
       "end counts alone.",
       "Implicit steps",
@@ -370,8 +372,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
             y, [&](const VectorXd& z) -> VectorXd { return y + h / 2 * (k0 + f(t + h, z)) - z; },
             [&](const VectorXd& z) -> MatrixXd { return identity(y) - h / 2 * dfdy(t + h, z); });
       }},
-     {"implicit midpoint",
-      "The slope was taken halfway between y and y₁. Here it is taken at the end.",
+     {"implicit midpoint", "You have taken the slope halfway between y and y₁. Take it at the end.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
         return newton(
@@ -384,30 +385,30 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
             });
       }},
      {"h forgotten in the matrix",
-      "In the matrix of Newton's method the Jacobian stands without the step. The rounds then lead "
-      "to the solution slowly or not at all: see what the derivative of the equation by y₁ is.",
+      "In the matrix of Newton's method the Jacobian stands without the step. So you come to the "
+      "solution slowly or not at all. What is the derivative of the equation with respect to y₁?",
       "Implicit steps", with_matrix([](const MatrixXd& hJ, double h) -> MatrixXd {
         return MatrixXd::Identity(hJ.rows(), hJ.cols()) - (h == 0 ? hJ : MatrixXd(hJ / h));
       })},
      {"sign of the Jacobian",
-      "In the matrix of Newton's method the Jacobian has the wrong sign. The rounds then lead to "
-      "the solution slowly or not at all: see what the derivative of the equation by y₁ is.",
+      "In the matrix of Newton's method the Jacobian has the wrong sign. So you come to the "
+      "solution slowly or not at all. What is the derivative of the equation with respect to y₁?",
       "Implicit steps", with_matrix([](const MatrixXd& hJ, double) -> MatrixXd {
         return MatrixXd::Identity(hJ.rows(), hJ.cols()) + hJ;
       })},
      {"identity forgotten",
-      "The matrix of Newton's method is made of the Jacobian alone. y₁ itself also stands in the "
+      "Your matrix of Newton's method is made of the Jacobian alone. y₁ itself also stands in the "
       "equation, and has a derivative.",
       "Implicit steps", with_matrix([](const MatrixXd& hJ, double) -> MatrixXd { return -hJ; })},
      {"Jacobian transposed",
-      "The Jacobian was used with its rows and columns exchanged. In row i stand the derivatives "
-      "of component i of f.",
+      "You have swapped the rows and columns of the Jacobian. Row i holds the derivatives of "
+      "component i of f.",
       "Implicit steps", with_matrix([](const MatrixXd& hJ, double) -> MatrixXd {
         return MatrixXd::Identity(hJ.rows(), hJ.cols()) - hJ.transpose();
       })},
      {"one round, at the start",
-      "This is one round of Newton's method with slope and Jacobian at the time of the start. They "
-      "belong to the end of the step, and one round is not enough.",
+      "This is one iteration of Newton's method with slope and Jacobian at the time of the start. "
+      "They belong to the end of the step, and one iteration is not enough.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) -> VectorXd {
         const VectorXd slope = f(t, y);

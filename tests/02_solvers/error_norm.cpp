@@ -166,32 +166,33 @@ const Misconceptions<decltype(solvers::error_norm)> misconceptions{
       "times.",
       "The error of a step", with_mean([](const Eigen::ArrayXd& r) { return r.square().mean(); })},
      {"sum for mean",
-      "The squares were added and not divided by their number, so that a larger state seems to err "
+      "You have added the squares and not divided by their number, so a larger state seems to err "
       "more.",
       "The error of a step",
       with_mean([](const Eigen::ArrayXd& r) { return std::sqrt(r.square().sum()); })},
      {"divided after the root",
-      "The root of the sum was divided by the number of components. The mean is taken first, of "
-      "the squares, and then the root of it.",
+      "You have divided the root of the sum by the number of components. Take the mean of the "
+      "squares first, and then its root.",
       "The error of a step", with_mean([](const Eigen::ArrayXd& r) {
         return std::sqrt(r.square().sum()) / static_cast<double>(r.size());
       })},
      {"largest component",
-      "This is the largest of the ratios. That is a norm too, a stricter one; here the root mean "
-      "square is asked for.",
+      "This is the largest of the ratios. That is a norm too, a stricter one. Here take the root "
+      "mean square.",
       "The error of a step", with_mean([](const Eigen::ArrayXd& r) { return r.abs().maxCoeff(); })},
      {"mean without squares",
-      "The ratios themselves were averaged. Here their squares are, and large ones count more.",
+      "You have averaged the ratios themselves. Average their squares, so that large ones count "
+      "more.",
       "The error of a step", with_mean([](const Eigen::ArrayXd& r) { return r.abs().mean(); })},
      {"not compared with what is allowed",
-      "This is the root mean square of the errors themselves. It says nothing as long as they are "
-      "not measured in units of what is allowed.",
+      "This is the root mean square of the errors themselves. It says nothing until you measure "
+      "them in units of what is allowed.",
       "The error of a step",
       [](const VectorXd& error, const VectorXd&, const VectorXd&, const Tolerances&) {
         return root_mean_square(error.array());
       }},
      {"one scale for the whole state",
-      "All components were measured by the size of the whole state. A small one beside a large "
+      "You have measured all components by the size of the whole state. A small one beside a large "
       "one may then be all wrong: each has its own scale.",
       "The error of a step",
       [](const VectorXd& error, const VectorXd& y0, const VectorXd& y1,
@@ -200,56 +201,61 @@ const Misconceptions<decltype(solvers::error_norm)> misconceptions{
         return root_mean_square(error.array() / (tolerances.absolute + tolerances.relative * size));
       }},
      {"size before only",
-      "Only the size before the step was looked at. Of the sizes before and after it the larger "
+      "You have looked only at the size before the step. Of the sizes before and after it the "
+      "larger "
       "one counts.",
       "The error of a step", with_allowed([](double y0, double, const Tolerances& tolerances) {
         return tolerances.absolute + tolerances.relative * std::abs(y0);
       })},
      {"size after only",
-      "Only the size after the step was looked at. Of the sizes before and after it the larger one "
-      "counts.",
+      "You have looked only at the size after the step. Of the sizes before and after it the "
+      "larger "
+      "one counts.",
       "The error of a step", with_allowed([](double, double y1, const Tolerances& tolerances) {
         return tolerances.absolute + tolerances.relative * std::abs(y1);
       })},
-     {"sizes averaged", "The sizes before and after the step were averaged. The larger one counts.",
+     {"sizes averaged",
+      "You have averaged the sizes before and after the step. The larger one counts.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return tolerances.absolute + tolerances.relative * (std::abs(y0) + std::abs(y1)) / 2;
       })},
-     {"sizes added", "The sizes before and after the step were added. Only the larger one counts.",
+     {"sizes added",
+      "You have added the sizes before and after the step. Only the larger one counts.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return tolerances.absolute + tolerances.relative * (std::abs(y0) + std::abs(y1));
       })},
      {"signs kept",
-      "The larger of the two numbers was taken, with its sign. A number such as −5 is of size 5: "
-      "first the sign goes, then the larger one is chosen.",
+      "You have taken the larger of the two numbers, with its sign. A number such as −5 has the "
+      "size 5: drop the signs first, then choose the larger one.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return tolerances.absolute + tolerances.relative * std::fmax(y0, y1);
       })},
      {"tolerances swapped",
-      "The relative and the absolute tolerance have changed places. The relative one belongs to "
-      "the size of the component.",
+      "The relative and the absolute tolerance are swapped. Multiply the relative one by the size "
+      "of the component.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return tolerances.relative + tolerances.absolute * std::fmax(std::abs(y0), std::abs(y1));
       })},
      {"larger tolerance for their sum",
-      "Of the absolute and the relative allowance the larger one was taken. Here they are added.",
+      "You have taken the larger one of the absolute and the relative allowance. Add them.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return std::fmax(tolerances.absolute,
                          tolerances.relative * std::fmax(std::abs(y0), std::abs(y1)));
       })},
      {"absolute tolerance forgotten",
-      "Only the relative tolerance was used. Where a component is zero it allows no error at all.",
+      "You have used the relative tolerance only. Where a component is zero it allows no error at "
+      "all.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return tolerances.relative * std::fmax(std::abs(y0), std::abs(y1));
       })},
      {"relative tolerance forgotten",
-      "Only the absolute tolerance was used. Of a large component it asks more digits than a "
+      "You have used the absolute tolerance only. Of a large component it wants more digits than a "
       "double has.",
       "The error of a step", with_allowed([](double, double, const Tolerances& tolerances) {
         return tolerances.absolute;
       })},
      {"zero over zero",
-      "The norm of an empty state came out as NaN: a sum of nothing was divided by the number of "
+      "Your norm of an empty state is NaN: you have divided a sum of nothing by the number of "
       "nothings.",
       "The error of a step",
       [](const VectorXd& error, const VectorXd& y0, const VectorXd& y1,

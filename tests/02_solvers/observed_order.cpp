@@ -166,12 +166,13 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
       "Observed order",
       [](const Numbers& h, const Numbers& errors) { return -reference(h, errors); }},
      {"no logarithms",
-      "This is the slope of the error against the step themselves. A power is a straight line only "
+      "This is the slope of the errors themselves against the steps. A power is a straight line "
+      "only "
       "where both axes are logarithmic.",
       "Observed order", [](const Numbers& h, const Numbers& errors) { return slope(h, errors); }},
      {"logarithm of the errors only",
-      "Only the errors' logarithm was taken. A power is a straight line only where both axes are "
-      "logarithmic.",
+      "You have taken the logarithm of the errors only. A power is a straight line only where both "
+      "axes are logarithmic.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) { return slope(h, logarithms(errors)); }},
      {"two kinds of logarithms",
@@ -179,20 +180,20 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
       "std::log10). Which one does not matter, but it has to be the same.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) { return reference(h, errors) / std::log(10); }},
-     {"last two points only", "Only the last two rows of the table were used. All of them count.",
-      "Observed order",
+     {"last two points only",
+      "You have used only the last two rows of the table. All of them count.", "Observed order",
       [](const Numbers& h, const Numbers& errors) {
         return slope_between(h, errors, h.size() - 2, h.size() - 1);
       }},
      {"first and last point only",
-      "Only the first and the last row of the table were used. All of them count.",
+      "You have used only the first and the last row of the table. All of them count.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) {
         return slope_between(h, errors, 0, h.size() - 1);
       }},
      {"mean of the slopes between neighbours",
-      "The slopes from each row to the next were averaged. Rows that are close together get too "
-      "much weight in this way.",
+      "You have averaged the slopes from each row to the next. In this way rows that are close "
+      "together get too much weight.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) {
         Numbers slopes;
@@ -201,7 +202,7 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
         return mean(slopes);
       }},
      {"every step taken for half of the one before",
-      "The logarithms of the errors' ratios were taken to the base 2. That is right where each "
+      "You have taken the logarithms of the errors' ratios to the base 2. That is right where each "
       "step is half of the one before; here the steps say by how much they differ.",
       "Observed order",
       [](const Numbers&, const Numbers& errors) {
@@ -211,7 +212,7 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
         return mean(orders);
       }},
      {"line through the origin",
-      "The line was made to go through the origin, where h and the error are 1. It goes through "
+      "You have made the line go through the origin, where h and the error are 1. It goes through "
       "the point of the two means: the constant C need not be 1.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) {
@@ -219,18 +220,18 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
         return products(x, 0, y, 0) / products(x, 0, x, 0);
       }},
      {"axes swapped",
-      "This is the slope of log h against log error, one over the order. The error is upwards, the "
-      "step is to the right.",
+      "This is the slope of log h against log error, one over the order. The error goes upwards, "
+      "the step to the right.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) { return reference(errors, h); }},
      {"horizontal distances",
-      "This line has the smallest horizontal distances from the points. Asked for are the vertical "
-      "ones, between errors: look at what you divide by.",
+      "This line has the smallest horizontal distances from the points. Take the vertical ones, "
+      "between errors: look at what you divide by.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) { return 1 / reference(errors, h); }},
      {"logarithms of the means",
-      "The steps and the errors were averaged, and then their logarithms taken. The other way "
-      "round: the means are those of the logarithms.",
+      "You have averaged the steps and the errors, and then taken the logarithms. Do it the other "
+      "way round: the means are those of the logarithms.",
       "Observed order", [](const Numbers& h, const Numbers& errors) {
         const Numbers x = logarithms(h), y = logarithms(errors);
         const double x0 = std::log(mean(h)), y0 = std::log(mean(errors));

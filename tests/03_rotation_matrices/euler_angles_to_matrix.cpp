@@ -155,24 +155,25 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rotation_matrices::euler_angles_to_matrix)> misconceptions{
     TUMBLE_UNIT,
     {{"fixed axes",
-      "The turns were made about the world's axes, which stay where they are. Here each turn is "
-      "about an axis of the body: look at the order of the three factors.",
+      "You have turned about the world's axes, which stay where they are. Here each turn is about "
+      "an axis of the body: look at the order of your three factors.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes& axes) -> Mat3 {
         return reference(a.reverse(), {axes[2], axes[1], axes[0]});
       }},
      {"turned the other way",
-      "Each turn has the wrong sense: a positive angle about z takes x towards y. Look at the "
-      "place of the minus sign.",
+      "Each of your turns goes the wrong way: a positive angle about z takes x towards y. Look at "
+      "the place of the minus sign.",
       "Columns are axes",
       [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(-a, axes); }},
      {"transposed",
-      "This matrix maps world → body. Here R maps body → world: its columns are the axes of the "
+      "Your matrix maps world → body. Here R maps body → world: its columns are the axes of the "
       "body.",
       "Columns are axes",
       [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(a, axes).transpose(); }},
      {"turn about y mirrored",
-      "Turns about x and z are right, but the one about y has the wrong sense. After y comes z, "
+      "Your turns about x and z are right, but the one about y goes the wrong way. After y comes "
+      "z, "
       "then x: a positive angle takes z towards x.",
       "Columns are axes",
       [](const Vec3& a, const Axes& axes) -> Mat3 {
@@ -182,29 +183,29 @@ const Misconceptions<decltype(rotation_matrices::euler_angles_to_matrix)> miscon
         return reference(mirrored, axes);
       }},
      {"degrees for radians",
-      "The angles were converted as if they came in degrees. They are in radians already.",
+      "You have converted the angles from degrees. They are in radians already.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(pi / 180 * a, axes); }},
      {"angles picked by axis",
-      "The angles were chosen by the number of the axis. They come in the order of the turns: the "
-      "first angle belongs to the first turn, whatever its axis is.",
+      "You have chosen the angles by the number of the axis. They come in the order of the turns: "
+      "the first angle belongs to the first turn, whatever its axis is.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes& axes) -> Mat3 {
         return reference({a[axes[0]], a[axes[1]], a[axes[2]]}, axes);
       }},
-     {"always x y z", "The axes were not looked at: these are turns about x, then y, then z.",
+     {"always x y z", "You don't look at the axes: these are turns about x, then y, then z.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes&) -> Mat3 { return reference(a, xyz); }},
      {"third axis assumed",
-      "The last turn was made about the axis that was still left. In sequences such as z x z the "
-      "first axis comes back.",
+      "You have made the last turn about the axis that was still left. In sequences such as z x z "
+      "the first axis comes back.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes& axes) -> Mat3 {
         return reference(a, {axes[0], axes[1], 3 - axes[0] - axes[1]});
       }},
      {"one turn about the sum",
-      "The three angles were added up as a vector and taken for a single turn. That is right for "
-      "tiny angles only: turns do not commute.",
+      "You have added the three angles as a vector and taken the sum for a single turn. That is "
+      "right for tiny angles only: turns do not commute.",
       "Euler angles and their order", [](const Vec3& a, const Axes& axes) -> Mat3 {
         Vec3 sum = Vec3::Zero();
         for (std::size_t n = 0; n < 3; ++n) sum[axes[n]] += a[static_cast<Eigen::Index>(n)];

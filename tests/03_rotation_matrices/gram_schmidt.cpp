@@ -128,27 +128,29 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
     TUMBLE_UNIT,
     {{"columns only normalised",
-      "The columns have length 1 now, but are not orthogonal: their parts along each other are "
-      "still in them.",
+      "Your columns have length 1 now, but they are not perpendicular: their parts along each "
+      "other "
+      "are still in them.",
       "Gram–Schmidt", [](const Mat3& M) -> Mat3 { return M.colwise().normalized(); }},
      {"not normalised",
-      "The columns are orthogonal, but have kept their lengths. The axes of a body have length 1.",
+      "Your columns are perpendicular, but have kept their lengths. The axes of a body have length "
+      "1.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
         const Mat3 R = reference(M);
         return R * (R.transpose() * M).diagonal().asDiagonal();
       }},
      {"rows for columns",
-      "The rows were made orthogonal one after the other, so that the first row has kept its "
+      "You have made the rows perpendicular one after the other, so the first row has kept its "
       "direction. The axes of the body are the columns.",
       "Columns are axes",
       [](const Mat3& M) -> Mat3 { return reference(M.transpose()).transpose(); }},
-     {"z first",
-      "The work began at the last column, and that one has kept its direction. It begins with x.",
+     {"z first", "You began with the last column, and it has kept its direction. Begin with x.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 { return -reference(-M.rowwise().reverse()).rowwise().reverse(); }},
      {"y left as it was",
-      "x and z are right, but y still has a part along x: it was scaled to length 1 and no more.",
+      "x and z are right, but y still has a part along x: you have scaled it to length 1 and done "
+      "no more.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
         Mat3 R = reference(M);
@@ -156,8 +158,8 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
         return R;
       }},
      {"projected onto a longer vector",
-      "The parts along another column were taken before that column had length 1. Such a part is "
-      "wrong by the square of its length.",
+      "You have taken the part along another column before that column had length 1. Such a part "
+      "is wrong by the square of its length.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
         Mat3 R = M;
@@ -166,21 +168,24 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
         return R.colwise().normalized();
       }},
      {"z cleaned of x only",
-      "z is orthogonal to x, but not to y. It has to lose its parts along both.", "Gram–Schmidt",
+      "z is perpendicular to x, but not to y. It has to lose its parts along both.", "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
         Mat3 R = reference(M);
         R.col(2) = without(M.col(2), R.col(0)).normalized();
         return R;
       }},
      {"left-handed",
-      "The last column points the wrong way, and the matrix is a reflection. With the thumb along "
-      "x and the forefinger along y, the middle finger of the right hand is z.",
+      "Your last column points the wrong way, and the matrix is a reflection. With your right "
+      "thumb "
+      "along x and the forefinger along y, the middle finger is z.",
       "Columns are axes",
       [](const Mat3& M) -> Mat3 { return reference(M) * Vec3(1, 1, -1).asDiagonal(); }},
      {"classical, not modified",
-      "Fine where the columns are far from parallel. Here y is not quite orthogonal to x, and the "
-      "part of z along y was taken from the column as it was given, with its large part along x "
-      "still in it. Take each part from what the last subtraction has left.",
+      "This is fine where the columns are far from parallel. Here y is not quite perpendicular to "
+      "x, "
+      "and you have taken the part of z along y from the column as it was given, with its large "
+      "part "
+      "along x still in it. Take each part from what the last subtraction has left.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
         Mat3 R = M;
@@ -191,6 +196,6 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
         return R;
       }},
      {"nearest rotation",
-      "This is the rotation nearest to M, which moves all three columns. Gram and Schmidt leave "
-      "the first where it is.",
+      "This is the rotation nearest to M, and it moves all three columns. Gram and Schmidt leave "
+      "the direction of the first.",
       "The nearest rotation", [](const Mat3& M) -> Mat3 { return tumble::nearest_rotation(M); }}}};

@@ -153,39 +153,39 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rotation_matrices::nearest_rotation)> misconceptions{
     TUMBLE_UNIT,
     {{"one Newton step",
-      "This is the first step of the iteration. It squares the error, which is enough for a small "
-      "drift and not for a large one: go on until nothing changes.",
+      "This is the first step of the iteration. It squares the error, and that is enough for a "
+      "small drift but not for a large one: go on until nothing changes.",
       "The nearest rotation",
       [](const Mat3& M) -> Mat3 { return tumble::rotation::newton_rotation_step(M); }},
      {"Gram–Schmidt",
-      "This is a rotation, but not the nearest: the first column was not moved at all, and the "
-      "others pay for it. All three should give way alike.",
+      "This is a rotation, but not the nearest: you have kept the direction of the first column, "
+      "and the others pay for it. All three should move alike.",
       "The nearest rotation",
       [](const Mat3& M) -> Mat3 { return tumble::rotation::gram_schmidt(M); }},
      {"Gram–Schmidt by rows",
-      "This is a rotation, but not the nearest: the first row was not moved at all, and the others "
-      "pay for it.",
+      "This is a rotation, but not the nearest: you have kept the direction of the first row, and "
+      "the others pay for it.",
       "The nearest rotation",
       [](const Mat3& M) -> Mat3 {
         return tumble::rotation::gram_schmidt(M.transpose()).transpose();
       }},
      {"columns only normalised",
-      "The columns have length 1 now, but are not orthogonal. A rotation needs both.", "Drift",
-      [](const Mat3& M) -> Mat3 { return M.colwise().normalized(); }},
+      "Your columns have length 1 now, but they are not perpendicular. A rotation needs both.",
+      "Drift", [](const Mat3& M) -> Mat3 { return M.colwise().normalized(); }},
      {"only the volume repaired",
-      "M was divided by one number until its determinant was 1. Shear and unequal stretches are "
+      "You have divided M by one number, and its determinant is 1. Shear and unequal stretches are "
       "still in it.",
       "Drift", [](const Mat3& M) -> Mat3 { return M / std::cbrt(M.determinant()); }},
      {"inverse not transposed",
-      "The average was taken with the inverse of X itself. That iteration forgets the orientation: "
-      "look where the cross products stand, in columns or in rows.",
+      "You have taken the mean with the inverse of X itself, and that iteration forgets the "
+      "orientation: look where your cross products stand, in columns or in rows.",
       "The nearest rotation",
       [](const Mat3& M) -> Mat3 {
         return after_100(M, [](const Mat3& X) -> Mat3 { return (X + X.inverse()) / 2; });
       }},
      {"not divided by the determinant",
-      "The cross products of the columns were used as they are. They make up the inverse only "
-      "after a division by the volume that the columns span; without it the steps run away.",
+      "You have used the cross products of the columns as they are. They make up the inverse only "
+      "when you divide by the volume that the columns span; without it the steps run away.",
       "The nearest rotation",
       [](const Mat3& M) -> Mat3 {
         return after_100(M, [](const Mat3& X) -> Mat3 {
@@ -195,8 +195,8 @@ const Misconceptions<decltype(rotation_matrices::nearest_rotation)> misconceptio
         });
       }},
      {"iteration without an inverse",
-      "Steps that use XᵀX in place of an inverse come home only from nearby: they overshoot where "
-      "M stretches by more than about √3.",
+      "Steps that use XᵀX in place of an inverse converge only from nearby: they overshoot where M "
+      "stretches by more than about √3.",
       "The nearest rotation", [](const Mat3& M) -> Mat3 {
         return after_100(M, [](const Mat3& X) -> Mat3 {
           return X * (3 * Mat3::Identity() - X.transpose() * X) / 2;

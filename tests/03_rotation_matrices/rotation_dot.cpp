@@ -112,8 +112,8 @@ const Misconceptions<decltype(rotation_matrices::rotation_dot)> misconceptions{
       "Angular velocity",
       [](const Mat3& R, const Vec3& omega) -> Mat3 { return -reference(R, omega); }},
      {"rows for columns",
-      "ω was multiplied with the rows of R. The axes of the body, which it carries along, are the "
-      "columns.",
+      "You have multiplied ω with the rows of R. The axes of the body, which ω carries along, are "
+      "the columns.",
       "Columns are axes",
       [](const Mat3& R, const Vec3& omega) -> Mat3 {
         return reference(R.transpose(), omega).transpose();
@@ -133,20 +133,19 @@ const Misconceptions<decltype(rotation_matrices::rotation_dot)> misconceptions{
       "Angular velocity",
       [](const Mat3&, const Vec3& omega) -> Mat3 { return tumble::rotation::skew(omega); }},
      {"rate added to R",
-      "R itself is contained in the result. What is wanted is the rate alone; the step is the "
-      "integrator's business.",
+      "Your result contains R itself. Return the rate alone; the step is the solver's business.",
       "Angular velocity",
       [](const Mat3& R, const Vec3& omega) -> Mat3 { return R + reference(R, omega); }},
      {"by way of the body axes",
-      "ω was taken into body axes first. That is the same only while Rᵀ is the inverse of R, and "
-      "this R has drifted.",
+      "You have taken ω into body axes first. That is the same only while Rᵀ is the inverse of R, "
+      "and this R has drifted.",
       "Drift",
       [](const Mat3& R, const Vec3& omega) -> Mat3 {
         return tumble::rotation::rotation_dot_body<double>(R, R.transpose() * omega);
       }},
      {"repaired on the way",
-      "The rate belongs to a rotation near R. A derivative takes the state as it is; repairing it "
-      "is a step of its own.",
+      "Your rate belongs to a rotation near R. A rate takes the state as it is; repair it between "
+      "the steps.",
       "Drift", [](const Mat3& R, const Vec3& omega) -> Mat3 {
         return reference(tumble::nearest_rotation(R), omega);
       }}}};

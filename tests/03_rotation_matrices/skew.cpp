@@ -67,13 +67,13 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
     TUMBLE_UNIT,
     {{"transposed",
-      "All signs are the other way round: this matrix makes b × a. Write out the first component "
-      "of a × b and compare it with the first row.",
+      "All signs are the other way round: your matrix makes b × a. Write out the first component "
+      "of a × b and compare it with your first row.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 { return tumble::rotation::skew(a).transpose(); }},
      {"minus signs forgotten",
-      "The matrix came out symmetric. Each component of a cross product is a difference, so that "
-      "in each row one of the two numbers has a minus.",
+      "Your matrix is symmetric. Each component of a cross product is a difference, so in each row "
+      "one of the two numbers has a minus.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 {
         Mat3 S;
@@ -92,8 +92,8 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
         return tumble::rotation::skew<double>({a.x(), -a.y(), a.z()});
       }},
      {"x and z swapped",
-      "The components were filled in as one reads, x first. The row for x holds everything but "
-      "a's x component.",
+      "You have filled in the components in the order in which you read them, x first. But the row "
+      "for x holds everything but a's x component.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 {
         return tumble::rotation::skew<double>({a.z(), a.y(), a.x()});
@@ -111,7 +111,7 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
       "stays in its place: the diagonal is empty.",
       "Angular velocity", [](const Vec3& a) -> Mat3 { return a.asDiagonal(); }},
      {"normalised",
-      "The vector was scaled to length 1. A cross product grows with its factors, and ω carries "
+      "You have scaled the vector to length 1. A cross product grows with its factors, and ω has "
       "the speed of the turn in its length.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 { return tumble::rotation::skew(Vec3(a.normalized())); }}}};

@@ -108,21 +108,22 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(quaternions::from_axis_angle)> misconceptions{
     TUMBLE_UNIT,
     {{"angle not halved",
-      "This turns by twice the angle: a point is multiplied by the quaternion from both sides.",
+      "Your quaternion turns by twice the angle: you multiply a point by it from both sides.",
       "Axis and angle",
       [](const Vec3& axis, double angle) { return of_half(angle, axis.normalized()); }},
      {"axis not normalised",
-      "The vector part grows with the length of the axis. Of the axis only the direction counts.",
+      "Your vector part grows with the length of the axis. Of the axis only the direction counts.",
       "Axis and angle", [](const Vec3& axis, double angle) { return of_half(angle / 2, axis); }},
      {"quaternion normalised instead of the axis",
-      "The result has length 1, but another angle: the length of the axis had already changed the "
+      "Your result has length 1, but another angle: the length of the axis had already changed the "
       "ratio of vector to scalar.",
       "Axis and angle",
       [](const Vec3& axis, double angle) -> Quaternion {
         return of_half(angle / 2, axis).stableNormalized();
       }},
      {"degrees for radians",
-      "The angle was taken for degrees and converted. It comes in radians, as the sine wants it.",
+      "You have taken the angle for degrees and converted it. It comes in radians, as the sine "
+      "wants it.",
       "Conventions",
       [](const Vec3& axis, double angle) {
         return reference::from_axis_angle(axis, angle * pi / 180);
@@ -136,12 +137,12 @@ const Misconceptions<decltype(quaternions::from_axis_angle)> misconceptions{
         return q;
       }},
      {"turned the other way",
-      "This turns by −angle: the quaternion from world to body. Here q takes body axes to world "
-      "axes.",
+      "Your quaternion turns by −angle: it leads from world to body. Here q takes body axes to "
+      "world axes.",
       "Conventions",
       [](const Vec3& axis, double angle) { return reference::from_axis_angle(axis, -angle); }},
      {"scalar stored last",
-      "The numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
+      "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions", [](const Vec3& axis, double angle) {
         return reference::store_scalar_last(reference::from_axis_angle(axis, angle));
       }}}};

@@ -134,26 +134,25 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(quaternions::from_matrix)> misconceptions{
     TUMBLE_UNIT,
     {{"the rotation backwards",
-      "This is the quaternion of Rᵀ. Look at the order in the differences across the diagonal.",
+      "This is the quaternion of Rᵀ. Look at the order in your differences of opposite entries.",
       "From a matrix",
       [](const Mat3& R) { return reference::conjugate(reference::from_matrix(R)); }},
      {"trace only",
-      "Everything was divided by w. That is right while w is not small, but at a half turn w is 0 "
-      "and close to it few digits are left. Some other number is large then.",
+      "You have divided everything by w. That is right while w is not small, but at a half turn w "
+      "is 0, and close to it few digits are left. Some other number is large then.",
       "From a matrix", [](const Mat3& R) { return through_w(R, 4); }},
      {"two branches for four",
-      "Where w is not large, x was taken to be. It may be y or z: a half turn about y has w = x = "
-      "0.",
+      "Where w is not large, you have taken x for the largest. It may be y or z: a half turn about "
+      "y has w = x = 0.",
       "From a matrix",
       [](const Mat3& R) { return R.trace() > 0 ? through_w(R, 4) : through_x(R); }},
      {"signs lost",
-      "All four numbers are positive: a square root has no sign. The entries off the diagonal know "
-      "the signs.",
+      "All your four numbers are positive: a square root has no sign. The entries off the diagonal "
+      "know the signs.",
       "From a matrix", [](const Mat3& R) { return roots(R); }},
      {"signs from the differences alone",
-      "The lengths come from four square roots, the signs from the differences across the "
-      "diagonal. "
-      "At a half turn these differences are 0 and know no sign.",
+      "You take the lengths from four square roots and the signs from the differences of opposite "
+      "entries. At a half turn these differences are 0 and know no sign.",
       "From a matrix",
       [](const Mat3& R) {
         const Quaternion q = roots(R);
@@ -162,11 +161,10 @@ const Misconceptions<decltype(quaternions::from_matrix)> misconceptions{
                           std::copysign(q[3], d.z()));
       }},
      {"vector part twice too long",
-      "The scalar is right, the vector part is double: the difference of two entries holds 4 w "
-      "times "
-      "a number of q.",
+      "Your scalar is right, your vector part is double: the difference of two entries holds 4 w "
+      "times a number of q.",
       "From a matrix", [](const Mat3& R) { return through_w(R, 2); }},
      {"scalar stored last",
-      "The numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
+      "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions",
       [](const Mat3& R) { return reference::store_scalar_last(reference::from_matrix(R)); }}}};

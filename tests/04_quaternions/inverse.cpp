@@ -92,16 +92,15 @@ const Misconceptions<decltype(quaternions::inverse)> misconceptions{
     TUMBLE_UNIT,
     {{"only conjugated",
       "This is the inverse of a unit quaternion only. Here q may have any length, and the length "
-      "of "
-      "the inverse is 1/|q|.",
+      "of the inverse is 1/|q|.",
       "The inverse", [](const Quaternion& q) { return reference::conjugate(q); }},
      {"divided by the length, not its square",
-      "The direction is right, but the result has length 1 whatever q is: q times its conjugate is "
-      "not |q|.",
+      "The direction is right, but your result has length 1 whatever q is: q times its conjugate "
+      "is |q|², not |q|.",
       "The inverse",
       [](const Quaternion& q) -> Quaternion { return reference::conjugate(q) / q.norm(); }},
      {"not conjugated",
-      "The length is right, but the turn goes on in the same direction instead of back.",
+      "The length is right, but your quaternion turns on in the same direction instead of back.",
       "The inverse",
       [](const Quaternion& q) -> Quaternion {
         return reference::conjugate(reference::inverse(q));
@@ -113,15 +112,14 @@ const Misconceptions<decltype(quaternions::inverse)> misconceptions{
         return -reference::conjugate(reference::inverse(q));
       }},
      {"sign of the scalar turned",
-      "This is minus the inverse: the same rotation, but q q⁻¹ must be 1 and is −1. Which part of "
-      "q "
-      "holds the direction of the axis?",
+      "This is minus the inverse. It is the same rotation, but q q⁻¹ must be 1 and yours is −1. "
+      "Which part of q holds the direction of the axis?",
       "The inverse", [](const Quaternion& q) -> Quaternion { return -reference::inverse(q); }},
      {"inverted entry by entry",
       "One over each number is not the inverse: the product mixes all four numbers.", "The inverse",
       [](const Quaternion& q) -> Quaternion { return q.cwiseInverse(); }},
      {"scalar stored last",
-      "The numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
+      "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions", [](const Quaternion& q) {
         return reference::store_scalar_last(reference::inverse(reference::read_scalar_last(q)));
       }}}};

@@ -59,25 +59,24 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(quaternions::product)> misconceptions{
     TUMBLE_UNIT,
     {{"operands swapped",
-      "This is b a. The product does not commute: look at the sign of the cross product.",
+      "This is b a. The product does not commute: look at the sign of your cross product.",
       "The product",
       [](const Quaternion& a, const Quaternion& b) { return reference::product(b, a); }},
      {"cross product forgotten",
-      "The vector part lacks the term that makes the product depend on the order.", "The product",
+      "Your vector part lacks the term that makes the product depend on the order.", "The product",
       [](const Quaternion& a, const Quaternion& b) -> Quaternion {
         return 0.5 * (reference::product(a, b) + reference::product(b, a));
       }},
      {"cross product with a wrong sign in y",
-      "The y component of the cross product has the wrong sign; x and z are right. The three "
-      "follow "
-      "from each other by going round x → y → z → x.",
+      "The y component of your cross product has the wrong sign; x and z are right. The three "
+      "follow from each other if you go round x → y → z → x.",
       "The product",
       [](const Quaternion& a, const Quaternion& b) {
         Quaternion c = reference::product(a, b);
         c[2] = reference::product(b, a)[2];
         return c;
       }},
-     {"dot product added", "The scalar part has the wrong sign on u·v: i² must be −1.",
+     {"dot product added", "Your scalar part has the wrong sign on u·v: i² must be −1.",
       "The product",
       [](const Quaternion& a, const Quaternion& b) {
         Quaternion c = reference::product(a, b);
@@ -85,18 +84,20 @@ const Misconceptions<decltype(quaternions::product)> misconceptions{
         return c;
       }},
      {"multiplied entry by entry",
-      "Quaternions do not multiply component by component, as a vector's array product does.",
+      "You have multiplied component by component, like two arrays. In a product of quaternions "
+      "every number meets every other.",
       "The product",
       [](const Quaternion& a, const Quaternion& b) -> Quaternion { return a.cwiseProduct(b); }},
      {"scalar stored last",
-      "The numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
+      "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions",
       [](const Quaternion& a, const Quaternion& b) {
         return reference::store_scalar_last(
             reference::product(reference::read_scalar_last(a), reference::read_scalar_last(b)));
       }},
      {"normalised",
-      "The result was scaled to length 1. The lengths of the factors multiply: |a b| = |a| |b|.",
+      "You have scaled the result to length 1. The lengths of the factors multiply: |a b| = |a| "
+      "|b|.",
       "The product", [](const Quaternion& a, const Quaternion& b) -> Quaternion {
         return reference::product(a, b).normalized();
       }}}};

@@ -111,49 +111,51 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(quaternions::quaternion_dot)> misconceptions{
     TUMBLE_UNIT,
     {{"factor ½ forgotten",
-      "The body would turn twice as fast: the quaternion holds half the angle.", "Angular velocity",
+      "With your rate the body turns twice as fast: the quaternion holds half the angle.",
+      "Angular velocity",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return 2 * reference::quaternion_dot(q, omega);
       }},
      {"ω taken in body axes",
-      "The factors are swapped. With ω on the other side the product is right for an ω in body "
-      "axes; "
-      "here ω is in world axes.",
+      "You have swapped the factors. With ω on the other side the product is right for an ω in "
+      "body axes; here ω is in world axes.",
       "Angular velocity",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return reference::product(q, pure(omega / 2));
       }},
      {"ω turned into body axes first",
-      "ω was turned by q⁻¹ and then used as if it were in world axes. It comes in world axes.",
+      "You have turned ω by q⁻¹ and then used it as if it were in world axes. It comes in world "
+      "axes.",
       "Angular velocity",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return reference::quaternion_dot(q, reference::to_matrix(q).transpose() * omega);
       }},
-     {"wrong sign of ω", "The body would turn backwards.", "Angular velocity",
+     {"wrong sign of ω", "With your rate the body turns backwards.", "Angular velocity",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return -reference::quaternion_dot(q, omega);
       }},
      {"scalar part 1 for ω",
-      "ω entered the product as ⟨1, ω⟩, which lets q grow. As a quaternion a vector has no scalar "
-      "part.",
+      "You have put ω into the product as ⟨1, ω⟩, and that lets q grow. As a quaternion a vector "
+      "has no scalar part.",
       "Angular velocity",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return reference::quaternion_dot(q, omega) + q / 2;
       }},
      {"q normalised first",
-      "The rate is that of q/|q|. It is linear in q: between an integrator's steps the length is "
-      "none of its business.",
+      "This is the rate of q/|q|. The rate is linear in q: repair the length between the steps, "
+      "not here.",
       "Drift",
       [](const Quaternion& q, const Vec3& omega) {
         return reference::quaternion_dot(q.normalized(), omega);
       }},
      {"rate normalised",
-      "The result has length 1. A rate is no rotation: its length says how fast q moves.", "Drift",
+      "Your result has length 1. A rate is not a rotation: its length says how fast q moves.",
+      "Drift",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return reference::quaternion_dot(q, omega).stableNormalized();
       }},
      {"scalar stored last",
-      "The numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
+      "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions", [](const Quaternion& q, const Vec3& omega) {
         return reference::store_scalar_last(
             reference::quaternion_dot(reference::read_scalar_last(q), omega));

@@ -110,39 +110,38 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(quaternions::rotate)> misconceptions{
     TUMBLE_UNIT,
     {{"turned the other way",
-      "This is q⁻¹ p q, which takes world axes to body axes. Look at which side the inverse "
-      "stands.",
+      "This is q⁻¹ p q, which takes world axes to body axes. Look at the side on which your "
+      "inverse stands.",
       "Rotating a point",
       [](const Quaternion& q, const Vec3& p) { return between(reference::inverse(q), p, q); }},
      {"conjugate for inverse",
-      "The direction is right, but the point is scaled by |q|². Conjugate and inverse are the same "
+      "The direction is right, but you scale the point by |q|². Conjugate and inverse are the same "
       "for unit quaternions only, and q drifts.",
       "Drift",
       [](const Quaternion& q, const Vec3& p) { return between(q, p, reference::conjugate(q)); }},
      {"divided by the length, not its square",
-      "The direction is right, but the point is scaled by |q|: q stands in the product twice.",
+      "The direction is right, but you scale the point by |q|: q stands in the product twice.",
       "Drift",
       [](const Quaternion& q, const Vec3& p) -> Vec3 {
         return between(q, p, reference::conjugate(q)) / q.norm();
       }},
      {"multiplied from one side only",
       "This is the vector part of q p. One factor alone turns by half the angle and leaves a "
-      "scalar "
-      "part behind; the second factor finishes the turn.",
+      "scalar part behind; the second factor finishes the turn.",
       "Rotating a point",
       [](const Quaternion& q, const Vec3& p) { return between(q, p, reference::one); }},
      {"q on both sides",
       "This is q p q. What stands on the right must undo what stands on the left.",
       "Rotating a point", [](const Quaternion& q, const Vec3& p) { return between(q, p, q); }},
      {"result normalised",
-      "The point was put on the unit sphere. It is a place, not a direction: its distance from the "
-      "origin has to stay.",
+      "You have put the point on the unit sphere. It is a place, not a direction: its distance "
+      "from the origin has to stay.",
       "Rotating a point",
       [](const Quaternion& q, const Vec3& p) -> Vec3 {
         return reference::rotate(q, p).stableNormalized();
       }},
      {"scalar stored last",
-      "The numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
+      "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions", [](const Quaternion& q, const Vec3& p) {
         return reference::rotate(reference::read_scalar_last(q), p);
       }}}};

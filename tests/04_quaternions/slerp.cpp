@@ -133,15 +133,16 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(quaternions::slerp)> misconceptions{
     TUMBLE_UNIT,
     {{"the long way round",
-      "Where a·b is negative, the path goes the long way: q and −q are one rotation, and the one "
-      "that is nearer to a has to be the goal.",
+      "Where a·b is negative, you go the long way: q and −q are one rotation, and your goal has to "
+      "be the one that is nearer to a.",
       "Slerp",
       [](const Quaternion& a, const Quaternion& b, double t) -> Quaternion {
         const double cosine = std::clamp(a.dot(b), -1., 1.);
         return cosine == 1 ? a : arc(a, b, std::acos(cosine), t);
       }},
      {"sign of the angle's cosine only",
-      "The angle between a and b was made small, but b itself was not turned to the side of a.",
+      "You have made the angle between a and b small, but you have not changed the sign of b "
+      "itself.",
       "Slerp",
       [](const Quaternion& a, const Quaternion& b, double t) -> Quaternion {
         // Exact for small angles too: who makes this mistake may have taken care of those.
@@ -150,18 +151,17 @@ const Misconceptions<decltype(quaternions::slerp)> misconceptions{
         return acute == 0 ? a : arc(a, b, acute, t);
       }},
      {"straight line, not normalised",
-      "The point is on the chord from a to b, inside the sphere: its length is not 1.", "Slerp",
+      "Your point is on the chord from a to b, inside the sphere: its length is not 1.", "Slerp",
       [](const Quaternion& a, const Quaternion& b, double t) { return line(a, nearer(a, b), t); }},
      {"straight line, then normalised",
-      "The path is right, the pace is not: faster in the middle than at the ends. The angle has to "
-      "grow in proportion to t.",
+      "Your path is right, your pace is not: it is faster in the middle than at the ends. The "
+      "angle has to grow in proportion to t.",
       "Slerp",
       [](const Quaternion& a, const Quaternion& b, double t) -> Quaternion {
         return line(a, nearer(a, b), t).normalized();
       }},
      {"straight line too early",
-      "Where a and b are near each other, the arc was replaced by a straight line, and they are "
-      "not "
+      "Where a and b are near each other, you replace the arc by a straight line, and they are not "
       "near enough for that: the difference is far above rounding.",
       "Slerp",
       [](const Quaternion& a, const Quaternion& b, double t) -> Quaternion {
@@ -177,22 +177,21 @@ const Misconceptions<decltype(quaternions::slerp)> misconceptions{
         return arc(a, nearer(a, b), std::acos(std::abs(a.dot(b))), t);
       }},
      {"stuck where b is close to a",
-      "Where the cosine between a and b is rounded to 1, the result is a. They may still be 1e-8 "
-      "rad apart: the small step towards b is missing.",
+      "Where the cosine between a and b is rounded to 1, you return a. They may still be 1e-8 rad "
+      "apart: the small step towards b is missing.",
       "Slerp",
       [](const Quaternion& a, const Quaternion& b, double t) {
         return std::abs(a.dot(b)) >= 1 ? a : reference::slerp(a, b, t);
       }},
      {"angle of the turn for the angle between the quaternions",
-      "The angle between two quaternions is half the angle of the turn from one to the other. On "
-      "the "
-      "sphere of quaternions the former counts.",
+      "The angle between two quaternions is half the angle of the turn from one to the other. You "
+      "have taken the turn's, but on the sphere of quaternions the other one counts.",
       "Slerp",
       [](const Quaternion& a, const Quaternion& b, double t) -> Quaternion {
         const double cosine = std::fmin(std::abs(a.dot(b)), 1);
         return cosine == 1 ? a : arc(a, nearer(a, b), 2 * std::acos(cosine), t);
       }},
-     {"a and b swapped", "The way is right, but t runs from b to a: at t = 0 you must be at a.",
+     {"a and b swapped", "Your way is right, but t runs from b to a: at t = 0 you must be at a.",
       "Slerp", [](const Quaternion& a, const Quaternion& b, double t) {
         return reference::slerp(b, a, t);
       }}}};

@@ -107,30 +107,29 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(quaternions::to_matrix)> misconceptions{
     TUMBLE_UNIT,
     {{"transposed",
-      "This matrix takes world axes to body axes. Its columns, not its rows, have to be the body's "
+      "Your matrix takes world axes to body axes. Its columns, not its rows, have to be the body's "
       "axes in the world: look at the signs of the terms with w.",
       "Conventions",
       [](const Quaternion& q) -> Mat3 { return reference::to_matrix(q).transpose(); }},
      {"length ignored",
       "This is right for unit quaternions only. Here q may have drifted, and then the columns of "
-      "this matrix have neither length 1 nor right angles between them.",
+      "your matrix have neither length 1 nor right angles between them.",
       "Drift", [](const Quaternion& q) { return for_unit(q, 2); }},
      {"scaled by the squared length",
-      "The columns are orthogonal, but as long as |q|²: with w² + x² − y² − z² on the diagonal the "
-      "matrix grows with q.",
+      "Your columns are perpendicular, but as long as |q|²: with w² + x² − y² − z² on the diagonal "
+      "the matrix grows with q.",
       "Drift",
       [](const Quaternion& q) -> Mat3 { return q.squaredNorm() * reference::to_matrix(q); }},
      {"divided by the length, not its square",
       "Each term is a product of two numbers of q, so it grows with the square of the length.",
       "Drift", [](const Quaternion& q) { return for_unit(q, 2 / q.norm()); }},
      {"factor 2 forgotten",
-      "Besides the 1, every term is half of what it should be. Try a half turn about z: x has to "
-      "go "
-      "to −x, not to 0.",
+      "Besides the 1, each of your terms is half of what it should be. Try a half turn about z: x "
+      "has to go to −x, not to 0.",
       "To a matrix", [](const Quaternion& q) { return for_unit(q, 1 / q.squaredNorm()); }},
      {"signs of one pair swapped",
-      "The two entries with w x have each other's sign; the rest is right. Compare with the "
-      "rotation about x.",
+      "You have swapped the signs of the two entries with w x; the rest is right. Compare with the "
+      "turn about x.",
       "To a matrix",
       [](const Quaternion& q) {
         Mat3 R = reference::to_matrix(q);
@@ -138,6 +137,6 @@ const Misconceptions<decltype(quaternions::to_matrix)> misconceptions{
         return R;
       }},
      {"scalar stored last",
-      "The numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
+      "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions",
       [](const Quaternion& q) { return reference::to_matrix(reference::read_scalar_last(q)); }}}};

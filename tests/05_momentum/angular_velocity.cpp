@@ -139,68 +139,67 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(momentum::angular_velocity)> misconceptions{
     TUMBLE_UNIT,
     {{"not turned",
-      "The tensor in body axes was multiplied with L in world axes. A product needs both in the "
-      "same axes: the orientation has to come in.",
+      "You have multiplied the tensor in body axes with L in world axes. A product needs both "
+      "in the same frame: bring in the orientation.",
       "Frames of reference",
       [](const Mat3&, const Mat3& I_body_inv, const Vec3& L) -> Vec3 { return I_body_inv * L; }},
      {"turned the wrong way",
-      "L was turned by R, which takes body axes to world axes, and the result back by its "
-      "transpose. It has to be the other way round: L is in world axes.",
+      "You have turned L by R, which takes body axes to world axes, and the result back by its "
+      "transpose. Do it the other way round: L is in world axes.",
       "Frames of reference",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
         return reference(R.transpose(), I_body_inv, L);
       }},
      {"turned twice the same way",
-      "R stands on both sides of the tensor. What turns L into the body's axes has to undo what "
+      "R stands on both sides of your tensor. What turns L into body axes has to undo what "
       "turns ω out of them.",
       "Frames of reference",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) -> Vec3 {
         return R * (I_body_inv * (R * L));
       }},
-     {"left in body axes",
-      "This is ω in the axes of the body. It was not turned back into those of the world.",
+     {"left in body axes", "This is ω in body axes. You have not turned it back into world axes.",
       "Frames of reference",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) -> Vec3 {
         return I_body_inv * (R.transpose() * L);
       }},
      {"L not turned into body axes",
-      "The tensor in body axes was multiplied with L in world axes, and only the result was "
-      "turned.",
+      "You have multiplied the tensor in body axes with L in world axes, and turned only the "
+      "result.",
       "Frames of reference",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) -> Vec3 {
         return R * (I_body_inv * L);
       }},
      {"inverted once more",
-      "This is as if L were an angular velocity and ω a momentum: the tensor itself was used, not "
-      "its inverse. What is given as I_body_inv is inverted already.",
+      "This is as if L were an angular velocity and ω a momentum: you have used the tensor "
+      "itself, not its inverse. What you are given as I_body_inv is inverted already.",
       "Angular momentum",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
         return reference(R, I_body_inv.inverse(), L);
       }},
      {"divided component by component",
-      "The components of L in body axes were divided by the numbers on the diagonal. They are "
-      "inverse moments already, and the other six numbers of the tensor count too.",
+      "You have divided the components of L in body axes by the numbers on the diagonal. They "
+      "are inverse moments already, and the other six numbers of the tensor count too.",
       "Angular momentum",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) -> Vec3 {
         return R * (R.transpose() * L).cwiseQuotient(I_body_inv.diagonal());
       }},
      {"diagonal only",
-      "Only the three numbers on the diagonal of the tensor were used. That is right while the "
+      "You have used only the three numbers on the diagonal of the tensor. That is right if the "
       "body's axes are its principal axes; here they need not be.",
       "Angular momentum",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
         return reference(R, I_body_inv.diagonal().asDiagonal(), L);
       }},
      {"diagonal only, and not turned",
-      "Each component of L was multiplied with one number of the tensor. That is right for an "
-      "upright body with its principal axes along the world's, and for no other.",
+      "You have multiplied each component of L with one number of the tensor. That is right for "
+      "an upright body with its principal axes along the world's, and for no other.",
       "Angular momentum",
       [](const Mat3&, const Mat3& I_body_inv, const Vec3& L) -> Vec3 {
         return I_body_inv.diagonal().cwiseProduct(L);
       }},
      {"a single moment",
-      "The tensor was replaced by one number, the mean of its diagonal, so that ω is along L. Only "
-      "a ball turns like that.",
+      "You have replaced the tensor by one number, the mean of its diagonal, so ω is along L. "
+      "Only a ball turns like that.",
       "Angular momentum", [](const Mat3&, const Mat3& I_body_inv, const Vec3& L) -> Vec3 {
         return I_body_inv.trace() / 3 * L;
       }}}};

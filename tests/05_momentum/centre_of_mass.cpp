@@ -158,26 +158,26 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(momentum::centre_of_mass)> misconceptions{
     TUMBLE_UNIT,
     {{"masses ignored",
-      "This is the middle of the places, each counted once. A heavy point pulls the centre towards "
-      "itself: a place has to count as much as its mass.",
+      "You have taken the middle of the places, each counted once. A heavy point pulls the "
+      "centre towards itself: count a place as much as its mass.",
       "Centre of mass",
       [](const Points& points) -> Vec3 {
         return sum_of_places(points) / static_cast<double>(points.size());
       }},
      {"divided by the number of points",
-      "The sum of mass times place was divided by how many points there are. Then the result is "
-      "not even a length: look at its unit.",
+      "You have divided the sum of mass times place by the number of points. The result is not "
+      "even a length: look at its unit.",
       "Centre of mass",
       [](const Points& points) -> Vec3 {
         return moment_of(points) / static_cast<double>(points.size());
       }},
      {"not divided",
-      "This is the sum of mass times place, in kg m. Twice as many kilograms at the same places "
-      "must not move the centre.",
+      "This is the sum of mass times place, in kg m. If you double all masses, the centre must "
+      "not move.",
       "Centre of mass", [](const Points& points) -> Vec3 { return moment_of(points); }},
      {"middle of the bounding box",
-      "This is halfway between the smallest and the largest coordinates. It does not feel how many "
-      "points there are on either side, nor how heavy they are.",
+      "You are halfway between the smallest and the largest coordinates. That point does not "
+      "feel how many points there are on either side, nor how heavy they are.",
       "Centre of mass",
       [](const Points& points) -> Vec3 {
         Vec3 low = points.front().position, high = low;
@@ -187,20 +187,20 @@ const Misconceptions<decltype(momentum::centre_of_mass)> misconceptions{
         }
         return (low + high) / 2;
       }},
-     {"last point left out", "The last of the points was not looked at: check where the loop ends.",
-      "Centre of mass",
+     {"last point left out",
+      "You have left out the last of the points: check where your loop ends.", "Centre of mass",
       [](const Points& points) -> Vec3 {
         const Points some(points.begin(), points.end() - 1);
         return moment_of(some) / mass_of(some);
       }},
      {"first point left out",
-      "The first of the points was not looked at: check where the loop begins.", "Centre of mass",
+      "You have left out the first of the points: check where your loop begins.", "Centre of mass",
       [](const Points& points) -> Vec3 {
         const Points some(points.begin() + 1, points.end());
         return moment_of(some) / mass_of(some);
       }},
      {"whole kilograms only",
-      "The total mass has lost its fractions, as happens in a sum whose type is int; in "
+      "Your total mass has lost its fractions, as happens in a sum whose type is int. In "
       "std::accumulate the type is that of the starting value.",
       "Centre of mass",
       [](const Points& points) -> Vec3 {
@@ -209,13 +209,13 @@ const Misconceptions<decltype(momentum::centre_of_mass)> misconceptions{
         return moment_of(points) / mass;
       }},
      {"measured from the first point",
-      "This is the way from the first point to the centre, not the centre itself, which is "
+      "You return the offset from the first point to the centre. The centre itself is a point, "
       "measured from the world's origin.",
       "Frames of reference",
       [](const Points& points) -> Vec3 { return reference(points) - points.front().position; }},
      {"halfway to each next point",
-      "The centre so far and the next point were given equal weight, one point after the other. "
-      "What has been gathered so far is heavier than one point.",
+      "You have given the centre so far and the next point equal weight, one point after the "
+      "other. What you have gathered so far is heavier than one point.",
       "Centre of mass", [](const Points& points) -> Vec3 {
         Vec3 centre = points.front().position;
         for (std::size_t i = 1; i < points.size(); ++i) centre = (centre + points[i].position) / 2;

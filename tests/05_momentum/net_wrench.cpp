@@ -186,34 +186,35 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
     TUMBLE_UNIT,
     {{"weight forgotten",
-      "The forces of the list are all there, but not the body's weight, which is not one of them.",
+      "You have added up the forces of the list, but not the body's weight, which is not one of "
+      "them.",
       "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3&, const Forces& forces) {
         return reference(mass, x, R, zero, forces);
       }},
      {"g taken for a force",
-      "g was added as it is. It is an acceleration: a heavy body is pulled harder than a light "
-      "one.",
+      "You have added g as it is. It is an acceleration: a heavy body is pulled harder than a "
+      "light one.",
       "Weight",
       [](double, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         return reference(1, x, R, g, forces);
       }},
      {"weight upwards",
-      "The weight has the wrong sign. g is a vector which already points to where things fall.",
+      "Your weight has the wrong sign. g is a vector that already points to where things fall.",
       "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         return reference(mass, x, R, -g, forces);
       }},
      {"weight once for each force",
-      "The weight was added as often as there are other forces: look at what stands inside the "
-      "loop.",
+      "You have added the weight as often as there are other forces: look at what stands inside "
+      "your loop.",
       "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         return reference(mass, x, R, static_cast<double>(forces.size()) * g, forces);
       }},
      {"the weight turns",
-      "The weight has a torque here, about the origin of the world. It acts at the centre of mass, "
-      "and torques are asked for about the centre of mass.",
+      "Your weight has a torque, about the origin of the world. It acts at the centre of mass, "
+      "and we want torques about the centre of mass.",
       "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) -> Wrench {
         Wrench sum = reference(mass, x, R, g, forces);
@@ -221,49 +222,50 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
         return sum;
       }},
      {"points not turned",
-      "The arms were left in body axes, while the forces are in world axes. A point of the body "
-      "turns with it.",
+      "You have left the arms in body axes, while the forces are in world axes. A point of the "
+      "body turns with it.",
       "Frames of reference",
       [](double mass, const Vec3& x, const Mat3&, const Vec3& g, const Forces& forces) {
         return reference(mass, x, Mat3::Identity(), g, forces);
       }},
      {"points turned the wrong way",
-      "The points were turned from world axes to body axes, in which they already are. R takes the "
-      "body's axes to the world's.",
+      "You have turned the points from world axes to body axes, in which they already are. R "
+      "takes body axes to world axes.",
       "Frames of reference",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         return reference(mass, x, R.transpose(), g, forces);
       }},
      {"forces turned as well",
-      "The forces were turned by R together with their points. They are in world axes already.",
+      "You have turned the forces by R together with their points. They are in world axes "
+      "already.",
       "Frames of reference",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, Forces forces) {
         for (ForceAtBodyPoint& each : forces) each.force = R * each.force;
         return reference(mass, x, R, g, forces);
       }},
      {"torque left in body axes",
-      "The torque was worked out in body axes and not turned back. The force is in world axes, and "
-      "so the torque has to be.",
+      "You have worked out the torque in body axes and not turned it back. The force is in "
+      "world axes, and so the torque has to be.",
       "Frames of reference",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) -> Wrench {
         const Wrench sum = reference(mass, x, R, g, forces);
         return {sum.force, R.transpose() * sum.torque};
       }},
      {"torque about the world's origin",
-      "The arms begin at the origin of the world. A free body turns about its centre of mass, so "
-      "they have to begin there.",
+      "Your arms begin at the origin of the world. A free body turns about its centre of mass, "
+      "so let them begin there.",
       "Force and torque",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         return with_arms(mass, g, forces, [&](const Vec3& p) { return x + R * p; });
       }},
      {"turned the other way",
-      "All torques have the wrong sign: the factors of the cross product are swapped, or the arm "
-      "points from the force to the centre.",
+      "All your torques have the wrong sign: the factors of the cross product are swapped, or "
+      "the arm points from the force to the centre.",
       "Force and torque",
       [](double mass, const Vec3&, const Mat3& R, const Vec3& g, const Forces& forces) {
         return with_arms(mass, g, forces, [&](const Vec3& p) { return -(R * p); });
       }},
-     {"only the last force", "Each force has replaced the one before it: they have to be added up.",
+     {"only the last force", "Each force has replaced the one before it. Add them up.",
       "Force and torque",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         const std::size_t n = forces.size();
@@ -272,8 +274,8 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
         return reference(mass, x, R, g, last);
       }},
      {"arms and forces summed first",
-      "One torque was made of the sum of the arms and the sum of the forces. Then every force also "
-      "turns with the arms of all the others.",
+      "You have made one torque, of the sum of the arms and the sum of the forces. Now every "
+      "force also turns with the arms of all the others.",
       "Force and torque",
       [](double mass, const Vec3&, const Mat3& R, const Vec3& g, const Forces& forces) -> Wrench {
         Vec3 arms = zero, sum = zero;
@@ -284,9 +286,9 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
         return {mass * g + sum, arms.cross(sum)};
       }},
      {"only the part towards the centre pushes",
-      "The part of a force across its arm was left out of the sum of the forces, as if it were "
-      "used "
-      "up by the turning. It turns the body and pushes it too, with all its strength.",
+      "You have left the part of a force that is perpendicular to its arm out of the sum of the "
+      "forces, as if turning used it up. It turns the body and pushes it too, with all its "
+      "strength.",
       "Force and torque",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) -> Wrench {
         Wrench sum = reference(mass, x, R, g, forces);

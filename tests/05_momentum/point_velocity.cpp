@@ -134,28 +134,28 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(momentum::point_velocity)> misconceptions{
     TUMBLE_UNIT,
     {{"point not turned",
-      "p_body was multiplied with ω as it is. It is in body axes, and ω is in world axes: a cross "
-      "product needs both in the same.",
+      "You have multiplied p_body with ω as it is. It is in body axes, and ω is in world axes: "
+      "a cross product needs both in the same frame.",
       "Frames of reference",
       [](const Vec3&, const Mat3&, const Vec3& v, const Vec3& omega, const Vec3& p_body) -> Vec3 {
         return v + omega.cross(p_body);
       }},
      {"turned the wrong way",
-      "The point was turned from world axes to body axes, where it already was. R takes the body's "
-      "axes to the world's.",
+      "You have turned the point from world axes to body axes, where it already was. R takes "
+      "body axes to world axes.",
       "Frames of reference",
       [](const Vec3& x, const Mat3& R, const Vec3& v, const Vec3& omega, const Vec3& p_body) {
         return reference(x, R.transpose(), v, omega, p_body);
       }},
      {"circling the other way",
-      "The point moves against the spin: the factors of the cross product are swapped.",
+      "Your point moves against the spin: the factors of the cross product are swapped.",
       "Velocity of a point",
       [](const Vec3& x, const Mat3& R, const Vec3& v, const Vec3& omega, const Vec3& p_body) {
         return reference(x, R, v, -omega, p_body);
       }},
      {"arm from the world's origin",
-      "The point circles around the origin of the world here. It circles around the centre of "
-      "mass: the arm begins there, wherever that is.",
+      "Your point circles around the origin of the world. It circles around the centre of mass: "
+      "the arm begins there, wherever that is.",
       "Velocity of a point",
       [](const Vec3& x, const Mat3& R, const Vec3& v, const Vec3& omega,
          const Vec3& p_body) -> Vec3 { return v + omega.cross(x + R * p_body); }},
@@ -166,33 +166,34 @@ const Misconceptions<decltype(momentum::point_velocity)> misconceptions{
         return reference(x, R, Vec3::Zero(), omega, p_body);
       }},
      {"spin left out",
-      "This is the velocity of the centre of mass. Only a body that does not spin moves with it "
-      "as a whole.",
+      "This is the velocity of the centre of mass. Only if a body does not spin do all its "
+      "points move like that.",
       "Velocity of a point",
       [](const Vec3&, const Mat3&, const Vec3& v, const Vec3&, const Vec3&) { return v; }},
      {"ω taken in body axes",
-      "ω was turned by R, as if it came in body axes; or the cross product was made in body axes "
-      "with an ω in world axes. Here ω is in world axes already.",
+      "You have turned ω by R, as if it came in body axes; or you have computed the cross "
+      "product in body axes, with an ω in world axes. Here ω is in world axes already.",
       "Frames of reference",
       [](const Vec3& x, const Mat3& R, const Vec3& v, const Vec3& omega, const Vec3& p_body) {
         return reference(x, R, v, R * omega, p_body);
       }},
      {"left in body axes",
-      "What the spin does was worked out in body axes and added to v, which is in world axes: it "
-      "was not turned back.",
+      "You have worked out in body axes what the spin does, and added it to v, which is in "
+      "world axes. You have not turned it back.",
       "Frames of reference",
       [](const Vec3&, const Mat3& R, const Vec3& v, const Vec3& omega, const Vec3& p_body) -> Vec3 {
         return v + (R.transpose() * omega).cross(p_body);
       }},
      {"place added",
-      "The position of the centre of mass was added to a velocity: metres to metres per second. "
-      "How fast a point moves does not depend on where its body is.",
+      "You have added the position of the centre of mass to a velocity: metres to metres per "
+      "second. How fast a point moves does not depend on where its body is.",
       "Velocity of a point",
       [](const Vec3& x, const Mat3& R, const Vec3& v, const Vec3& omega,
          const Vec3& p_body) -> Vec3 { return x + reference(x, R, v, omega, p_body); }},
      {"digits lost on the way through the world",
-      "The arm was found as the place of the point minus that of the centre. Far from the origin "
-      "that difference has few digits left, though the arm itself is known to all of them.",
+      "You have found the arm as the place of the point minus that of the centre. Far from the "
+      "origin that difference has few digits left, though you know the arm itself to all of "
+      "them.",
       "Far from the origin",
       [](const Vec3& x, const Mat3& R, const Vec3& v, const Vec3& omega,
          const Vec3& p_body) -> Vec3 {

@@ -122,27 +122,27 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(momentum::torque)> misconceptions{
     TUMBLE_UNIT,
     {{"turned the other way",
-      "The torque has the wrong sign. Either the factors of the cross product are swapped, or the "
-      "arm points from the point to the centre instead of from the centre to the point.",
+      "Your torque has the wrong sign. Either the factors of the cross product are swapped, or "
+      "your arm points from the point to the centre instead of from the centre to the point.",
       "Force and torque",
       [](const Vec3& F, const Vec3& p, const Vec3& x) -> Vec3 { return -reference(F, p, x); }},
      {"about the world's origin",
       "This is the torque about the origin of the world. A free body turns about its centre of "
-      "mass, so that the arm has to begin there.",
+      "mass, so let the arm begin there.",
       "Force and torque",
       [](const Vec3& F, const Vec3& p, const Vec3&) { return reference(F, p, Vec3::Zero()); }},
      {"centre added to the point",
-      "The centre of mass was added to the point, as if p were measured from the centre. Here p is "
-      "a place in the world already.",
+      "You have added the centre of mass to the point, as if p were measured from the centre. "
+      "Here p is a place in the world already.",
       "Frames of reference",
       [](const Vec3& F, const Vec3& p, const Vec3& x) { return reference(F, p, -x); }},
      {"component by component",
-      "The components of arm and force were multiplied each with its own. A force along the arm "
-      "does not turn anything: what counts is the force across it.",
+      "You have multiplied each component of the arm with the same one of the force. But a "
+      "force along the arm does not turn anything: what counts is the part perpendicular to it.",
       "Force and torque",
       [](const Vec3& F, const Vec3& p, const Vec3& x) -> Vec3 { return (p - x).cwiseProduct(F); }},
      {"minus signs forgotten",
-      "Each component of a cross product is a difference; here the two products were added.",
+      "Each component of a cross product is a difference. You have added the two products.",
       "Force and torque",
       [](const Vec3& F, const Vec3& p, const Vec3& x) -> Vec3 {
         const Vec3 r = p - x;
@@ -150,22 +150,22 @@ const Misconceptions<decltype(momentum::torque)> misconceptions{
                 r.x() * F.y() + r.y() * F.x()};
       }},
      {"sign of y",
-      "The components along x and z are right, the one along y has the wrong sign. It begins with "
-      "z: in a cross product the order is x, y, z, x, y.",
+      "Your components along x and z are right, and the one along y has the wrong sign. It "
+      "begins with z: in a cross product the order is x, y, z, x, y.",
       "Force and torque",
       [](const Vec3& F, const Vec3& p, const Vec3& x) -> Vec3 {
         return reference(F, p, x).cwiseProduct(Vec3(1, -1, 1));
       }},
      {"arm normalised",
-      "The arm was scaled to length 1. Twice as long a lever turns twice as hard: its length "
-      "counts.",
+      "You have scaled the arm to length 1. A lever twice as long turns twice as hard, so its "
+      "length counts.",
       "Force and torque",
       [](const Vec3& F, const Vec3& p, const Vec3& x) -> Vec3 {
         return (p - x).stableNormalized().cross(F);
       }},
      {"digits lost far from the origin",
-      "Near the origin this is right. Far from it two huge numbers cancel that had to be rounded "
-      "before: form the arm first, multiply afterwards.",
+      "Near the origin you are right. Far from it you subtract two huge numbers that were "
+      "rounded before: subtract first to get the arm, and multiply afterwards.",
       "Far from the origin", [](const Vec3& F, const Vec3& p, const Vec3& x) -> Vec3 {
         return p.cross(F) - x.cross(F);
       }}}};

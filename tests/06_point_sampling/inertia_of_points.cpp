@@ -200,8 +200,9 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         return 2 * diagonal_of(I) - I;
       }},
      {"along the axis instead of across",
-      "On the diagonal stands the square of each axis's own coordinate. A turn about x is as hard "
-      "as the mass is far from the axis x: the two other coordinates count.",
+      "On your diagonal stands the square of each axis's own coordinate. How hard a "
+      "turn about x is depends on how far the mass is from the axis x: take the two "
+      "other coordinates.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {
@@ -209,16 +210,17 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         });
       }},
      {"only r rᵀ",
-      "This is the sum of m r rᵀ: how the mass is spread along the axes. The inertia tensor holds "
-      "how far it is from them, so this is only the part that is taken away.",
+      "This is the sum of m r rᵀ: how the mass is spread along the axes. You want how "
+      "far it is from them, and this sum is only the part that you take away.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return sum_of(points, about,
                       [](double mass, const Vec3& r) -> Mat3 { return mass * outer(r); });
       }},
      {"distance from the point, not from the axis",
-      "Each number on the diagonal has the square of the whole distance in it, and there are no "
-      "products. A point on the axis x does not resist a turn about x, however far away it is.",
+      "Each number on your diagonal holds the square of the whole distance, and there "
+      "are no products. A point on the axis x does not resist a turn about x, however "
+      "far away it is.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {
@@ -226,8 +228,8 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         });
       }},
      {"whole distance on the diagonal",
-      "The products are right, but each number on the diagonal has the square of the whole "
-      "distance in it. The coordinate along the axis itself does not count.",
+      "Your products are right, but each number on the diagonal holds the square of the "
+      "whole distance. The coordinate along the axis itself does not count.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {
@@ -235,30 +237,30 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         });
       }},
      {"products forgotten",
-      "The diagonal is right, but the numbers off it are zero. They vanish only for a body that "
-      "has the axes for its axes of symmetry.",
+      "Your diagonal is right, but the numbers off it are zero. They vanish only for a "
+      "body that is symmetric about these axes.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return diagonal_of(reference(points, about));
       }},
      {"one half left empty",
-      "Only the numbers on and above the diagonal are there. The tensor is symmetric: each product "
-      "stands in two places.",
+      "You have filled only the diagonal and what is above it. The tensor is symmetric: "
+      "each product stands in two places.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) -> Mat3 {
         return reference(points, about).triangularView<Eigen::Upper>();
       }},
      {"masses ignored",
-      "Each point was counted like one of 1 kg. What is heavy is hard to turn: each term grows "
-      "with its mass.",
+      "You have counted each point as if it had 1 kg. What is heavy is hard to turn: "
+      "multiply each term by its mass.",
       "The discrete inertia sum",
       [](Points points, const Vec3& about) {
         for (PointMass& point : points) point.mass = 1;
         return reference(points, about);
       }},
      {"distance not squared",
-      "The distances stand in it without their squares: look at the unit, kg m². Twice as far away "
-      "is four times as hard to turn.",
+      "Your distances are not squared: look at the unit, kg m². A point twice as far "
+      "away is four times as hard to turn.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {
@@ -267,20 +269,20 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         });
       }},
      {"divided by the mass",
-      "The sum was divided by the total mass, as for a centre of mass. An inertia is not a mean: "
-      "twice as much mass is twice as hard to turn.",
+      "You have divided the sum by the total mass, as for a centre of mass. An inertia "
+      "is not a mean: twice as much mass is twice as hard to turn.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) -> Mat3 {
         return points.empty() ? Mat3::Zero() : Mat3(reference(points, about) / mass_of(points));
       }},
      {"about the world's origin",
-      "The arrows begin at the origin of the world. They have to begin at the point that the "
-      "inertia is asked for about.",
+      "Your arrows begin at the origin of the world. Let them begin at the point "
+      "`about`.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3&) { return reference(points, origin); }},
      {"about the centre of mass",
-      "The arrows begin at the centre of mass. Here the inertia is asked for about a given point, "
-      "which need not be the centre.",
+      "Your arrows begin at the centre of mass. Here you are given a point, and it need "
+      "not be the centre.",
       "Parallel axes",
       [](const Points& points, const Vec3&) -> Mat3 {
         return points.empty() ? Mat3::Zero() : reference(points, centre(points));
@@ -293,14 +295,14 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         if (points.empty()) return Mat3::Zero();
         return tumble::point_inertia(mass_of(points), centre(points) - about);
       }},
-     {"only the last point", "Each point has replaced the one before it: they have to be added up.",
+     {"only the last point", "Each point has replaced the one before it: add them up.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) -> Mat3 {
         return points.empty() ? Mat3::Zero() : reference({points.back()}, about);
       }},
      {"digits lost far from the origin",
-      "Near the origin this is right. Far from it huge numbers cancel that had to be rounded "
-      "before: take the difference of the places first, and square afterwards.",
+      "Near the origin this is right. Far from it you subtract huge numbers that were "
+      "rounded before. Take the difference of the places first, and square afterwards.",
       "Far from the origin", [](const Points& points, const Vec3& about) -> Mat3 {
         Vec3 moment = Vec3::Zero();
         for (const auto& [mass, position] : points) moment += mass * position;

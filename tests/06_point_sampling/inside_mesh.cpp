@@ -356,54 +356,56 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
     TUMBLE_UNIT,
     {{"edges counted twice",
-      "A ray that meets an edge was counted for both of its triangles, as if it had passed two "
-      "walls; at a corner it was counted even more often. It has to be counted once.",
+      "You have counted a ray that meets an edge for both of its triangles, as if it "
+      "had passed two walls, and at a corner even more often. Count it once.",
       "A ray that meets an edge",
       [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, closed) % 2 == 1; }},
      {"edges never counted",
-      "A ray that meets an edge or a corner was not counted at all, as if there were a gap between "
-      "the triangles. It has to be counted once.",
+      "You have not counted a ray that meets an edge or a corner, as if there were a "
+      "gap between the triangles. Count it once.",
       "A ray that meets an edge",
       [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, open) % 2 == 1; }},
      {"each triangle rounds for itself",
-      "On which side of an edge a ray passes was rounded in one way for one of its triangles and "
-      "in another way for the other: so both of them may count, or none. Let the numbers that "
-      "decide be the very same for both.",
+      "On which side of an edge does the ray pass? You have rounded that in one way for "
+      "one of its triangles and in another way for the other, so both of them may "
+      "count, or none. Let the numbers that decide be the very same for both.",
       "A ray that meets an edge",
       [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, half_open) % 2 == 1; }},
      {"any hit is inside",
-      "A point from which a ray meets the surface was taken to be inside. A ray from outside may "
-      "go in and out again: what counts is how often it does.",
+      "You have taken a point to be inside if its ray meets the surface. But a ray from "
+      "outside may go in and out again: ask how often it does.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, half_open) > 0; }},
      {"exactly one hit",
-      "A point was taken to be inside if a ray meets the surface just once. From inside a body "
-      "with notches or of several parts it may leave, come in and leave again.",
+      "You have taken a point to be inside if its ray meets the surface just once. But "
+      "a ray from inside a body with notches, or of several parts, may leave, come in "
+      "and leave again.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, half_open) == 1; }},
      {"nothing is inside",
-      "Your answer is always false. Do hits behind the point count too? A line goes in as often as "
-      "it "
-      "comes out, so its hits are never odd in number. A ray begins at the point.",
+      "Your answer is always false. Do you count hits behind the point? A line goes in "
+      "as often as it comes out, so its hits are never odd in number. A ray begins at "
+      "the point.",
       "Is a point inside?", [](const Mesh&, const Vec3&) { return false; }},
      {"planes for triangles",
-      "Where the ray meets the plane of a triangle was counted, wherever in the plane that is. It "
-      "has to be in the triangle.",
+      "You have counted where the ray meets the plane of a triangle, wherever in the "
+      "plane that is. It has to meet the triangle.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) {
         const auto always = [](const Vec3&, const Vec3&, const Vec3&, const Vec3&) { return true; };
         return hits(mesh, p, always) % 2 == 1;
       }},
      {"in the box around it",
-      "The point was compared with the box around the mesh. Much of that box may be outside of the "
-      "body.",
+      "You have compared the point with the box around the mesh. Much of that box may "
+      "be outside of the body.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) {
         return !mesh.triangles.empty() && bounds_of(mesh).contains(p);
       }},
      {"behind all triangles",
-      "A point was taken to be inside if it is on the inner side of all triangles. That is right "
-      "for a convex body only: a notch's walls have the body on either side.",
+      "You have taken a point to be inside if it is on the inner side of all triangles. "
+      "That is right only for a convex body: the walls of a notch have the body on "
+      "either side.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) {
         return !mesh.triangles.empty() &&
@@ -413,16 +415,17 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
      {"everything is inside", "Your answer is always true, even for a mesh without triangles.",
       "Is a point inside?", [](const Mesh&, const Vec3&) { return true; }},
      {"behind some triangle",
-      "A point was taken to be inside if it is on the inner side of any triangle. There is "
-      "one such on the far side of every body.",
+      "You have taken a point to be inside if it is on the inner side of any triangle. "
+      "Every body has such a triangle on its far side.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) {
         return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                            [&](const Triangle& t) { return is_behind(mesh, t, p); });
       }},
      {"the triangle with the nearest middle decides",
-      "The side of one triangle has decided, the one whose middle is nearest. Large triangles have "
-      "their middles far away, and near an edge the other triangle may be the right one to ask.",
+      "You have let one triangle decide, the one whose middle is nearest. Large "
+      "triangles have their middles far away, and near an edge the other triangle may "
+      "be the right one to ask.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) {
         const auto distance = [&](const Triangle& t) {
@@ -434,8 +437,8 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
         return nearest != mesh.triangles.end() && is_behind(mesh, *nearest, p);
       }},
      {"solid angles without a sign",
-      "The solid angles were added up with their signs lost. What the surface shows of its front "
-      "has to cancel what it shows of its back: that is how the sum comes to zero outside.",
+      "You have added up the solid angles without their signs. From outside, the fronts "
+      "that you see cancel the backs: only so does the sum become zero.",
       "Is a point inside?",
       [](const Mesh& mesh, const Vec3& p) {
         return solid_angle(mesh, p, [](double product, double sum) {
@@ -443,8 +446,8 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
                }) > 2 * std::numbers::pi;
       }},
      {"arc tangent of a quotient",
-      "Large solid angles came out wrong. The arc tangent of a quotient cannot tell an angle from "
-      "one that is half a turn larger; the one with two arguments can.",
+      "Your large solid angles are wrong. The arc tangent of a quotient cannot tell an "
+      "angle from one that is half a turn larger; the one with two arguments can.",
       "Is a point inside?", [](const Mesh& mesh, const Vec3& p) {
         return solid_angle(mesh, p, [](double product, double sum) {
                  return 2 * std::atan(product / sum);

@@ -180,82 +180,83 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(point_sampling::parallel_axis)> misconceptions{
     TUMBLE_UNIT,
     {{"in one step from point to point",
-      "The arrow from one point to the other was used. The law holds between the centre of mass "
-      "and a point: between two other points the way leads through the centre.",
+      "You have used the arrow from one point to the other. The law holds between the "
+      "centre of mass and a point: between two other points, go through the centre.",
       "Parallel axes",
       [](const Mat3& I, double mass, const Vec3&, const Vec3& from, const Vec3& to) -> Mat3 {
         return I + point_inertia(mass, to - from);
       }},
      {"taken for the one about the centre",
-      "I was moved as if it were about the centre of mass. Here it is about the point `from`, so "
-      "that part of it has to go first.",
+      "You have moved I as if it were about the centre of mass. Here it is about the "
+      "point `from`, so take that part away first.",
       "Parallel axes",
       [](const Mat3& I, double mass, const Vec3& centre, const Vec3&, const Vec3& to) -> Mat3 {
         return I + point_inertia(mass, centre - to);
       }},
      {"added twice",
-      "Something was added on both legs of the way. On the way to the centre of mass a body gets "
-      "easier to turn.",
+      "You have added something on both legs of the way. On the way to the centre of "
+      "mass a body gets easier to turn: subtract there.",
       "Parallel axes",
       [](const Mat3& I, double mass, const Vec3& centre, const Vec3& from, const Vec3& to) -> Mat3 {
         return I + point_inertia(mass, centre - from) + point_inertia(mass, centre - to);
       }},
      {"added and taken away the wrong way round",
-      "What belongs to `from` was added, and what belongs to `to` was taken away. About the centre "
-      "of mass a body has the least: what is away from it has more.",
+      "You have added what belongs to `from`, and taken away what belongs to `to`. "
+      "About the centre of mass a body has the least: away from it, it has more.",
       "Parallel axes",
       [](const Mat3& I, double mass, const Vec3& centre, const Vec3& from, const Vec3& to) -> Mat3 {
         return I + point_inertia(mass, centre - from) - point_inertia(mass, centre - to);
       }},
      {"stopped at the centre",
-      "This is the inertia about the centre of mass. The second leg of the way, to the point that "
-      "was asked for, is missing.",
+      "This is the inertia about the centre of mass. The second leg of the way is "
+      "missing, the one to the point `to`.",
       "Parallel axes",
       [](const Mat3& I, double mass, const Vec3& centre, const Vec3& from, const Vec3&) -> Mat3 {
         return I - point_inertia(mass, centre - from);
       }},
      {"products with a plus",
-      "What is added off the diagonal has the wrong sign: it is made like the products of a point "
-      "mass, and those carry the minus sign.",
+      "What you add off the diagonal has the wrong sign. Make it like the products of a "
+      "point mass: those carry the minus sign.",
       "The discrete inertia sum", with([](double mass, const Vec3& d) -> Mat3 {
         const Mat3 tensor = point_inertia(mass, d);
         return 2 * diagonal_of(tensor) - tensor;
       })},
      {"distance of the points, not of the axes",
-      "m d² was added to the whole diagonal and nothing off it. What counts for each axis is the "
-      "distance of that axis from its parallel: along the arrow d it is none.",
+      "You have added m d² to the whole diagonal and nothing off it. For each axis take "
+      "the distance to its parallel: for the axis along d that is zero.",
       "Parallel axes", with([](double mass, const Vec3& d) -> Mat3 {
         return mass * d.squaredNorm() * Mat3::Identity();
       })},
      {"only d dᵀ",
-      "Only m d dᵀ was taken, with a plus. It is the smaller part of the law, and the one that "
-      "is subtracted.",
+      "You have taken only m d dᵀ, with a plus. It is the smaller part of the law, and "
+      "the one that you subtract.",
       "Parallel axes", with([](double mass, const Vec3& d) -> Mat3 { return mass * outer(d); })},
      {"diagonal only",
-      "The diagonal is right, but the products were left as they were. They belong to the point "
-      "too, unless the arrow lies along an axis.",
+      "Your diagonal is right, but you have left the products as they were. They change "
+      "as well, unless the arrow lies along an axis.",
       "Parallel axes",
       with([](double mass, const Vec3& d) -> Mat3 { return diagonal_of(point_inertia(mass, d)); })},
      {"mass forgotten",
-      "Square metres were added to kg m²: the mass is missing. A heavy body gains more than a "
-      "light one.",
+      "You have added square metres to kg m²: the mass is missing. A heavy body gains "
+      "more than a light one.",
       "Parallel axes", with([](double, const Vec3& d) -> Mat3 { return point_inertia(1, d); })},
      {"measured from the origin",
-      "The arrows begin at the origin of the world. They have to begin, or end, at the centre of "
-      "mass.",
+      "Your arrows begin at the origin of the world. Let them begin, or end, at the "
+      "centre of mass.",
       "Parallel axes",
       [](const Mat3& I, double mass, const Vec3&, const Vec3& from, const Vec3& to) -> Mat3 {
         return I - point_inertia(mass, from) + point_inertia(mass, to);
       }},
      {"added to each number",
-      "m d² was added to all nine numbers of the tensor. A number does not add to a matrix like "
-      "that: what is added is a tensor itself.",
+      "You have added m d² to all nine numbers of the tensor. What you add has to be a "
+      "tensor itself, not a number.",
       "Parallel axes", with([](double mass, const Vec3& d) -> Mat3 {
         return mass * d.squaredNorm() * Mat3::Ones();
       })},
      {"digits lost on the way over the origin",
-      "Near the origin this is right. Far from it a huge tensor was added and taken away again, "
-      "and the small one in it was lost to rounding: go by way of the centre of mass.",
+      "Near the origin this is right. Far from it you have added a huge tensor and "
+      "taken it away again, and rounding has eaten the small one in it. Go by way of "
+      "the centre of mass.",
       "Far from the origin",
       [](const Mat3& I, double mass, const Vec3& centre, const Vec3& from, const Vec3& to) -> Mat3 {
         const Mat3 about_origin =

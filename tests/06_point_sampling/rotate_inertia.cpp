@@ -129,26 +129,26 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(point_sampling::rotate_inertia)> misconceptions{
     TUMBLE_UNIT,
     {{"turned the wrong way",
-      "The transpose of R stands on the left and R on the right. That takes a tensor from world "
-      "axes to body axes; here it comes in body axes.",
+      "You have the transpose of R on the left and R on the right. That takes a tensor "
+      "from world axes to body axes; yours comes in body axes.",
       "Turning a tensor",
       [](const Mat3& R, const Mat3& I_body) { return reference(R.transpose(), I_body); }},
      {"turned from the left only",
-      "The columns of the tensor were turned, its rows were not. It takes a vector and gives a "
-      "vector, and both have to be in world axes.",
+      "You have turned the columns of the tensor, but not its rows. It takes a vector "
+      "and gives a vector, and both have to be in world axes.",
       "Turning a tensor", [](const Mat3& R, const Mat3& I_body) -> Mat3 { return R * I_body; }},
      {"turned from the right only",
-      "The rows of the tensor were turned, its columns were not. It takes a vector and gives a "
-      "vector, and both have to be in world axes.",
+      "You have turned the rows of the tensor, but not its columns. It takes a vector "
+      "and gives a vector, and both have to be in world axes.",
       "Turning a tensor",
       [](const Mat3& R, const Mat3& I_body) -> Mat3 { return (R * I_body).transpose(); }},
      {"R on both sides",
-      "R stands on both sides. One of them has to undo what the other one does: on the right, "
-      "world axes have to become body axes.",
+      "You have R on both sides. One side has to undo what the other one does: on the "
+      "right, go from world axes to body axes.",
       "Turning a tensor", [](const Mat3& R, const Mat3& I_body) { return between(R, I_body, R); }},
      {"transposed on both sides",
-      "The transpose of R stands on both sides. One of them has to undo what the other one does: "
-      "on the left, body axes have to become world axes.",
+      "You have the transpose of R on both sides. One side has to undo what the other "
+      "one does: on the left, go from body axes to world axes.",
       "Turning a tensor",
       [](const Mat3& R, const Mat3& I_body) {
         return between(R.transpose(), I_body, R.transpose());
@@ -157,28 +157,28 @@ const Misconceptions<decltype(point_sampling::rotate_inertia)> misconceptions{
       "This is the tensor in body axes. In world axes its numbers change while the body turns.",
       "Turning a tensor", [](const Mat3&, const Mat3& I_body) { return I_body; }},
      {"diagonal only",
-      "Only the three numbers on the diagonal were turned. The body's axes need not be its "
-      "principal axes: the products count too.",
+      "You have turned only the three numbers on the diagonal. The body's axes need not "
+      "be its principal axes: turn the products too.",
       "Turning a tensor",
       [](const Mat3& R, const Mat3& I_body) {
         return reference(R, I_body.diagonal().asDiagonal());
       }},
      {"products dropped",
-      "The tensor was turned rightly, but only its diagonal was kept. In world axes even a box has "
-      "products, as soon as it is not upright.",
+      "You have turned the tensor correctly, but kept only its diagonal. In world axes "
+      "even a box has products, as soon as it is not upright.",
       "Turning a tensor",
       [](const Mat3& R, const Mat3& I_body) -> Mat3 {
         return reference(R, I_body).diagonal().asDiagonal();
       }},
      {"moments turned like a vector",
-      "The three moments were turned by R as if they were a vector, which can even make them "
-      "negative. A tensor has two sides to be turned.",
+      "You have turned the three moments by R as if they were a vector, which can even "
+      "make them negative. Turn a tensor from both sides.",
       "Turning a tensor",
       [](const Mat3& R, const Mat3& I_body) -> Mat3 {
         return (R * I_body.diagonal()).asDiagonal();
       }},
      {"inverted",
-      "This is the inverse of the tensor, turned. It is what takes L to ω; asked for is what takes "
+      "This is the inverse of the tensor, turned. It takes L to ω; you want what takes "
       "ω to L.",
       "Turning a tensor",
       [](const Mat3& R, const Mat3& I_body) -> Mat3 { return reference(R, I_body.inverse()); }}}};

@@ -325,31 +325,31 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(point_sampling::sample_mass_properties)> misconceptions{
     TUMBLE_UNIT,
     {{"corners for middles",
-      "Each cell was asked for at its corner with the smallest coordinates. All that is counted "
-      "then sits half a cell too low, in each direction.",
+      "You have tested each cell at its corner with the smallest coordinates. So the "
+      "whole body ends up half a cell too low, in each direction.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const Grid grid{low, high, n};
         return with(found(inside, grid, 0, n), density * grid.cell().prod());
       }},
      {"from end to end",
-      "The points go from one face of the box to the opposite one. Those on the faces stand for "
-      "half as much as the others, or less: ask in the middle of each cell.",
+      "Your points go from one face of the box to the opposite one. Those on the faces "
+      "stand for half as much as the others, or less: ask in the middle of each cell.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const Grid grid{low, high, n};
         return with(found(inside, grid, 0, std::max(n - 1, 1)), density * grid.cell().prod());
       }},
      {"a cubic metre for each point",
-      "Each point was given the mass of a cubic metre. It stands for one cell: more points must "
-      "not make a body heavier.",
+      "You have given each point the mass of a cubic metre. It stands for one cell: "
+      "more points must not make a body heavier.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         return with(found(inside, Grid{low, high, n}), density);
       }},
      {"the full box shared out",
-      "All the mass that the box could hold was shared out among the points inside. The cells "
-      "outside are empty: their part of it is missing.",
+      "You have shared out all the mass that the box could hold among the points "
+      "inside. But the cells outside are empty: their part is missing.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const Grid grid{low, high, n};
@@ -357,39 +357,41 @@ const Misconceptions<decltype(point_sampling::sample_mass_properties)> misconcep
         return with(places, density * grid.volume() / static_cast<double>(places.size()));
       }},
      {"density forgotten",
-      "The mass is the volume, and the inertia that of a body of 1 kg/m³: the density was left "
-      "out.",
+      "Your mass is the volume, and your inertia that of a body of 1 kg/m³: multiply by "
+      "the density.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double) {
         return reference(inside, low, high, n, 1);
       }},
      {"inertia of points of 1 kg",
-      "Mass and centre are right, but in the inertia each point counts as 1 kg instead of the mass "
-      "of its cell.",
+      "Your mass and centre are right, but in the inertia each point counts as 1 kg. "
+      "Give it the mass of its cell.",
       "The discrete inertia sum",
       changed([](MassProperties& body, const Grid& grid, double density) {
         body.inertia /= density * grid.cell().prod();
       })},
      {"inertia about the world's origin",
-      "Mass and centre are right, but the inertia is the one about the origin of the world.",
+      "Your mass and centre are right, but your inertia is the one about the origin of "
+      "the world.",
       "Parallel axes", changed([](MassProperties& body, const Grid&, double) {
         body.inertia += point_inertia(body.mass, body.centre);
       })},
      {"inertia about the middle of the box",
-      "Mass and centre are right, but the inertia is the one about the middle of the box, where "
-      "the centre of mass need not be.",
+      "Your mass and centre are right, but your inertia is about the middle of the box. "
+      "The centre of mass need not be there.",
       "Parallel axes", changed([](MassProperties& body, const Grid& grid, double) {
         body.inertia += point_inertia(body.mass, body.centre - grid.middle());
       })},
      {"centre of the box",
-      "The middle of the box was taken for the centre of mass. The body need not fill the box "
-      "evenly.",
+      "You have taken the middle of the box for the centre of mass. The body need not "
+      "fill the box evenly.",
       "Counting points", changed([](MassProperties& body, const Grid& grid, double) {
         body.inertia += point_inertia(body.mass, body.centre - grid.middle());
         body.centre = grid.middle();
       })},
      {"divided by all points",
-      "The sum of the places was divided by n³. Only the points inside have gone into it.",
+      "You have divided the sum of the places by n³. Only the points inside have gone "
+      "into it.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const Grid grid{low, high, n};
@@ -399,8 +401,8 @@ const Misconceptions<decltype(point_sampling::sample_mass_properties)> misconcep
         return with(places, density * grid.cell().prod(), about);
       }},
      {"measured from the corner",
-      "This is the way from the box's corner `low` to the centre, not the centre itself, which is "
-      "measured from the world's origin.",
+      "This is the arrow from the box's corner `low` to the centre. Measure the centre "
+      "from the world's origin.",
       "Counting points",
       changed([](MassProperties& body, const Grid& grid, double) { body.centre -= grid.low; })},
      {"products with a plus",
@@ -410,30 +412,33 @@ const Misconceptions<decltype(point_sampling::sample_mass_properties)> misconcep
         body.inertia = 2 * diagonal - body.inertia;
       })},
      {"cubes for cells",
-      "The cells were made as long along y and z as they are along x. The box may have three "
-      "different edges, and so do its cells.",
+      "You have made the cells as long along y and z as they are along x. The box may "
+      "have three different edges, and so do its cells.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const Vec3 cube = Vec3::Constant(high.x() - low.x());
         return reference(inside, low, low + cube, n, density);
       }},
      {"last cells left out",
-      "The last layer of cells was not looked at, along each axis: check where the loops end.",
+      "You have left out the last layer of cells along each axis: check where your "
+      "loops end.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const Vec3 last = high - (high - low) / n;
         return n == 1 ? nothing : reference(inside, low, last, n - 1, density);
       }},
      {"cells with an inertia of their own",
-      "To each point the inertia of its cell about the middle was added. That is nearer to the "
-      "truth for a box, but asked for are point masses, whose error can be seen to fall as h².",
+      "You have added to each point the inertia of its cell about the middle. That is "
+      "nearer to the truth for a box. But here we want point masses, so that you can "
+      "see their error fall as h².",
       "Counting points", changed([](MassProperties& body, const Grid& grid, double) {
         const Vec3 squares = grid.cell().cwiseAbs2();
         body.inertia +=
             body.mass / 12 * Mat3((Vec3::Constant(squares.sum()) - squares).asDiagonal());
       })},
      {"zero over zero",
-      "Where no point is inside, the centre was found by dividing nothing by nothing.",
+      "Where no point is inside, you have divided nothing by nothing to find the "
+      "centre.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const MassProperties answer = reference(inside, low, high, n, density);
@@ -441,9 +446,9 @@ const Misconceptions<decltype(point_sampling::sample_mass_properties)> misconcep
         return answer.mass > 0 ? answer : MassProperties{0, Vec3::Constant(none), Mat3::Zero()};
       }},
      {"digits lost far from the origin",
-      "Near the origin this is right. Far from it the inertia about the origin is huge, and what "
-      "the body has about its own centre is lost to rounding in it: take the differences of the "
-      "places first.",
+      "Near the origin this is right. Far from it the inertia about the origin is huge, "
+      "and rounding has eaten what the body has about its own centre. Take the "
+      "differences of the places first.",
       "Far from the origin",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const Grid grid{low, high, n};
@@ -456,8 +461,8 @@ const Misconceptions<decltype(point_sampling::sample_mass_properties)> misconcep
         return body;
       }},
      {"evaluated too often",
-      "The result is right, but some points were asked for more than once. For a detailed mesh "
-      "this is what costs time: keep what was answered.",
+      "Your result is right, but you have asked for some points more than once. For a "
+      "detailed mesh that costs time: keep what you were told.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         inside((low + high) / 2);

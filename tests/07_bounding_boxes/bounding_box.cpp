@@ -135,76 +135,81 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(bounding_boxes::bounding_box)> misconceptions{
     TUMBLE_UNIT,
     {{"half the size",
-      "These are the ways from the middle to the faces. Asked for are the full lengths of the "
-      "edges.",
+      "These are the distances from the middle to the faces. Return the full lengths of "
+      "the edges.",
       "The box along the axes", changed([](Box& box, const Points&) { box.size /= 2; })},
      {"corner for the centre",
-      "The corner with the smallest coordinates stands in the place of the box's middle.",
+      "You have returned the corner with the smallest coordinates as the centre. The "
+      "centre is halfway to the opposite corner.",
       "The box along the axes",
       changed([](Box& box, const Points& points) { box.centre = smallest(points); })},
      {"the two corners",
-      "The corners with the smallest and with the largest coordinates were returned. Asked for are "
-      "what is in the middle between them and how far they are apart.",
+      "You have returned the corners with the smallest and with the largest "
+      "coordinates. Return the point halfway between them, and how far they are apart.",
       "The box along the axes", changed([](Box& box, const Points& points) {
         box.centre = smallest(points);
         box.size = largest(points);
       })},
      {"mean of the points",
-      "The mean of the points was taken for the middle of the box. Where many points crowd they "
-      "pull the mean, but not the box.",
+      "You have taken the mean of the points for the middle of the box. Where many "
+      "points crowd they pull the mean, but not the box.",
       "The box along the axes",
       changed([](Box& box, const Points& points) { box.centre = mean(points); })},
      {"not halved",
-      "The sum of the smallest and the largest coordinates was taken for the middle. It is twice "
-      "as far away from the origin.",
+      "You have taken the sum of the smallest and the largest coordinates for the "
+      "middle. That is twice as far away from the origin: halve it.",
       "The box along the axes", changed([](Box& box, const Points&) { box.centre *= 2; })},
      {"middle as if the box began at the origin",
-      "Half of the size was taken for the middle. That is right for a box that has one corner in "
-      "the origin.",
+      "You have taken half of the size for the middle. That is right only for a box "
+      "that has one corner in the origin.",
       "The box along the axes",
       changed([](Box& box, const Points&) { box.centre = box.size / 2; })},
      {"started at the origin",
-      "The origin was counted as one of the points: the search for the smallest and the largest "
-      "began with zero. Begin with a point that is there.",
+      "You have counted the origin as one of the points: your search for the smallest "
+      "and the largest begins with zero. Begin with a point that is there.",
       "The box along the axes",
       [](const Points& points) {
         return between(smallest(points).cwiseMin(Vec3::Zero()),
                        largest(points).cwiseMax(Vec3::Zero()));
       }},
      {"smallest positive double for the lowest",
-      "The search for the largest coordinates began with numeric_limits<double>::min(), which is "
-      "the smallest positive number: whatever is negative does not count then.",
+      "Your search for the largest coordinates begins with "
+      "numeric_limits<double>::min(). That is the smallest positive number, so negative "
+      "coordinates never count.",
       "The box along the axes",
       [](const Points& points) {
         const Vec3 tiny = Vec3::Constant(std::numeric_limits<double>::min());
         return between(smallest(points), largest(points).cwiseMax(tiny));
       }},
      {"symmetric about the origin",
-      "The box reaches as far to either side of the origin: the absolute values of the "
-      "coordinates were compared.",
+      "Your box reaches as far to either side of the origin: you have compared the "
+      "absolute values of the coordinates.",
       "The box along the axes",
       [](const Points& points) {
         const Vec3 most = smallest(points).cwiseAbs().cwiseMax(largest(points).cwiseAbs());
         return between(-most, most);
       }},
      {"a cube",
-      "All three edges are as long as the longest. Each axis has its own smallest and largest "
-      "coordinate.",
+      "All your three edges are as long as the longest. Each axis has its own smallest "
+      "and largest coordinate.",
       "The box along the axes",
       changed([](Box& box, const Points&) { box.size = Vec3::Constant(box.size.maxCoeff()); })},
-     {"last point left out", "The last of the points was not looked at: check where the loop ends.",
+     {"last point left out",
+      "You have left out the last of the points: check where your loop ends.",
       "The box along the axes",
       [](const Points& points) {
         const Points some(points.begin(), points.end() - (points.size() > 1 ? 1 : 0));
         return reference(some);
       }},
      {"first and last point",
-      "The box was put between the first and the last point. The others may stick out of it.",
+      "You have put the box between the first and the last point. The others may stick "
+      "out of it.",
       "The box along the axes",
       [](const Points& points) {
         return between(points.front().cwiseMin(points.back()),
                        points.front().cwiseMax(points.back()));
       }},
      {"no orientation",
-      "R is not the identity. A box along the axes is not turned: its columns are x, y and z.",
+      "Your R is not the identity. A box along the axes is not turned: its columns are "
+      "x, y and z.",
       "The box along the axes", changed([](Box& box, const Points&) { box.R = Mat3::Zero(); })}}};

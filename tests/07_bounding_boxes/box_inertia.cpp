@@ -181,29 +181,30 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(bounding_boxes::box_inertia)> misconceptions{
     TUMBLE_UNIT,
     {{"half lengths for lengths",
-      "The edges were halved, and their squares divided by 12 all the same. The twelfth belongs to "
-      "full lengths, which `size` holds.",
+      "You have halved the edges, and still divided their squares by 12. The twelfth "
+      "belongs to full lengths, and those are in `size`.",
       "The inertia of a box",
       with([](double mass, const Vec3& size) { return own_inertia(mass, size / 2); })},
      {"a third for a twelfth",
-      "The squares of the edges were divided by 3. That is for half lengths, or for a rod about "
-      "its end; here the edges are full lengths, and the first step is about the centre.",
+      "You have divided the squares of the edges by 3. That is for half lengths, or for "
+      "a rod about its end. Here the edges are full lengths, and the first step is "
+      "about the centre.",
       "The inertia of a box",
       with([](double mass, const Vec3& size) -> Mat3 { return 4 * own_inertia(mass, size); })},
      {"each axis with its own edge",
-      "About each axis stands the square of the edge along it. That edge is the one that does not "
-      "count: a pencil is easy to turn about its length.",
+      "About each axis you have the square of the edge along it. That edge is the one "
+      "that does not count: a pencil is easy to turn about its length.",
       "The inertia of a box", with([](double mass, const Vec3& size) -> Mat3 {
         return mass / 12 * Mat3(size.cwiseAbs2().asDiagonal());
       })},
      {"edges in the wrong place",
-      "The three moments are right, but stand one place too far on. About the first axis count the "
-      "second and the third edge.",
+      "Your three moments are right, but stand one place too far on. About the first "
+      "axis the second and the third edge count.",
       "The inertia of a box", with([](double mass, const Vec3& size) {
         return own_inertia(mass, {size.z(), size.x(), size.y()});
       })},
      {"square of the sum",
-      "The two edges were added before they were squared. Each is squared by itself.",
+      "You have added the two edges before you squared them. Square each by itself.",
       "The inertia of a box", with([](double mass, const Vec3& size) -> Mat3 {
         return mass / 12 * Mat3((Vec3::Constant(size.sum()) - size).cwiseAbs2().asDiagonal());
       })},
@@ -218,75 +219,74 @@ const Misconceptions<decltype(bounding_boxes::box_inertia)> misconceptions{
       "The inertia of a box",
       with([](double mass, const Vec3& size) -> Mat3 { return 0.6 * own_inertia(mass, size); })},
      {"mass taken for density",
-      "The mass was multiplied with the volume of the box, as if it were a density. It is in kg "
-      "already.",
+      "You have multiplied the mass with the volume of the box, as if it were a "
+      "density. It is in kg already.",
       "The inertia of a box",
       [](double mass, const Box& box, const Vec3& about) {
         return reference(mass * box.size.prod(), box, about);
       }},
      {"not turned",
-      "The tensor of the box was left in the box's own axes. World axes are asked for: R turns the "
-      "one into the other.",
+      "You have left the tensor in the box's own axes. Turn it into world axes with R.",
       "A box turned and moved",
       [](double mass, const Box& box, const Vec3& about) {
         return reference(mass, {box.centre, Mat3::Identity(), box.size}, about);
       }},
      {"turned the wrong way",
-      "The tensor was turned from world axes to box axes, where it already was. R takes the box's "
-      "axes to the world's.",
+      "You have turned the tensor from world axes to box axes, where it already was. R "
+      "takes the box's axes to the world's.",
       "A box turned and moved",
       [](double mass, const Box& box, const Vec3& about) {
         return reference(mass, {box.centre, box.R.transpose(), box.size}, about);
       }},
      {"turned from the left only",
-      "R stands on the left of the tensor, and nothing on its right. A tensor takes a vector and "
-      "gives one, and both have to be in world axes.",
+      "You have R on the left of the tensor, and nothing on its right. A tensor takes a "
+      "vector and gives one, and both have to be in world axes.",
       "A box turned and moved",
       [](double mass, const Box& box, const Vec3& about) -> Mat3 {
         return box.R * own_inertia(mass, box.size) + point_inertia(mass, box.centre - about);
       }},
      {"edges turned like a vector",
-      "R was multiplied with the three lengths. They are not the components of an arrow: the "
-      "tensor has to be turned, not the edges.",
+      "You have multiplied R with the three lengths. They are not the components of an "
+      "arrow: turn the tensor, not the edges.",
       "A box turned and moved",
       [](double mass, const Box& box, const Vec3& about) {
         return reference(mass, {box.centre, Mat3::Identity(), (box.R * box.size).cwiseAbs()},
                          about);
       }},
      {"about the centre only",
-      "This is the inertia about the centre of the box. It was not moved to the point that was "
-      "asked for.",
+      "This is the inertia about the centre of the box. Move it to the point `about`.",
       "A box turned and moved",
       [](double mass, const Box& box, const Vec3&) { return reference(mass, box, box.centre); }},
      {"moved the wrong way",
-      "What belongs to the move was taken away instead of added. About its centre a box has the "
-      "least inertia.",
+      "You have taken away what belongs to the move: add it. About its centre a box has "
+      "the least inertia.",
       "A box turned and moved",
       [](double mass, const Box& box, const Vec3& about) -> Mat3 {
         return reference(mass, box, box.centre) - point_inertia(mass, box.centre - about);
       }},
      {"about the world's origin",
-      "The tensor was moved to the origin of the world. Asked for is another point.",
+      "You have moved the tensor to the origin of the world. Move it to the point "
+      "`about`.",
       "A box turned and moved",
       [](double mass, const Box& box, const Vec3&) { return reference(mass, box, Vec3::Zero()); }},
      {"moved before it was turned",
-      "What belongs to the move was added in box axes, but with an arrow in world axes, and then "
-      "turned together with the box. Turn first, or bring the arrow into box axes.",
+      "You have added the move in box axes, but with an arrow in world axes, and then "
+      "turned it together with the box. Turn first, or bring the arrow into box axes.",
       "A box turned and moved",
       [](double mass, const Box& box, const Vec3& about) {
         const Mat3 moved = own_inertia(mass, box.size) + point_inertia(mass, box.centre - about);
         return tumble::rotate_inertia(box.R, moved);
       }},
      {"a point mass",
-      "This is what all the mass would have in the centre of the box. Its extent makes it harder "
-      "to turn.",
+      "This is what all the mass would have in the centre of the box. Its extent makes "
+      "it harder to turn.",
       "The inertia of a box",
       [](double mass, const Box& box, const Vec3& about) {
         return point_inertia(mass, box.centre - about);
       }},
      {"digits lost far from the origin",
-      "Near the origin this is right. Far from it a huge tensor about the origin was formed on the "
-      "way, and the small one in it was lost to rounding.",
+      "Near the origin this is right. Far from it you have formed a huge tensor about "
+      "the origin on the way, and rounding has eaten the small one in it.",
       "Far from the origin", [](double mass, const Box& box, const Vec3& about) -> Mat3 {
         const Mat3 about_origin = reference(mass, box, Vec3::Zero());
         return about_origin - point_inertia(mass, box.centre) +

@@ -240,36 +240,36 @@ TEST_SUITE(TUMBLE_UNIT) {
 
 const Misconceptions<decltype(bounding_boxes::fit_oriented_box)> misconceptions{
     TUMBLE_UNIT,
-    {{"along the world's axes",
-      "The edges lie along x, y and z. This box should lie along the body.",
+    {{"along the world's axes", "Your edges lie along x, y and z. Let the box lie along the body.",
       "A box that lies along the body",
       [](const Points& points) { return around(points, Mat3::Identity()); }},
      {"scatter about the origin",
-      "The points scatter about the origin of the world here. How far away they are together then "
-      "decides on the axes: subtract their mean first.",
+      "You have taken the scatter about the origin of the world. Then the axes depend "
+      "on how far away the points are: subtract their mean first.",
       "A box that lies along the body",
       along([](const Points& points, const Vec3&) { return scatter(points, Vec3::Zero()); })},
      {"scatter about the middle of the upright box",
-      "The scatter was taken about the middle of the box along x, y and z. It is about the mean "
-      "of the points.",
+      "You have taken the scatter about the middle of the box along x, y and z. Take it "
+      "about the mean of the points.",
       "A box that lies along the body", along([](const Points& points, const Vec3&) {
         return scatter(points, around(points, Mat3::Identity()).centre);
       })},
      {"products with a minus",
-      "The numbers off the diagonal of the scatter matrix have the wrong sign. The minus belongs "
-      "to the inertia tensor, which has other numbers on its diagonal as well.",
+      "The numbers off the diagonal of your scatter matrix have the wrong sign. The "
+      "minus belongs to the inertia tensor, which has other numbers on its diagonal as "
+      "well.",
       "A box that lies along the body", along([](const Points& points, const Vec3& c) -> Mat3 {
         const Mat3 S = scatter(points, c), diagonal = S.diagonal().asDiagonal();
         return 2 * diagonal - S;
       })},
      {"mean for the centre",
-      "Axes and size are right, but the mean of the points stands in the place of the centre. The "
-      "centre is halfway between the faces.",
+      "Your axes and size are right, but you have returned the mean of the points as "
+      "the centre. The centre is halfway between the faces.",
       "A box that lies along the body",
       changed([](Box& box, const Points& points) { box.centre = mean(points); })},
      {"centre left in box axes",
-      "The centre is halfway between the faces, but in coordinates along the axes of the box. It "
-      "was not turned back into world axes.",
+      "Your centre is halfway between the faces, but in coordinates along the axes of "
+      "the box. Turn it back into world axes.",
       "A box that lies along the body",
       [](const Points& points) {
         // As someone gets it who uses the axes that are given.
@@ -278,12 +278,12 @@ const Misconceptions<decltype(bounding_boxes::fit_oriented_box)> misconceptions{
         return box;
       }},
      {"measured from the mean",
-      "The centre was measured from the mean of the points, and the mean was not added again.",
+      "You have measured the centre from the mean of the points. Add the mean again.",
       "A box that lies along the body",
       changed([](Box& box, const Points& points) { box.centre -= mean(points); })},
      {"points turned the wrong way",
-      "The points were turned by R, which takes box axes to world axes. Their coordinates along "
-      "the box's axes are wanted: the other way.",
+      "You have turned the points by R, which takes box axes to world axes. You want "
+      "their coordinates along the box's axes: turn the other way.",
       "A box that lies along the body",
       [](const Points& points) {
         const Mat3 R = bounding_boxes::principal_axes(scatter(points, mean(points)));
@@ -291,8 +291,8 @@ const Misconceptions<decltype(bounding_boxes::fit_oriented_box)> misconceptions{
         return Box{R * (R * box.centre), R, box.size};
       }},
      {"R transposed",
-      "The transpose of R was returned: its rows are the directions of the edges. They should be "
-      "its columns.",
+      "You have returned the transpose of R: its rows are the directions of the edges. "
+      "They should be its columns.",
       "A box that lies along the body",
       [](const Points& points) {
         const Mat3 R = bounding_boxes::principal_axes(scatter(points, mean(points)));
@@ -300,20 +300,20 @@ const Misconceptions<decltype(bounding_boxes::fit_oriented_box)> misconceptions{
         return Box{box.centre, R.transpose(), box.size};
       }},
      {"half the size",
-      "These are the ways from the middle to the faces. Asked for are the full lengths of the "
-      "edges.",
+      "These are the distances from the middle to the faces. Return the full lengths of "
+      "the edges.",
       "The box along the axes", changed([](Box& box, const Points&) { box.size /= 2; })},
      {"the scatter for the size",
-      "The size was made from how much the points scatter along the axes: the root of their mean "
-      "square. The box has to hold all of them: go by the outermost ones.",
+      "You have made the size from how much the points scatter along the axes, the root "
+      "of their mean square. The box has to hold all of them: go by the outermost ones.",
       "A box that lies along the body", changed([](Box& box, const Points& points) {
         const Mat3 S = box.R.transpose() * scatter(points, mean(points)) * box.R;
         const Vec3 squares = S.diagonal() / static_cast<double>(points.size());
         box.size = squares.cwiseMax(0).cwiseSqrt();
       })},
      {"edges sorted without their axes",
-      "The lengths of the edges were sorted, but the columns of R were left in their order: each "
-      "length belongs to one column.",
+      "You have sorted the lengths of the edges, but left the columns of R in their "
+      "order. Each length belongs to one column.",
       "A box that lies along the body",
       [](const Points& points) {
         Box box = around(points, bounding_boxes::principal_axes(scatter(points, mean(points))));
@@ -321,13 +321,14 @@ const Misconceptions<decltype(bounding_boxes::fit_oriented_box)> misconceptions{
         return box;
       }},
      {"left-handed",
-      "The box is right, but R is a reflection: one of its columns points the wrong way. The "
-      "third has to be the cross product of the first two.",
+      "Your box is right, but R is a reflection: one of its columns points the wrong "
+      "way. Make the third the cross product of the first two.",
       "A box that lies along the body",
       changed([](Box& box, const Points&) { box.R.col(2) *= -1; })},
      {"digits lost far from the origin",
-      "Near the origin this is right. Far from it the scatter was found as a difference of two "
-      "huge matrices: subtract the mean from each point first, and square afterwards.",
+      "Near the origin this is right. Far from it you have found the scatter as a "
+      "difference of two huge matrices: subtract the mean from each point first, and "
+      "square afterwards.",
       "Far from the origin", along([](const Points& points, const Vec3& c) -> Mat3 {
         return scatter(points, Vec3::Zero()) -
                static_cast<double>(points.size()) * (c * c.transpose());

@@ -290,62 +290,61 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(mirtich::face_integrals)> misconceptions{
     TUMBLE_UNIT,
     {{"γ with the wrong sign",
-      "Odd powers of γ have the wrong sign: a minus was lost when the plane's equation was solved "
-      "for γ.",
+      "Your odd powers of γ have the wrong sign: you lost a minus when you solved the plane's "
+      "equation for γ.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         const Slopes n(plane, gamma);
         return with_height(p, n.a / n.c, n.b / n.c, plane.w / n.c, 1 / n.c);
       }},
      {"n_γ without its sign",
-      "Faces that are seen from below come out negative: their shadow is negative, and the n_γ "
-      "that would have made them positive again has lost its sign.",
+      "Your faces are negative if we see them from below. Their shadow is negative, and the sign "
+      "of n_γ, which you dropped, would have made them positive again.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         return (plane.n[gamma] < 0 ? -1 : 1) * reference(p, plane, gamma);
       }},
      {"as large as the shadow",
-      "These are integrals over the shadow. The face itself is larger the more it leans, and the "
-      "normal says by how much.",
+      "You integrated over the shadow. The face itself is larger, the more it leans, and the "
+      "normal tells you by how much.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         return plane.n[gamma] * reference(p, plane, gamma);
       }},
      {"smaller than the shadow",
-      "The face came out smaller than its shadow. It is the other way round: what leans casts a "
-      "smaller shadow.",
+      "Your face is smaller than its shadow. It is the other way round: what leans casts a smaller "
+      "shadow.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         return plane.n[gamma] * plane.n[gamma] * reference(p, plane, gamma);
       }},
      {"w with the wrong sign",
-      "The plane is taken to be as far away on the other side of the origin. In n · x + w = 0, w "
-      "is "
-      "minus the distance.",
+      "You put the plane on the other side of the origin. In n · x + w = 0, w is minus the "
+      "distance.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         return reference(p, {plane.n, -plane.w}, gamma);
       }},
      {"w left out",
-      "This is right for planes through the origin alone: w, the distance, is missing.",
+      "You are right for planes through the origin alone: you left out w, the distance.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         return reference(p, {plane.n, 0}, gamma);
       }},
      {"taken for level",
-      "γ was taken for the same number all over the face, as if it did not lean.",
+      "You took γ for the same number all over the face, as if the face did not lean.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         const Slopes n(plane, gamma);
         return with_height(p, 0, 0, -plane.w / n.c, 1 / n.c);
       }},
      {"normal in the order x, y, z",
-      "The normal's numbers were used as if α, β and γ were always x, y and z. That is right for "
+      "You used the normal's numbers as if α, β and γ were always x, y and z. That is right for "
       "shadows along z alone.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int) { return reference(p, plane, 2); }},
      {"n_α and n_β swapped",
-      "The normal's numbers along α and β have changed places. α is the axis right after γ.",
+      "You swapped the normal's numbers along α and β. α is the axis right after γ.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         Plane swapped = plane;
@@ -353,16 +352,15 @@ const Misconceptions<decltype(mirtich::face_integrals)> misconceptions{
         return reference(p, swapped, gamma);
       }},
      {"γ not divided by n_γ",
-      "Each γ is too small by a factor n_γ: the plane's equation has to be solved for γ to the "
-      "end.",
+      "Each of your γ is too small by a factor n_γ: solve the plane's equation for γ to the end.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         const Slopes n(plane, gamma);
         return with_height(p, -n.a, -n.b, -plane.w, 1 / n.c);
       }},
      {"products between the terms forgotten",
-      "In powers of γ, the square of a sum was taken for the sum of the squares: what one term "
-      "makes with another is missing.",
+      "In powers of γ you took the sum of the squares for the square of a sum: you left out the "
+      "mixed products.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         const Slopes n(plane, gamma);
@@ -374,8 +372,8 @@ const Misconceptions<decltype(mirtich::face_integrals)> misconceptions{
         return f;
       }},
      {"power of the mean γ",
-      "γ² and γ³ were made from the mean height of the face. The mean of a square is more than the "
-      "square of the mean where the face leans.",
+      "You made γ² and γ³ from the mean height of the face. The mean of a square is larger than "
+      "the square of the mean where the face leans.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         FaceIntegrals f = reference(p, plane, gamma);
@@ -387,8 +385,8 @@ const Misconceptions<decltype(mirtich::face_integrals)> misconceptions{
         return f;
       }},
      {"square on the other letter",
-      "In the last three, the square is on the second letter instead of the first: α²β, β²γ and "
-      "γ²α are asked for.",
+      "In the last three, your square is on the second letter instead of the first: you need α²β, "
+      "β²γ and γ²α.",
       "From a face to its shadow", [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         const Slopes n(plane, gamma);
         const double A = -n.a / n.c, B = -n.b / n.c, C = -plane.w / n.c;

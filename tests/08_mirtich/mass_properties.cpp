@@ -304,18 +304,17 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(mirtich::mass_properties)> misconceptions{
     TUMBLE_UNIT,
     {{"density forgotten",
-      "These are the mass properties of a body of 1 kg/m³: the density is missing.",
+      "You found the mass properties of a body of 1 kg/m³: you left out the density.",
       "Mass, centre and inertia",
       [](const Polyhedron& body, double) { return reference(body, 1); }},
      {"density in the mass alone",
-      "The mass is right, but the inertia is that of a body of 1 kg/m³. It grows with the density "
-      "too.",
+      "Your mass is right, but your inertia is that of a body of 1 kg/m³. It grows with the "
+      "density too.",
       "Mass, centre and inertia",
       with_inertia([](const Parts& parts, double) { return tensor(parts.S); })},
      {"centre divided by the mass",
-      "The centre is too near to the origin by a factor of the density: an integral over the "
-      "volume "
-      "was divided by the mass.",
+      "Your centre is wrong by a factor of the density: you divided an integral over the volume by "
+      "the mass.",
       "Mass, centre and inertia",
       [](const Polyhedron& body, double density) {
         MassProperties result = reference(body, density);
@@ -323,8 +322,8 @@ const Misconceptions<decltype(mirtich::mass_properties)> misconceptions{
         return result;
       }},
      {"centre not divided",
-      "The centre is an integral of places here, in m⁴. A mean place is that integral divided by "
-      "the volume.",
+      "Your centre is an integral of places, in m⁴. A mean place is that integral divided by the "
+      "volume.",
       "Mass, centre and inertia",
       [](const Polyhedron& body, double density) {
         MassProperties result = reference(body, density);
@@ -332,21 +331,21 @@ const Misconceptions<decltype(mirtich::mass_properties)> misconceptions{
         return result;
       }},
      {"products with a plus",
-      "The numbers off the diagonal have the wrong sign. With L = I ω, the products of inertia "
+      "Your numbers off the diagonal have the wrong sign. With L = I ω, the products of inertia "
       "carry a minus.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         const Mat3 I = tensor(parts.S);
         return density * (2 * diagonal_of(I) - I);
       })},
      {"square of the same axis",
-      "On the diagonal stands ∫ x² for the axis x. What resists a turn about x is how far the mass "
-      "is from that axis, along y and z.",
+      "On your diagonal stands ∫ x² for the axis x. What resists a turn about x is how far the "
+      "mass is from that axis, along y and z.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         return density * (2 * diagonal_of(parts.S) - parts.S);
       })},
      {"yz and zx swapped",
-      "Two products are in each other's place. The integrals come in the order xy, yz, zx, and the "
-      "first row of the matrix holds xy and zx.",
+      "You swapped two products. The integrals come in the order xy, yz, zx, and the first row of "
+      "the matrix holds xy and zx.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) {
         Mat3 I = density * tensor(parts.S);
         std::swap(I(0, 2), I(1, 2));
@@ -354,50 +353,50 @@ const Misconceptions<decltype(mirtich::mass_properties)> misconceptions{
         return I;
       })},
      {"upper half only",
-      "Below the diagonal the matrix is empty. A tensor of inertia is symmetric.",
+      "Below the diagonal your matrix is empty. A tensor of inertia is symmetric.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         return density * tensor(parts.S).triangularView<Eigen::Upper>().toDenseMatrix();
       })},
      {"inertia about the origin",
-      "The inertia is about the origin of the coordinates. It is asked for about the centre of "
-      "mass, where it is smaller.",
+      "Your inertia is about the origin of the coordinates. We want it about the centre of mass, "
+      "where it is smaller.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         return density * tensor(parts.S + parts.V * outer(parts.c));
       })},
      {"moved away from the centre",
-      "On the way from the origin to the centre of mass, m d² was added. About the centre a body "
-      "has the least inertia: it has to be taken off.",
+      "On the way from the origin to the centre of mass you added m d². About the centre a body "
+      "has the least inertia: take it off.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         return density * tensor(parts.S + 2 * parts.V * outer(parts.c));
       })},
      {"products not moved",
-      "The diagonal was moved to the centre of mass, the products were left about the origin.",
+      "You moved the diagonal to the centre of mass, and left the products about the origin.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         const Mat3 shift = tensor(parts.V * outer(parts.c));
         return density * (tensor(parts.S) + shift - diagonal_of(shift));
       })},
      {"products moved the wrong way",
-      "The diagonal was moved to the centre of mass, the products the other way, to twice what "
-      "they had too much: they carry the minus sign already.",
+      "You moved the diagonal to the centre of mass, and the products the other way, so they are "
+      "now off by twice as much. They carry the minus sign already.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         const Mat3 shift = tensor(parts.V * outer(parts.c));
         return density * (tensor(parts.S) + 2 * (shift - diagonal_of(shift)));
       })},
      {"moved without the density",
-      "The step to the centre of mass was made with the volume in the place of the mass.",
+      "You made the step to the centre of mass with the volume in the place of the mass.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         const Mat3 shift = tensor(parts.V * outer(parts.c));
         return density * (tensor(parts.S) + shift) - shift;
       })},
      {"centre measured from the middle of the box",
-      "The centre is given as seen from the middle of the box around the body, not in the "
+      "You gave the centre as seen from the middle of the box around the body, not in the "
       "coordinates that the body came in.",
       "Far from the origin", centre_seen_from([](const std::vector<Vec3>& vertices) {
         const auto [low, high] = box_around(vertices);
         return Vec3((low + high) / 2);
       })},
      {"centre measured from the mean of the vertices",
-      "The centre is given as seen from the mean of the vertices, not in the coordinates that the "
+      "You gave the centre as seen from the mean of the vertices, not in the coordinates that the "
       "body came in.",
       "Far from the origin", centre_seen_from([](const std::vector<Vec3>& vertices) {
         const Vec3 zero = Vec3::Zero();
@@ -405,20 +404,19 @@ const Misconceptions<decltype(mirtich::mass_properties)> misconceptions{
                     static_cast<double>(vertices.size()));
       })},
      {"centre measured from the first vertex",
-      "The centre is given as seen from the first vertex, not in the coordinates that the body "
-      "came "
-      "in.",
+      "You gave the centre as seen from the first vertex, not in the coordinates that the body "
+      "came in.",
       "Far from the origin",
       centre_seen_from([](const std::vector<Vec3>& vertices) { return vertices.front(); })},
      {"digits lost far from the origin",
-      "Near the origin this is right. Far from it the integrals are huge and nearly cancel, in the "
-      "volume and once more on the way to the centre of mass. Go to the body first.",
+      "Near the origin you are right. Far from it your integrals are huge and nearly cancel, in "
+      "the volume and once more on the way to the centre of mass. Go to the body first.",
       "Far from the origin",
       [](const Polyhedron& body, double density) { return about_origin(body, density); }},
      {"nothing divided by nothing",
       "A body without volume has no centre: 0 divided by 0 is not a number. The contract says what "
-      "there is to return instead.",
-      "Bad meshes",
+      "you return instead.",
+      "What breaks",
       [](const Polyhedron& body, double density) -> MassProperties {
         const MassProperties right = reference(body, density);
         if (right.mass != 0) return right;
@@ -426,27 +424,26 @@ const Misconceptions<decltype(mirtich::mass_properties)> misconceptions{
         return {0, Vec3::Constant(nan), Mat3::Constant(nan)};
       }},
      {"a tiny body taken for none",
-      "A body with a volume below some small number was taken for none. What is small depends on "
-      "the "
-      "unit of length: only 0 is always small.",
-      "Bad meshes",
+      "You took a body with a volume below some small number for none. What is small depends on "
+      "the unit of length: only 0 is always small.",
+      "What breaks",
       [](const Polyhedron& body, double density) {
         constexpr double small = 1e-9;
         const MassProperties right = reference(body, density);
         return std::abs(right.mass) < small * density ? nothing() : right;
       }},
      {"only the mass made positive",
-      "A body inside out was given a positive mass, while its inertia is negative. Leave both as "
-      "they come out: the sign says that the faces go round the wrong way.",
-      "Bad meshes",
+      "You gave a body inside out a positive mass, while its inertia is negative. Leave both as "
+      "they are: the sign says that the faces go round the wrong way.",
+      "What breaks",
       [](const Polyhedron& body, double density) -> MassProperties {
         const MassProperties right = reference(body, density);
         return {std::abs(right.mass), right.centre, right.inertia};
       }},
      {"made positive",
-      "A body inside out was given a positive mass. Then nobody sees that its faces go round the "
+      "You gave a body inside out a positive mass. Then nobody can see that its faces go round the "
       "wrong way.",
-      "Bad meshes", [](const Polyhedron& body, double density) -> MassProperties {
+      "What breaks", [](const Polyhedron& body, double density) -> MassProperties {
         const MassProperties right = reference(body, density);
         return {std::abs(right.mass), right.centre, (right.mass < 0 ? -1 : 1) * right.inertia};
       }}}};

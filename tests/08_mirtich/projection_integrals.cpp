@@ -274,8 +274,8 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
     TUMBLE_UNIT,
     {{"last edge left out",
-      "The edge from the last corner to the first one is missing. Only a closed way around "
-      "encloses anything: look at where the loop ends.",
+      "You left out the edge from the last corner to the first one. Only a closed walk encloses "
+      "anything: look at where your loop ends.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) -> ProjectionIntegrals {
         if (corners.size() < 2) return reference(corners, gamma);
@@ -289,16 +289,16 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
                                         e.bb / 12, e.aaa / 20, e.aab / 60, e.abb / 60, e.bbb / 20};
       }},
      {"area always positive",
-      "The area was made positive, and with it all the rest. A shadow that goes round clockwise "
-      "belongs to a face that looks the other way, and the sign is what tells them apart.",
+      "You made the area positive, and with it all the rest. A shadow that goes round clockwise "
+      "belongs to a face that looks the other way. The sign tells them apart.",
       "From a face to its shadow",
       [](const Corners& corners, int gamma) {
         const ProjectionIntegrals p = reference(corners, gamma);
         return (p.one < 0 ? -1 : 1) * p;
       }},
      {"only the area without its sign",
-      "The area was made positive, while the other integrals have kept their sign. It is negative "
-      "where the corners go round clockwise.",
+      "You made the area positive, while your other integrals keep their sign. The area is "
+      "negative where the corners go round clockwise.",
       "From a face to its shadow",
       [](const Corners& corners, int gamma) {
         ProjectionIntegrals p = reference(corners, gamma);
@@ -306,7 +306,7 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         return p;
       }},
      {"minus in front of dα forgotten",
-      "The integrals that were taken with dα have the wrong sign. Round the same edge, Green's "
+      "The integrals that you took with dα have the wrong sign. Round the same edge, Green's "
       "theorem has a plus with dβ and a minus with dα.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
@@ -315,11 +315,11 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         return p;
       }},
      {"clockwise taken for positive",
-      "All signs are wrong: as if a shadow were positive whose corners go round clockwise.",
+      "All your signs are wrong: you count a shadow as positive if its corners go round clockwise.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) { return -1 * reference(corners, gamma); }},
      {"α and β swapped",
-      "α and β have changed places. They follow γ in a cycle, α first: behind z comes x again.",
+      "You swapped α and β. They follow γ in a cycle, α first: after z comes x again.",
       "From a face to its shadow",
       [](const Corners& corners, int gamma) {
         const ProjectionIntegrals p = reference(corners, gamma);
@@ -327,8 +327,8 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
                ProjectionIntegrals{p.one, p.b, p.a, p.bb, p.ab, p.aa, p.bbb, p.abb, p.aab, p.aaa};
       }},
      {"x before z",
-      "Along x and z this is right, along y it is not: there α and β have changed places. In the "
-      "cycle z comes before x.",
+      "Along x and z you are right, along y you are not: there you swapped α and β. In the cycle z "
+      "comes before x.",
       "From a face to its shadow",
       [](const Corners& corners, int gamma) {
         const ProjectionIntegrals p = reference(corners, gamma);
@@ -336,10 +336,10 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         return -1 *
                ProjectionIntegrals{p.one, p.b, p.a, p.bb, p.ab, p.aa, p.bbb, p.abb, p.aab, p.aaa};
       }},
-     {"always along z", "The shadow was cast along z, whatever γ is.", "From a face to its shadow",
+     {"always along z", "You cast the shadow along z, whatever γ is.", "From a face to its shadow",
       [](const Corners& corners, int) { return reference(corners, 2); }},
      {"true size instead of the shadow's",
-      "These are integrals over the polygon itself, with its true area. The shadow of a plane that "
+      "You integrated over the polygon itself, with its true area. The shadow of a plane that "
       "leans is smaller.",
       "From a face to its shadow",
       [](const Corners& corners, int gamma) {
@@ -347,8 +347,8 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         return area.norm() / std::abs(area[gamma]) * reference(corners, gamma);
       }},
      {"edges as their midpoints",
-      "Each edge was stood for by its midpoint. That is exact for the area alone: along an edge, "
-      "the mean of a square is more than the square of the mean.",
+      "You took each edge as its midpoint. That is exact for the area alone: along an edge, the "
+      "mean of a square is larger than the square of the mean.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
         return with_mean(corners, gamma, [](const auto& p, const auto& q, const auto& f) {
@@ -356,8 +356,8 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         });
       }},
      {"edges as their two ends",
-      "Along each edge, the mean of its two ends was taken. That is exact for the area alone: a "
-      "power between the ends is below the line from one to the other.",
+      "Along each edge you took the mean of its two ends. That is exact for the area alone: "
+      "between the ends, a power lies below the straight line from one to the other.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
         return with_mean(corners, gamma, [](const auto& p, const auto& q, const auto& f) {
@@ -365,8 +365,8 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         });
       }},
      {"i + 1 forgotten",
-      "The integrals are too large by a whole number: the power that Green's theorem raises by one "
-      "has to be divided by, as in every integral of a power.",
+      "Your integrals are too large by a whole number. Green's theorem raises a power by one; "
+      "divide by the new exponent, as in every integral of a power.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
         ProjectionIntegrals p = reference(corners, gamma);
@@ -377,8 +377,7 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         }
         return p;
       }},
-     {"α²β and αβ² swapped",
-      "The integrals of α²β and αβ² have changed places; all others are right.",
+     {"α²β and αβ² swapped", "You swapped the integrals of α²β and αβ²; all others are right.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
         ProjectionIntegrals p = reference(corners, gamma);
@@ -386,8 +385,8 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         return p;
       }},
      {"mixed ones as products of means",
-      "The mean of a product was taken for the product of the means. In a shadow that is not a "
-      "rectangle along the axes, α and β depend on each other.",
+      "You took the product of the means for the mean of the product. Along an edge α and β change "
+      "together.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
         ProjectionIntegrals p = reference(corners, gamma);
@@ -397,8 +396,8 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         return p;
       }},
      {"fan of positive triangles",
-      "The triangles from the first corner were all counted as positive. Where there is a dent, "
-      "one of them goes round the other way and has to be taken off again.",
+      "You counted all triangles from the first corner as positive. Where there is a dent, one of "
+      "them goes round the other way, and you have to take it off again.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
         ProjectionIntegrals p = reference(corners, gamma);
@@ -412,7 +411,7 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         return p;
       }},
      {"divided by the slope of an edge",
-      "This is right until an edge has the same α at both ends: there a slope is infinite, or 0 "
+      "You are right until an edge has the same α at both ends: there its slope is infinite, or 0 "
       "divided by 0. Follow the edge by a parameter that runs from 0 to 1 instead.",
       "From the shadow to its edges", [](const Corners& corners, int gamma) -> ProjectionIntegrals {
         if (!has_upright_edge(corners, gamma)) return reference(corners, gamma);

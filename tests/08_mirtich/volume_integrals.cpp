@@ -310,7 +310,7 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
     TUMBLE_UNIT,
     {{"faces taken for triangles",
-      "Of each face, only the first three corners were looked at. Faces may have more.",
+      "You looked at only the first three corners of each face. Faces may have more.",
       "From a volume to its surface",
       [](const Polyhedron& body) {
         Polyhedron triangles = body;
@@ -319,19 +319,18 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         return reference(triangles);
       }},
      {"plane of the first three corners",
-      "This is right until the first three corners of a face lie on one line: they say nothing of "
-      "the plane then. All corners together do.",
-      "Bad meshes",
+      "You are right until the first three corners of a face lie on one line: then they don't tell "
+      "you the plane. All corners together do.",
+      "Back up again",
       [](const Polyhedron& body) {
         return with_view(body, [](const Corners& corners, View) {
           return view_of({corners[0], corners[1], corners[2]});
         });
       }},
      {"faces left out that begin straight",
-      "A face whose first three corners lie on one line was left out, as if it had no area. Look "
-      "at "
-      "all of its corners before you say so.",
-      "Bad meshes",
+      "You left out a face whose first three corners lie on one line, as if it had no area. Look "
+      "at all of its corners before you say so.",
+      "Back up again",
       [](const Polyhedron& body) {
         return over_faces(body, [](const Corners& corners) {
           const Vec3 first = tumble::mirtich::vector_area({{corners[0], corners[1], corners[2]}});
@@ -339,9 +338,9 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"shadows always along z",
-      "All shadows were cast along z. A wall that stands upright has none there, and what leans "
-      "only little against it has a very thin one: choose the axis face by face.",
-      "From a face to its shadow",
+      "You cast all shadows along z. A wall that stands upright has none there, and one that "
+      "nearly does has a very thin one: choose the axis face by face.",
+      "Back up again",
       [](const Polyhedron& body) {
         return with_view(body, [](const Corners&, View view) {
           view.gamma = 2;
@@ -349,9 +348,9 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"largest, but not in size",
-      "The axis was chosen by the largest number of the normal, so that −1 was taken for smaller "
-      "than 0. It is the size that counts, whatever the sign.",
-      "From a face to its shadow",
+      "You chose the axis by the largest number of the normal, so you took −1 for smaller than 0. "
+      "The size counts, whatever the sign.",
+      "Back up again",
       [](const Polyhedron& body) {
         return with_view(body, [](const Corners&, View view) {
           view.plane.n.maxCoeff(&view.gamma);
@@ -359,8 +358,8 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"w with the wrong sign",
-      "Each plane was taken to be as far away on the other side of the origin. Put a corner into "
-      "n · x + w: it has to come out as 0.",
+      "You put each plane on the other side of the origin. Put a corner into n · x + w: you must "
+      "get 0.",
       "From a face to its shadow",
       [](const Polyhedron& body) {
         return with_view(body, [](const Corners&, View view) {
@@ -369,9 +368,9 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"left under α, β, γ",
-      "What belongs to α, β and γ was stored as x, y and z. Which axes they are is another matter "
+      "You stored under x, y and z what belongs to α, β and γ. Which axes these are is different "
       "for each face.",
-      "From a volume to its surface",
+      "Back up again",
       [](const Polyhedron& body) {
         return over_faces(body, [](const Corners& corners) {
           const View view = view_of(corners);
@@ -382,16 +381,16 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"½ and ⅓ forgotten",
-      "The volume is right, the others are too large by whole numbers: what stands under the "
-      "surface integral is an integral of the power, which has to be divided by the new exponent.",
+      "Your volume is right, the others are too large by whole numbers. Under the surface integral "
+      "stands an integral of the power: divide by the new exponent.",
       "From a volume to its surface",
       [](const Polyhedron& body) -> VolumeIntegrals {
         const VolumeIntegrals v = reference(body);
         return {v.one, 2 * v.r, 3 * v.squares, 2 * v.products};
       }},
      {"normal left out",
-      "The integrals over the faces were added up without their normals. What goes in on one side "
-      "of the body and out on the other has to be told apart.",
+      "You added up the integrals over the faces without their normals. They tell apart where a "
+      "rod enters the body and where it leaves.",
       "From a volume to its surface",
       [](const Polyhedron& body) {
         return over_faces(body, [](const Corners& corners) {
@@ -399,18 +398,18 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"thrice the volume",
-      "The volume is three times too large. Along x, along y and along z: each of the three sums "
+      "Your volume is three times too large. Along x, along y and along z: each of the three sums "
       "is the whole volume already.",
-      "From a volume to its surface",
+      "Back up again",
       [](const Polyhedron& body) {
         VolumeIntegrals v = reference(body);
         v.one *= 3;
         return v;
       }},
      {"volume along another axis on each face",
-      "The volume was taken along α, which is another axis on each face. One and the same for all "
-      "of them, or the mean of all three.",
-      "From a volume to its surface",
+      "You took the volume along α, which is another axis on each face. Take one and the same axis "
+      "for all of them, or the mean of all three.",
+      "Back up again",
       [](const Polyhedron& body) {
         VolumeIntegrals v = reference(body);
         v.one = over_faces(body, [](const Corners& corners) {
@@ -425,16 +424,15 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         return v;
       }},
      {"products in the order xy, zx, yz",
-      "The last two products have changed places: the cycle is xy, yz, zx.",
-      "From a volume to its surface",
+      "You swapped the last two products: the cycle is xy, yz, zx.", "From a volume to its surface",
       [](const Polyhedron& body) {
         VolumeIntegrals v = reference(body);
         std::swap(v.products[1], v.products[2]);
         return v;
       }},
      {"cones all counted as positive",
-      "What lies between a face and the origin was always added. Where the face is seen from the "
-      "origin's side, it has to be taken off.",
+      "You always added what lies between a face and the origin. If the origin sees the face's "
+      "front, take it off.",
       "From a volume to its surface",
       [](const Polyhedron& body) {
         return over_faces(body, [](const Corners& corners) {
@@ -443,18 +441,18 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"area counted twice",
-      "Each face counts once more by its own area: the normal was not scaled to length 1 where the "
-      "face's integrals, which have the area in them already, are multiplied by it.",
-      "From a volume to its surface",
+      "You count the area of each face twice. The face's integrals have the area in them already; "
+      "you multiply them by a normal that you did not scale to length 1.",
+      "Back up again",
       [](const Polyhedron& body) {
         return over_faces(body, [](const Corners& corners) {
           return tumble::mirtich::vector_area(corners).norm() * of_face(corners, view_of(corners));
         });
       }},
      {"a face without area spoils all",
-      "This is right until a face has no area. Its normal is 0 divided by 0, which is not a "
-      "number, and whatever it is added to is none either.",
-      "Bad meshes",
+      "You are right until a face has no area. Its normal is 0 divided by 0, which is not a "
+      "number, and neither is anything that you add it to.",
+      "Back up again",
       [](const Polyhedron& body) {
         VolumeIntegrals sum = zero();
         for (const std::vector<int>& face : body.faces) {
@@ -464,10 +462,9 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         return sum;
       }},
      {"small faces left out",
-      "Faces with an area below some small number were left out, and so a tiny body has lost all "
-      "of "
-      "its surface. What is small depends on how large the body is: only 0 is always small.",
-      "Bad meshes",
+      "You left out faces with an area below some small number, and so a tiny body lost all of its "
+      "surface. What is small depends on how large the body is: only 0 is always small.",
+      "Back up again",
       [](const Polyhedron& body) {
         return over_faces(body, [](const Corners& corners) {
           constexpr double small = 1e-10;
@@ -476,7 +473,7 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
                      : of_face(corners, view_of(corners));
         });
       }},
-     {"last face left out", "The last face was not looked at: check where the loop ends.",
+     {"last face left out", "You did not look at the last face: check where your loop ends.",
       "From a volume to its surface",
       [](const Polyhedron& body) {
         Polyhedron open = body;
@@ -484,17 +481,17 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         return reference(open);
       }},
      {"made positive",
-      "The negative integrals of a body inside out were made positive. Nobody would see then that "
+      "You made the negative integrals of a body inside out positive. Then nobody can see that "
       "something is wrong with it; and a cavity is such a body.",
-      "Bad meshes",
+      "What breaks",
       [](const Polyhedron& body) {
         const VolumeIntegrals v = reference(body);
         return (v.one < 0 ? -1 : 1) * v;
       }},
      {"about the middle of the body",
-      "These are the integrals about the mean of the vertices. Here they are asked for about the "
-      "origin of the coordinates.",
-      "Far from the origin", [](const Polyhedron& body) {
+      "You integrated about the mean of the vertices. Here we want the integrals about the origin "
+      "of the coordinates.",
+      "From a volume to its surface", [](const Polyhedron& body) {
         Vec3 middle = Vec3::Zero();
         for (const Vec3& x : body.vertices) middle += x / static_cast<double>(body.vertices.size());
         Polyhedron moved = body;

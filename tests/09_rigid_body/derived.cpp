@@ -146,22 +146,22 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rigid_body::derived)> misconceptions{
     TUMBLE_UNIT,
     {{"R transposed",
-      "This R takes the world's axes to the body's, and ω was made with it too. Its columns, not "
-      "its rows, have to be the body's axes in the world.",
+      "Your R is transposed, and so is the one in your ω. The columns of R are the body's axes in "
+      "the world; in yours the rows are.",
       "Frames of reference",
       [](const Body& body, State s) {
         s.q = reference::conjugate(s.q);
         return reference::derived(body, s);
       }},
-     {"scalar read last",
-      "The numbers of q were taken in the order x, y, z, w. q[0] is the scalar.", "The state",
+     {"scalar read last", "You took the numbers of q in the order x, y, z, w. q[0] is the scalar.",
+      "The state",
       [](const Body& body, State s) {
         s.q = reference::read_scalar_last(s.q);
         return reference::derived(body, s);
       }},
      {"length of q ignored",
-      "R was made as if q had length 1. It has drifted, and then R stretches: neither R nor the ω "
-      "that is made with it is right.",
+      "You made R as if q had length 1. This q has drifted, so your R stretches, and your ω is "
+      "wrong with it.",
       "The length of q",
       [](const Body& body, const State& s) -> Derived {
         const Mat3 V = tumble::rotation::skew<double>(s.q.tail<3>());
@@ -169,61 +169,61 @@ const Misconceptions<decltype(rigid_body::derived)> misconceptions{
         return {R, s.P / body.mass, R * (body.I_body_inv * (R.transpose() * s.L))};
       }},
      {"momentum for velocity",
-      "P was returned where v is asked for. Of two bodies with the same momentum the heavier one "
-      "is the slower one.",
+      "You returned P where v belongs. Of two bodies with the same momentum the heavier one is "
+      "slower: which number do you have to bring in?",
       "Derived quantities",
       [](Body body, const State& s) {
         body.mass = 1;
         return reference::derived(body, s);
       }},
      {"multiplied by the mass",
-      "v grows with the mass: P was made of v that way. Here the way goes back.",
+      "Your v grows with the mass. You multiplied, as P = m v does; here you go back from P to v.",
       "Derived quantities",
       [](Body body, const State& s) {
         body.mass = 1 / body.mass;
         return reference::derived(body, s);
       }},
      {"tensor for its inverse",
-      "ω is the tensor times L. It is L that is the tensor times ω: on the way back the inverse is "
-      "needed, and it is given.",
+      "Your ω is the tensor times L. But L is the tensor times ω: on the way back you need the "
+      "inverse, and you are given it.",
       "Derived quantities",
       [](Body body, const State& s) {
         body.I_body_inv = body.I_body;
         return reference::derived(body, s);
       }},
      {"body tensor used in the world",
-      "The tensor in body axes was multiplied with L in world axes. That is right for an upright "
-      "body only: while it turns, the tensor in the world turns with it.",
+      "You multiplied a tensor in body axes by L in world axes. That is right only while the body "
+      "stands upright: in the world the tensor turns with the body.",
       "Frames of reference", with_omega([](const Mat3&, const Body& body, const Vec3& L) -> Vec3 {
         return body.I_body_inv * L;
       })},
      {"ω left in body axes",
-      "ω was worked out in body axes, where the tensor is known, and stayed there. Everything "
-      "asked for is in world axes.",
+      "You worked ω out in body axes, where you know the tensor, and left it there. Your ω should "
+      "be in world axes.",
       "Frames of reference", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
         return body.I_body_inv * (R.transpose() * L);
       })},
      {"L not taken into body axes",
-      "The result was turned into world axes, but L had not been turned into body axes before the "
-      "tensor was applied.",
+      "You turned the result into world axes, but before that you gave the tensor an L in world "
+      "axes. Turn L into body axes first.",
       "Frames of reference", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
         return R * (body.I_body_inv * L);
       })},
      {"turned the wrong way for ω",
-      "R is right, but ω was made with its transpose: L was turned further instead of into body "
-      "axes. R maps body → world.",
+      "Your R is right, but in your ω it stands where its transpose belongs: you turned L further "
+      "instead of into body axes. R maps body → world.",
       "Frames of reference", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
         return R.transpose() * (body.I_body_inv * (R * L));
       })},
      {"diagonal only",
-      "Only the three numbers on the diagonal of the tensor were used. That is right while the "
-      "body's axes are its principal axes; here they need not be.",
+      "You used only the three numbers on the diagonal of the tensor. That is right if the body's "
+      "axes are its principal axes; here they need not be.",
       "Derived quantities", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
         return R * body.I_body_inv.diagonal().cwiseProduct(R.transpose() * L);
       })},
      {"a single moment",
-      "ω is along L, as for a ball. Other bodies turn about another axis than that of their "
-      "angular momentum: the tensor is a matrix, not a number.",
+      "Your ω points along L, as for a ball. Other bodies turn about another axis than L: the "
+      "tensor is a matrix, not a number.",
       "Derived quantities", with_omega([](const Mat3&, const Body& body, const Vec3& L) -> Vec3 {
         return body.I_body_inv.trace() / 3 * L;
       })}}};

@@ -77,7 +77,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("what pushes is asked exactly once: at the time t, in the state as it is packed") {
+  TEST_CASE("what pushes is evaluated exactly once: at the time t, in the state as it is packed") {
     for (int n = 0; n < 5; ++n) {
       const Body body = any_body();
       const WrenchAt wrench = any_wrench();
@@ -86,12 +86,12 @@ TEST_SUITE(TUMBLE_UNIT) {
       const auto rate = ask(body, wrench, t, state);
       REQUIRE(rate == close_to(right(body, wrench, t, state), rounding_of_rate(body, state)));
       const auto& asked = rate.evaluations();
-      REQUIRE(rate == obeys("what pushes is asked exactly once",
+      REQUIRE(rate == obeys("what pushes is evaluated exactly once",
                             std::abs(static_cast<double>(asked.size()) - 1), 0));
       const double time = from_value<double>(asked[0].arguments[0]);
       const State place = from_value<State>(asked[0].arguments[1]);
-      REQUIRE(rate == obeys("it is asked at the time t", std::abs(time - t), 0));
-      REQUIRE(rate == obeys("it is asked in the state of y, unrounded",
+      REQUIRE(rate == obeys("it is evaluated at the time t", std::abs(time - t), 0));
+      REQUIRE(rate == obeys("it is evaluated in the state of y, unrounded",
                             (reference::pack(place) - reference::pack(state)).norm(), 0));
     }
   }
@@ -240,8 +240,8 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
     TUMBLE_UNIT,
     {{"momentum for velocity",
-      "The position changes at the rate P here. A heavy body with the same momentum is slower: P "
-      "has to be divided by something first.",
+      "You let the position change at the rate P. A heavier body with the same momentum is slower: "
+      "what do you have to divide P by?",
       "Derived quantities",
       with_law([](const Body&, const State& s, const Derived& now, const Wrench& push) {
         State ydot = rates(s, now, push);
@@ -249,39 +249,38 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
         return ydot;
       })},
      {"acceleration for force",
-      "The rate of P was divided by the mass. That would be how a velocity changes; of a momentum "
-      "the force is the rate, as it is.",
+      "You divided the force by the mass. That is the rate of a velocity; the rate of P is the "
+      "force as it is.",
       "The right-hand side",
       with_law([](const Body& body, const State& s, const Derived& now, Wrench push) {
         push.force /= body.mass;
         return rates(s, now, push);
       })},
      {"angular acceleration for torque",
-      "The rate of L was multiplied by the inverse tensor. That would be part of how ω changes; of "
-      "the angular momentum the torque is the rate, as it is.",
+      "You multiplied the torque by the inverse tensor. That is a part of the rate of ω; the rate "
+      "of L is the torque as it is.",
       "The right-hand side",
       with_law([](const Body& body, const State& s, const Derived& now, Wrench push) {
         push.torque = now.R * (body.I_body_inv * (now.R.transpose() * push.torque));
         return rates(s, now, push);
       })},
      {"gyroscopic term added",
-      "ω × L was taken off the torque. That term belongs to Euler's equations, in the axes of the "
-      "body; here L is in world axes, where it does not turn along.",
+      "You took ω × L off the torque. That term belongs to Euler's equations, in body axes. Our L "
+      "is in world axes, and there it stands still without a torque.",
       "The gyroscopic term",
       with_law([](const Body&, const State& s, const Derived& now, Wrench push) {
         push.torque -= now.omega.cross(s.L);
         return rates(s, now, push);
       })},
      {"force and torque swapped",
-      "The torque was given to P and the force to L. Which of the two makes the centre of mass "
-      "move?",
+      "You gave the torque to P and the force to L. Which of the two moves the centre of mass?",
       "The right-hand side",
       with_law([](const Body&, const State& s, const Derived& now, Wrench push) {
         std::swap(push.force, push.torque);
         return rates(s, now, push);
       })},
      {"torque turned as well",
-      "The torque was turned by R, as if it came in body axes. What pushes is in world axes, force "
+      "You turned the torque by R, as if it came in body axes. What pushes is in world axes, force "
       "and torque alike.",
       "Frames of reference",
       with_law([](const Body&, const State& s, const Derived& now, Wrench push) {
@@ -289,7 +288,8 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
         return rates(s, now, push);
       })},
      {"factor ½ forgotten",
-      "The quaternion changes twice as fast as it should: it holds half the angle of the turn.",
+      "Your quaternion changes twice as fast as the body turns. It holds half the angle of the "
+      "turn: which factor is missing?",
       "The right-hand side",
       with_law([](const Body&, const State& s, const Derived& now, const Wrench& push) {
         State ydot = rates(s, now, push);
@@ -297,7 +297,7 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
         return ydot;
       })},
      {"factors of the quaternion's rate swapped",
-      "ω stands on the other side of q, where an ω in body axes belongs. It is in world axes here.",
+      "You put ω on the right of q, where an ω in body axes belongs. Yours is in world axes.",
       "Frames of reference",
       with_law([](const Body&, const State& s, const Derived& now, const Wrench& push) {
         State ydot = rates(s, now, push);
@@ -305,35 +305,34 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
         return ydot;
       })},
      {"body tensor used in the world",
-      "ω was made with the tensor in body axes and L in world axes. That is right for an upright "
-      "body only.",
+      "You made ω of a tensor in body axes and an L in world axes. That is right only while the "
+      "body stands upright.",
       "Frames of reference", with_omega([](const Mat3&, const Body& body, const Vec3& L) -> Vec3 {
         return body.I_body_inv * L;
       })},
-     {"ω left in body axes",
-      "The quaternion's rate was made with the ω of the body's axes, as if it were in world axes.",
+     {"ω left in body axes", "You left ω in body axes, and used it as if it were in world axes.",
       "Frames of reference", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
         return body.I_body_inv * (R.transpose() * L);
       })},
      {"turned the wrong way for ω",
-      "L was turned further instead of into body axes, and the result back instead of into the "
-      "world: R and its transpose stand at each other's places.",
+      "You swapped R and its transpose on the way from L to ω: L is turned further instead of into "
+      "body axes.",
       "Frames of reference", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
         return R.transpose() * (body.I_body_inv * (R * L));
       })},
      {"tensor for its inverse",
-      "The quaternion turns with the tensor times L. On the way from L to ω the inverse is needed.",
+      "You multiplied L by the tensor. On the way from L to ω you need its inverse.",
       "Derived quantities", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
         return R * (body.I_body * (R.transpose() * L));
       })},
      {"angular momentum for angular velocity",
-      "L itself was put into the quaternion's rate. How fast a body turns that has this L depends "
-      "on its tensor.",
+      "You put L itself into the quaternion's rate. How fast a body with this L turns depends on "
+      "its tensor.",
       "Derived quantities",
       with_omega([](const Mat3&, const Body&, const Vec3& L) -> Vec3 { return L; })},
      {"q normalised first",
-      "The rate is that of q/|q|. A solver takes slopes in states of its own making and adds them "
-      "up; it needs the slope at the very q that it asks for.",
+      "You gave the rate of q/|q|. A solver adds up slopes at states that it makes up, so it needs "
+      "the slope at this very q.",
       "The length of q",
       with_law([](const Body&, const State& s, const Derived& now, const Wrench& push) {
         State ydot = rates(s, now, push);
@@ -341,8 +340,8 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
         return ydot;
       })},
      {"length of q ignored for ω",
-      "R was made as if q had length 1, and ω with it. In the states that a solver tries q is "
-      "longer or shorter, and then this R stretches.",
+      "You made R as if q had length 1, and ω with it. In the states that a solver tries out q is "
+      "longer or shorter, and then your R stretches.",
       "The length of q",
       with_law([](const Body& body, const State& s, Derived now, const Wrench& push) {
         const Mat3 V = tumble::rotation::skew<double>(s.q.tail<3>());
@@ -351,37 +350,36 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
         return rates(s, now, push);
       })},
      {"state repaired before the forces are asked",
-      "What pushes was asked in a state with q scaled to length 1, not in the state that is packed "
-      "in y.",
+      "You evaluated what pushes in a state with q scaled to length 1. Evaluate it in the state "
+      "that you unpacked, as it is.",
       "The length of q",
       [](const Body& body, const WrenchAt& wrench, double t, const PackedState& y) {
         State s = reference::unpack(y);
         s.q.normalize();
         return reference::rate(body, reference::unpack(y), wrench(t, s));
       }},
-     {"always at time zero", "What pushes was asked at the time 0, whatever t is.",
-      "Force and torque",
+     {"always at time zero",
+      "You evaluated what pushes at the time 0. It may depend on t: pass t on.", "Force and torque",
       [](const Body& body, const WrenchAt& wrench, double, const PackedState& y) {
         return reference::dydt(body, wrench, 0, y);
       }},
      {"asked more than once",
-      "The result is right, but what pushes was asked more than once. In a scene with many "
-      "contacts that is what costs time: keep the answer.",
+      "Your result is right, but you evaluated what pushes more than once. In a scene with many "
+      "contacts that costs nearly all of the time: keep the answer.",
       "Force and torque",
       [](const Body& body, const WrenchAt& wrench, double t, const PackedState& y) {
         wrench(t, reference::unpack(y));
         return reference::dydt(body, wrench, t, y);
       }},
      {"rate added to the state",
-      "y itself is contained in the result. A derivative is the rate alone; the step is the "
-      "solver's business.",
+      "You added y to the result. Return the rate alone; the step is the solver's business.",
       "The right-hand side",
       [](const Body& body, const WrenchAt& wrench, double t, const PackedState& y) -> PackedState {
         return y + reference::dydt(body, wrench, t, y);
       }},
      {"rates in another order",
-      "The four rates are right, but they are packed in the order x, P, q, L. Each rate stands "
-      "where the number stands that it is the rate of.",
+      "Your four rates are right, but you packed them in the order x, P, q, L. Put each rate in "
+      "the place of the number whose rate it is.",
       "The state", [](const Body& body, const WrenchAt& wrench, double t, const PackedState& y) {
         const PackedState ydot = reference::dydt(body, wrench, t, y);
         PackedState other;

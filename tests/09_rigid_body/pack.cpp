@@ -58,7 +58,7 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rigid_body::pack)> misconceptions{
     TUMBLE_UNIT,
     {{"scalar stored last",
-      "The quaternion was packed as (x, y, z, w). Here w comes first, as in the quaternion itself: "
+      "You packed the quaternion as (x, y, z, w). Here w comes first, as in the quaternion itself: "
       "q[0] is the scalar.",
       "The state",
       [](State s) {
@@ -66,8 +66,8 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
         return reference::pack(s);
       }},
      {"momentum before the orientation",
-      "P stands where q belongs, and q after it. That is an order too, but not the one that is "
-      "agreed here: first where the body is and how it is turned, then its two momenta.",
+      "You put P where q belongs, and q behind it. That is an order too, but not ours: first where "
+      "the body is and how it is turned, then its two momenta.",
       "The state",
       [](const State& s) -> PackedState {
         PackedState y;
@@ -75,14 +75,14 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
         return y;
       }},
      {"momenta swapped",
-      "P and L stand at each other's places. First comes the linear momentum, as the position "
-      "comes before the orientation.",
+      "You swapped P and L. The linear momentum comes first, as the position comes before the "
+      "orientation.",
       "The state",
       [](State s) {
         std::swap(s.P, s.L);
         return reference::pack(s);
       }},
-     {"orientation first", "q stands before x. The position of the centre of mass comes first.",
+     {"orientation first", "You put q before x. The position of the centre of mass comes first.",
       "The state",
       [](const State& s) -> PackedState {
         PackedState y;
@@ -90,8 +90,8 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
         return y;
       }},
      {"three places for the quaternion",
-      "A quaternion has four numbers. P was written over its last one, L follows too early, and "
-      "the last place stays empty.",
+      "A quaternion has four numbers. You wrote P over its last one, so L follows one place too "
+      "early and the last place stays empty.",
       "The state",
       [](const State& s) -> PackedState {
         PackedState y = PackedState::Zero();
@@ -102,24 +102,24 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
         return y;
       }},
      {"x left out",
-      "The three places of the position are zero: q, P and L are where they belong, but a solver "
-      "would put every body into the origin.",
+      "You left the three places of the position at zero. q, P and L are where they belong, but a "
+      "solver would put every body into the origin.",
       "The state",
       [](State s) {
         s.x.setZero();
         return reference::pack(s);
       }},
      {"normalised",
-      "The quaternion was scaled to length 1 on the way. Packing copies; what has drifted is "
-      "repaired elsewhere, where one can see it.",
+      "You scaled the quaternion to length 1 on the way. Packing copies and repairs nothing: the "
+      "solver needs the very q that it is trying out.",
       "The length of q",
       [](State s) {
         if (!s.q.isZero(0)) s.q.stableNormalize();
         return reference::pack(s);
       }},
      {"sign of the quaternion changed",
-      "Where w was negative, −q was packed instead of q. It is the same rotation, but not the same "
-      "numbers: a solver that goes on from here sees a jump.",
+      "Where w is negative, you packed −q instead of q. That is the same rotation, but not the "
+      "same numbers: a solver that goes on from here sees a jump.",
       "The length of q", [](State s) {
         if (s.q[0] < 0) s.q = -s.q;
         return reference::pack(s);

@@ -153,7 +153,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("what pushes is asked four times a step, where the Runge–Kutta method looks") {
+  TEST_CASE("what pushes is evaluated four times per step, where the Runge–Kutta method looks") {
     for (int n = 0; n < 3; ++n) {
       const Scene scene;
       const auto states = ask(scene);
@@ -167,7 +167,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       };
       right(watched);
       const auto& asked = states.evaluations();
-      REQUIRE(states == obeys("what pushes is asked exactly four times a step",
+      REQUIRE(states == obeys("what pushes is evaluated exactly four times per step",
                               std::abs(static_cast<double>(asked.size()) - 4. * scene.steps), 0));
       double late = 0, off = 0;
       for (std::size_t i = 0; i < places.size(); ++i) {
@@ -176,9 +176,10 @@ TEST_SUITE(TUMBLE_UNIT) {
         off = worse(off, difference(from_value<State>(asked[i].arguments[1]), state));
       }
       // Times that are added up are off by one rounding a step.
-      REQUIRE(states == obeys("it is asked at the start, twice halfway and at the end of each step",
-                              late, 8 * (scene.steps + 4) * eps));
-      REQUIRE(states == obeys("it is asked in the states of the four slopes, the first in that "
+      REQUIRE(states ==
+              obeys("it is evaluated at the start, twice halfway and at the end of each step", late,
+                    8 * (scene.steps + 4) * eps));
+      REQUIRE(states == obeys("it is evaluated in the states of the four slopes, the first in that "
                               "which the step before has come to",
                               off, rounding(scene)));
     }
@@ -302,7 +303,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       expected.wrench = no_wrench();
       const auto states = ask(scene);
       const States others = right(expected);
-      REQUIRE(states == obeys("as many states as demanded",
+      REQUIRE(states == obeys("one more state than there are steps",
                               std::abs(static_cast<double>(states->size()) -
                                        static_cast<double>(others.size())),
                               0));
@@ -320,12 +321,12 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
     TUMBLE_UNIT,
     {{"never normalised",
-      "The quaternion's length was left to itself, and each step makes it a little longer or "
-      "shorter. After a step it is to be put right.",
+      "You left the quaternion's length to itself, and each step makes it a little longer or "
+      "shorter. Divide q by its length after each step.",
       "The length of q", repaired_by([](const PackedState& y) { return y; })},
      {"only what is returned is normalised",
-      "The states that come back have quaternions of length 1, but each step went on from the "
-      "state as it was before it was put right.",
+      "The states that you return have quaternions of length 1, but your next step started from "
+      "the state before the repair. Start it from the repaired one.",
       "The length of q",
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) {
@@ -335,10 +336,9 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         return states;
       }},
      {"normalised within the step",
-      "The quaternion was scaled to length 1 in the middle of the step too, before a slope was "
-      "taken. The slopes then belong to other states than those that the step asks for; one "
-      "scaling "
-      "is enough, when the step is done.",
+      "You scaled the quaternion to length 1 in the middle of the step, too, before you took a "
+      "slope. Then the slopes belong to other states than those of the step. Scale once, when the "
+      "step is done.",
       "The length of q", by([](const reference::Rhs& f, double t, const PackedState& y, double h) {
         const reference::Rhs repaired = [&f](double time, const PackedState& z) {
           return f(time, with_unit_q(z));
@@ -346,26 +346,27 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         return tumble::runge_kutta::rk4_step(repaired, t, y, h);
       })},
      {"whole state normalised",
-      "All thirteen numbers were divided by the length of all of them together. Only the "
-      "quaternion has to have length 1.",
+      "You divided all thirteen numbers by the length of all of them together. Only the quaternion "
+      "should have length 1.",
       "The length of q",
       repaired_by([](const PackedState& y) -> PackedState { return y.normalized(); })},
      {"divided by the square of the length",
-      "The quaternion was divided by |q|², which overshoots: what was a little too long is now a "
+      "You divided the quaternion by |q|², which overshoots: what was a little too long is now a "
       "little too short.",
       "The length of q", repaired_by([](PackedState y) {
         y.segment<4>(3) /= y.segment<4>(3).squaredNorm();
         return y;
       })},
      {"Euler's method",
-      "Each step follows the slope at its start only. The method of 1.5 looks at four slopes.",
+      "Each of your steps follows the slope at its start only. The method of 1.5 takes four "
+      "slopes.",
       "Taking steps",
       by([](const reference::Rhs& f, double t, const PackedState& y, double h) -> PackedState {
         return tumble::runge_kutta::euler_step(f, t, y, h);
       })},
      {"momenta first, then the rest",
-      "P and L were moved first, and x and q then followed the new momenta: the way of many games. "
-      "Here the whole state is moved at once, by four slopes.",
+      "You moved P and L first, and then x and q with the new momenta, as many games do. Here you "
+      "move the whole state at once, by four slopes.",
       "Taking steps",
       by([](const reference::Rhs& f, double t, const PackedState& y, double h) -> PackedState {
         PackedState next = y;
@@ -374,14 +375,15 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         return next;
       })},
      {"midpoint method",
-      "Each step follows one slope, that halfway. The method of 1.5 averages four.", "Taking steps",
+      "Each of your steps follows one slope, the one halfway. The method of 1.5 averages four.",
+      "Taking steps",
       by([](const reference::Rhs& f, double t, const PackedState& y, double h) -> PackedState {
         return tumble::runge_kutta::midpoint_step(f, t, y, h);
       })},
      {"pushed alike for a whole step",
-      "What pushes was asked once a step, at its start, and taken for all four slopes. What "
-      "changes within the step is lost, and with it the order of the method.",
-      "How often the forces are asked",
+      "You evaluated what pushes once per step, at its start, and used it for all four slopes. You "
+      "lose what changes within the step, and with it the order of the method.",
+      "How often the forces are evaluated",
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) {
         const double h = (t1 - t0) / steps;
@@ -394,8 +396,8 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         });
       }},
      {"time stands still",
-      "Every step began at the time t0, as far as what pushes could see. From step to step the "
-      "time moves on by h.",
+      "Every step of yours begins at the time t0, as far as what pushes can see. From step to step "
+      "the time moves on by h.",
       "Taking steps",
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) {
@@ -405,13 +407,14 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
                     [&](double, const State& now) { return after(rk4, f, t0, now, h); });
       }},
      {"time counted from zero",
-      "The clock was set to 0 at the start. It shows t0 then, and what pushes can depend on it.",
+      "You set the clock to 0 at the start. It should show t0, because what pushes may depend on "
+      "it.",
       "Taking steps",
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) { return reference::simulate(body, wrench, start, 0, t1 - t0, steps); }},
      {"always from the start",
-      "Every step set out from the start again, so that the body never gets further than one step. "
-      "Each step goes on from where the one before has come to.",
+      "Every step of yours sets out from the start again, so the body never gets further than one "
+      "step. Go on from where the last step has arrived.",
       "Taking steps",
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) {
@@ -421,21 +424,20 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
                     [&](double n, const State&) { return after(rk4, f, t0 + n * h, start, h); });
       }},
      {"t1 taken for the duration",
-      "The length of a step was worked out from t1 alone. What lies between t0 and t1 is to be "
-      "divided.",
+      "You worked out the length of a step from t1 alone. Divide what lies between t0 and t1.",
       "Taking steps", with_h([](double, double t1, int steps) { return t1 / steps; })},
      {"steps and states mixed up",
-      "The time was divided by the number of states. There is one state more than there are "
-      "steps, as with fence posts and fields.",
+      "You divided the time by the number of states. There is one more state than there are steps, "
+      "as with fence posts and fields.",
       "Taking steps",
       with_h([](double t0, double t1, int steps) { return (t1 - t0) / (steps + 1); })},
      {"only forwards",
-      "Time was made to run forwards, although t1 is before t0. A negative h leads back.",
+      "You made time run forwards, although t1 is before t0. Let h be negative, and it leads back.",
       "Taking steps",
       with_h([](double t0, double t1, int steps) { return std::abs(t1 - t0) / steps; })},
      {"start left out",
-      "The list begins after the first step. The start belongs to it: one state more than there "
-      "are steps.",
+      "Your list begins after the first step. The start belongs to it, so there is one more state "
+      "than there are steps.",
       "Taking steps",
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) {
@@ -444,7 +446,8 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         return states;
       }},
      {"one step too few",
-      "The last state is missing: the list ends one step before t1. The start is not a step.",
+      "Your list ends one step before t1. The start is not a step, so there is one more state than "
+      "there are steps.",
       "Taking steps",
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) {
@@ -452,8 +455,7 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         if (states.size() > 1) states.pop_back();
         return states;
       }},
-     {"only the end",
-      "Only the last state was returned. Asked for are all of them, from the start on.",
+     {"only the end", "You returned only the last state. Return all of them, from the start on.",
       "Taking steps",
       [](const Body& body, const WrenchAt& wrench, const State& start, double t0, double t1,
          int steps) -> States {

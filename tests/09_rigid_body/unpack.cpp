@@ -70,8 +70,8 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
     TUMBLE_UNIT,
     {{"scalar read last",
-      "The quaternion was read as if its numbers came in the order x, y, z, w. In y they are in "
-      "the order of the quaternion itself, the scalar first.",
+      "You read the quaternion as (x, y, z, w). In y its numbers are in the order of the "
+      "quaternion itself, the scalar first.",
       "The state",
       [](const PackedState& y) {
         State s = reference::unpack(y);
@@ -79,21 +79,21 @@ const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
         return s;
       }},
      {"momentum before the orientation",
-      "The numbers after x were taken for P, and q was read behind them. In y the orientation "
-      "follows the position; the two momenta come last.",
+      "You took the numbers behind x for P, and read q behind them. In y the orientation follows "
+      "the position, and the two momenta come last.",
       "The state", from_places(0, 6, 3, 10)},
      {"momenta swapped",
-      "P and L were read from each other's places. The linear momentum comes first, as the "
-      "position comes before the orientation.",
+      "You swapped P and L. The linear momentum comes first, as the position comes before the "
+      "orientation.",
       "The state", from_places(0, 3, 10, 7)},
-     {"orientation first", "q was read from the front, where x is. The position comes first.",
+     {"orientation first", "You read q from the front, where x is. The position comes first.",
       "The state", from_places(4, 0, 7, 10)},
      {"three places for the quaternion",
-      "P and L were read one place too early, so that P begins with a number of q. A quaternion "
+      "You read P and L one place too early, so P begins with the last number of q. A quaternion "
       "has four numbers.",
       "The state", from_places(0, 3, 6, 9)},
      {"places counted from one",
-      "x was read from the second number on, and all others follow one place too late. In C++ the "
+      "You read x from the second number on, and everything else one place too late. In C++ the "
       "first number of a vector is at place 0.",
       "The state",
       [](const PackedState& y) {
@@ -102,8 +102,8 @@ const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
         return reference::unpack(shifted);
       }},
      {"normalised",
-      "The quaternion was scaled to length 1. Then packing and unpacking changes the state of a "
-      "solver behind its back, in the middle of a step.",
+      "You scaled the quaternion to length 1. That changes the solver's state behind its back, in "
+      "the middle of a step.",
       "The length of q",
       [](const PackedState& y) {
         State s = reference::unpack(y);
@@ -111,7 +111,7 @@ const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
         return s;
       }},
      {"sign of the quaternion changed",
-      "Where w was negative, all four numbers of q have changed their signs. It is the same "
+      "Where w is negative, you changed the signs of all four numbers of q. That is the same "
       "rotation, but not the same state of the solver.",
       "The length of q", [](const PackedState& y) {
         State s = reference::unpack(y);

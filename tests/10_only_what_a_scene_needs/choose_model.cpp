@@ -264,24 +264,25 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconceptions{
     TUMBLE_UNIT,
     {{"a torque makes a body",
-      "A torque was taken for a reason to follow the orientation. If nobody asks for it and no "
-      "force depends on it, the body may turn as it likes: its path is that of a particle.",
+      "You follow the orientation because a torque acts. If nobody wants it and no force depends "
+      "on it, the body may turn as it likes: its path is that of a particle.",
       "The ladder of models",
       as({.orientation_counts =
               [](const Scene& s) {
                 return s.orientation_is_asked || s.force_depends_on_orientation || s.torque_acts;
               }})},
      {"only who asks counts",
-      "Where nobody asks for the orientation it was dropped, although a force depends on it. Then "
-      "it decides where the body flies.",
+      "Where nobody wants the orientation you dropped it, although a force depends on it. Then the "
+      "orientation decides where the body flies.",
       "The ladder of models",
       as({.orientation_counts = [](const Scene& s) { return s.orientation_is_asked; }})},
      {"only the force counts",
-      "Where no force depends on the orientation it was dropped, although somebody asks for it.",
+      "Where no force depends on the orientation you dropped it, although the scene wants to know "
+      "it.",
       "The ladder of models",
       as({.orientation_counts = [](const Scene& s) { return s.force_depends_on_orientation; }})},
      {"orientation only if both want it",
-      "The orientation was followed only where it is asked for and a force depends on it. One of "
+      "You follow the orientation only where the scene wants it and a force depends on it. One of "
       "the two is reason enough.",
       "The ladder of models",
       as({.orientation_counts =
@@ -289,47 +290,47 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
                 return s.orientation_is_asked && s.force_depends_on_orientation;
               }})},
      {"never a particle",
-      "Every body was given an orientation, also where nothing and nobody cares for it.",
+      "You gave every body an orientation, also where nobody wants it and no force depends on it.",
       "The ladder of models", as({.orientation_counts = [](const Scene&) { return true; }})},
      {"equal to the last digit",
-      "Only moments that are exactly equal counted as equal. Nothing measured or computed ever is: "
-      "what matters is what the difference does until the end.",
+      "You took only those moments for equal that are exactly equal. Nothing that is measured or "
+      "computed ever is: what matters is what the difference does until the end.",
       "How equal is equal enough",
       as({.equal = [](double a, double b, const Scene&, double) { return a == b; }})},
      {"difference not relative",
-      "The difference of the moments was taken as it is, in kg m². Of a heavy body's moments the "
-      "millionth part is a large number, of a light one's a tiny one, and both turn alike.",
+      "You took the difference of the moments as it is, in kg m². A millionth of a heavy body's "
+      "moments is a large number, a millionth of a light one's a tiny one, and both turn alike.",
       "How equal is equal enough",
       as({.equal = [](double a, double b, const Scene& s,
                       double tolerance) { return (a - b) * s.omega * s.duration <= tolerance; }})},
      {"turn forgotten",
-      "The difference as a fraction was compared with the tolerance itself. The angle that is "
-      "wrong grows with the angle that the body turns by.",
+      "You compared the relative difference with the tolerance itself. But the tolerance is an "
+      "angle, and the error grows with the angle that the body turns by.",
       "How equal is equal enough",
       as({.equal = [](double a, double b, const Scene&,
                       double tolerance) { return (a - b) / a <= tolerance; }})},
      {"spin forgotten",
-      "The duration was taken into account, but not how fast the body turns: what counts is the "
+      "You took the duration into account, but not how fast the body turns. What counts is the "
       "angle of the turn.",
       "How equal is equal enough",
       as({.equal = [](double a, double b, const Scene& s,
                       double tolerance) { return (a - b) / a * s.duration <= tolerance; }})},
      {"duration forgotten",
-      "The spin was taken into account, but not for how long: what counts is the angle of the "
-      "turn. A ball for a second may be no ball for an hour.",
+      "You took the spin into account, but not for how long. What counts is the angle of the turn: "
+      "a ball for a second may be no ball for an hour.",
       "How equal is equal enough",
       as({.equal = [](double a, double b, const Scene& s,
                       double tolerance) { return (a - b) / a * s.omega <= tolerance; }})},
      {"fraction of the smaller one",
-      "The difference was divided by the smaller of the two moments. For nearly equal ones that is "
-      "the same; these differ by a lot, and the larger one is agreed on.",
+      "You divided the difference by the smaller of the two moments. For nearly equal ones that is "
+      "the same; these differ by a lot, and the contract divides by the larger one.",
       "How equal is equal enough",
       as({.equal =
               [](double a, double b, const Scene& s, double tolerance) {
                 return (a - b) / b * s.omega * s.duration <= tolerance;
               }})},
      {"a chain of equals",
-      "The smallest moment is as good as equal to the middle one and that one to the largest, but "
+      "The smallest moment is as good as equal to the middle one, and that one to the largest. But "
       "the smallest and the largest are too far apart for a ball.",
       "How equal is equal enough",
       as({.shape =
@@ -338,8 +339,8 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
                 return low || high ? Model::symmetric_top : Model::full_body;
               }})},
      {"axis of symmetry assumed",
-      "Only the first two moments were compared for a top. They come in any order: the odd one out "
-      "may be the first or the second as well.",
+      "For a top you compared only the first two moments. They come in any order: the odd one may "
+      "be the first or the second as well.",
       "The ladder of models",
       as({.shape =
               [](bool first, bool second, bool outer) {
@@ -348,8 +349,8 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
               },
           .sorts = false})},
      {"only discs are tops",
-      "The two smaller moments were compared for a top, not the two larger ones. A pencil is a top "
-      "as well as a coin.",
+      "For a top you compared the two smaller moments, but not the two larger ones. A pencil is a "
+      "top as well as a coin.",
       "The ladder of models",
       as({.shape =
               [](bool low, bool, bool outer) {
@@ -357,8 +358,8 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
                 return low ? Model::symmetric_top : Model::full_body;
               }})},
      {"only needles are tops",
-      "The two larger moments were compared for a top, not the two smaller ones. A coin is a top "
-      "as well as a pencil.",
+      "For a top you compared the two larger moments, but not the two smaller ones. A coin is a "
+      "top as well as a pencil.",
       "The ladder of models",
       as({.shape =
               [](bool, bool high, bool outer) {
@@ -366,40 +367,40 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
                 return high ? Model::symmetric_top : Model::full_body;
               }})},
      {"a ball taken for a top",
-      "A body with three equal moments was called a top. So it is, but it needs less than that: "
+      "You called a body with three equal moments a top. So it is, but it needs less than that: "
       "one number instead of two and an axis.",
       "The ladder of models",
       as({.shape = [](bool low, bool high,
                       bool) { return low || high ? Model::symmetric_top : Model::full_body; }})},
      {"a torque makes a full body",
-      "Where a torque acts, a full body was chosen. The moments of a ball or of a top stay equal "
-      "however it is pushed.",
+      "Where a torque acts you chose a full body. But the moments of a ball or of a top stay "
+      "equal, however you push it.",
       "The ladder of models",
       [](const Scene& scene, double tolerance) -> Choice {
         const Choice choice = Reader{}(scene, tolerance);
         return choice.steps ? Choice{Model::full_body, true} : choice;
       }},
      {"steps for every full body",
-      "A full body was given steps although no torque acts. Its free motion has a closed form too, "
-      "with elliptic functions for sines.",
+      "You gave a full body steps although no torque acts. Its free motion has a closed form too, "
+      "with elliptic functions in place of sines.",
       "Nothing pushes, no steps",
       as({.steps =
               [](const Scene& s, Model model) {
                 return model == Model::full_body || Reader::with_torque(s, model);
               }})},
      {"no steps for balls and tops",
-      "A ball or a top was given no steps although a torque acts. Only free motion is known in "
-      "closed form.",
+      "You gave a ball or a top no steps although a torque acts. Only their free motion is known "
+      "in closed form.",
       "Nothing pushes, no steps",
       as({.steps = [](const Scene& s,
                       Model model) { return model == Model::full_body && s.torque_acts; }})},
      {"steps for the turning of a particle",
-      "A torque acts, so steps were chosen, for a turning that is not computed at all.",
+      "A torque acts, so you chose steps, for a turning that you don't compute at all.",
       "Nothing pushes, no steps",
       as({.steps = [](const Scene& s, Model) { return s.torque_acts; }})},
      {"the wrong way round",
-      "Steps were chosen where no torque acts, and none where one does. What nothing pushes is "
-      "known for all times.",
+      "You chose steps where no torque acts, and none where one does. What nothing pushes is known "
+      "for all times.",
       "Nothing pushes, no steps", as({.steps = [](const Scene& s, Model model) {
         return !s.torque_acts && model != Model::particle;
       }})}}};

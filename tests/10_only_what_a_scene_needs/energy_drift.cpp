@@ -303,30 +303,30 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconceptions{
     TUMBLE_UNIT,
     {{"sign kept",
-      "`largest` is the largest increase; where the energy falls it was not seen. It is the size "
-      "that counts, upwards and downwards.",
+      "Your `largest` is the largest increase, and where the energy falls you didn't see it. The "
+      "size counts, upwards and downwards.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const Numbers e = relative(E);
         return {*std::max_element(e.begin(), e.end()), slope_of(e) / h};
       }})},
      {"only the end looked at",
-      "`largest` is how far the energy is off at the end. On the way it was further off: all "
+      "Your `largest` is how far the energy is off at the end. On the way it was further off: all "
       "states count.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const Numbers e = relative(E);
         return {std::abs(e.back()), slope_of(e) / h};
       }})},
      {"from the lowest to the highest",
-      "`largest` is the distance between the lowest and the highest energy. It is to be measured "
-      "from the first one, which is the right one.",
+      "Your `largest` is the distance between the lowest and the highest energy. Measure from the "
+      "first one, which is the right one.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const Numbers e = relative(E);
         return {*std::max_element(e.begin(), e.end()) - *std::min_element(e.begin(), e.end()),
                 slope_of(e) / h};
       }})},
      {"from state to state",
-      "`largest` is the largest change from one state to the next. A slow drift makes only small "
-      "ones, and still goes far.",
+      "Your `largest` is the largest change from one state to the next. A slow drift makes only "
+      "small ones, and still goes far.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         double largest = 0;
         for (std::size_t n = 1; n < E.size(); ++n)
@@ -334,15 +334,15 @@ const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconcept
         return {largest, slope_of(relative(E)) / h};
       }})},
      {"in joules",
-      "Both numbers are differences of energies, not fractions of the first energy. A joule is "
-      "much for a coin and nothing for a ship.",
+      "Both of your numbers are differences of energies, not fractions of the first energy. A "
+      "joule is much for a coin and nothing for a ship.",
       "Energy", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const EnergyDrift drift = right_law(E, h);
         return {E[0] * drift.largest, E[0] * drift.trend};
       }})},
      {"fractions of the mean",
-      "The energies were compared with their mean. If it runs away, the mean runs along: the first "
-      "energy is the one that should have stayed.",
+      "You compared the energies with their mean. If the energy runs away, the mean runs along: "
+      "the first energy is the one that should have stayed.",
       "Energy", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         double mean = 0;
         for (const double energy : E) mean += energy / static_cast<double>(E.size());
@@ -351,35 +351,35 @@ const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconcept
         return {largest_of(e), slope_of(e) / h};
       }})},
      {"fractions of each energy itself",
-      "Each difference was divided by the energy of its own state. All are to be fractions of the "
-      "first one, or they cannot be compared.",
+      "You divided each difference by the energy of its own state. Make all of them fractions of "
+      "the first one, or you can't compare them.",
       "Energy", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         Numbers e;
         for (const double energy : E) e.push_back((energy - E[0]) / energy);
         return {largest_of(e), slope_of(e) / h};
       }})},
      {"from the first to the last",
-      "The trend was taken from two states only, the first and the last. Where the energy swings, "
-      "it depends on where in a swing one stops: all states have a say in a fitted line.",
+      "You took the trend from two states only, the first and the last. Where the energy swings, "
+      "it depends on where in a swing you stop. In a fitted line all states have a say.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const Numbers e = relative(E);
         const double count = static_cast<double>(E.size());
         return {largest_of(e), count > 1 ? e.back() / ((count - 1) * h) : 0};
       }})},
      {"per state, not per second",
-      "The trend is by how much the energy strays from one state to the next. With twice as many "
-      "states a second it would be half as large: it has to be per second.",
+      "Your trend is how much the energy changes from one state to the next. With twice as many "
+      "states per second it would be half as large: make it per second.",
       "Drift or oscillation",
       as({.law = [](const Numbers& E, double) -> EnergyDrift { return right_law(E, 1); }})},
      {"sign of the time lost",
-      "The trend was divided by the size of h. Where the states lead back in time it has the "
+      "You divided the trend by the size of h. Where the states lead back in time it has the "
       "opposite sign.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         return right_law(E, std::abs(h));
       }})},
      {"line through the first point",
-      "The line was made to go through the first state. It should fit all of them best, and may "
-      "miss each: one energy that happens to be low would tilt it.",
+      "You made the line go through the first state. Let it fit all of them best and miss each: "
+      "one energy that happens to be low would tilt yours.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const Numbers e = relative(E);
         double above = 0, below = 0;
@@ -391,32 +391,32 @@ const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconcept
         return {largest_of(e), below > 0 ? above / below / h : 0};
       }})},
      {"no line through one point",
-      "Of a single state the slope came out as zero over zero. One point has no trend.",
+      "Of a single state your slope is zero over zero. One point has no trend.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const EnergyDrift drift = right_law(E, h);
         return {drift.largest,
                 E.size() == 1 ? std::numeric_limits<double>::quiet_NaN() : drift.trend};
       }})},
      {"line through the sizes",
-      "The line was fitted to the sizes of the deviations. Then a swing that grows looks like a "
+      "You fitted the line to the sizes of the deviations. Then a swing that grows looks like a "
       "run-away, and energy that is lost like energy that is gained.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         Numbers e = relative(E);
         for (double& each : e) each = std::abs(each);
         return {largest_of(e), slope_of(e) / h};
       }})},
-     {"only the turning", "The energy is that of the turning alone. The centre of mass moves too.",
+     {"only the turning", "Your energy is that of the turning alone. The centre of mass moves too.",
       "Energy",
       as({.energy =
               [](const Body& body, const State& s) {
                 return s.L.dot(reference::derived(body, s).omega) / 2;
               }})},
      {"only the flight",
-      "The energy is that of the centre's motion alone. The body turns about it too.", "Energy",
+      "Your energy is that of the centre's motion alone. The body turns about it too.", "Energy",
       as({.energy = [](const Body& body,
                        const State& s) { return s.P.squaredNorm() / body.mass / 2; }})},
      {"half of the turning forgotten",
-      "One of the two parts of the energy lacks its ½. If it were missing in both, nobody would "
+      "One of the two parts of your energy lacks its ½. If it were missing in both, nobody would "
       "notice.",
       "Energy",
       as({.energy =
@@ -425,8 +425,8 @@ const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconcept
                        s.L.dot(reference::derived(body, s).omega);
               }})},
      {"tensor for its inverse",
-      "The energy of the turning was made of L with the tensor. ½ ω·Iω it is with ω, but with L "
-      "the inverse is needed.",
+      "You made the energy of the turning from L with the tensor. The tensor goes with ω, as in ½ "
+      "ω·Iω; with L you need its inverse.",
       "Energy",
       as({.energy =
               [](const Body& given, const State& s) {
@@ -435,11 +435,12 @@ const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconcept
                 return reference::energy(body, s);
               }})},
      {"body tensor used in the world",
-      "For the energy of the turning L was left in world axes, and the tensor is in body axes.",
+      "For the energy of the turning you left L in world axes, and the tensor is in body axes.",
       "Energy",
       as({.energy =
               [](const Body& body, const State& s) {
                 return (s.P.squaredNorm() / body.mass + s.L.dot(body.I_body_inv * s.L)) / 2;
               }})},
-     {"zero over zero", "A body at rest has no energy, and you divide by it. Nothing strays there.",
-      "Energy", as({.knows_rest = false})}}};
+     {"zero over zero",
+      "A body at rest has no energy, and you divide by it. It has none that could drift.", "Energy",
+      as({.knows_rest = false})}}};

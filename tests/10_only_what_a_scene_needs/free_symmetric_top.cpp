@@ -198,7 +198,7 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(only_what_a_scene_needs::free_symmetric_top)> misconceptions{
     TUMBLE_UNIT,
     {{"ω held fast",
-      "The body was turned about the ω that it starts with. Nothing pushes, so L stays; but ω goes "
+      "You turned the body about the ω that it starts with. Nothing pushes, so L stays; but ω goes "
       "round with the body's axis.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
@@ -206,72 +206,71 @@ const Misconceptions<decltype(only_what_a_scene_needs::free_symmetric_top)> misc
         return reference::product(turn(t * omega), q0);
       }},
      {"only the turn about L",
-      "The body was carried round L at the right rate, but it also turns about its own axis: only "
+      "You carried the body round L at the right rate, but it also turns about its own axis. Only "
       "a ball does not.",
       "The free symmetric top",
       [](double A, double, const Quaternion& q0, const Vec3& L, double t) {
         return reference::product(turn(t / A * L), q0);
       }},
      {"only the turn about the own axis",
-      "The body spins about its own axis, but the axis stands still. It goes round L.",
+      "Your body spins about its own axis, but that axis stands still. It goes round L.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return reference::product(q0, turn(t * own_rate(A, C, q0, L) * z_axis));
       }},
      {"whole spin about the own axis",
-      "About its own axis the body was turned at the full (L·n)/C. The turn about L already has a "
-      "part along this axis, and it was counted twice.",
+      "You turned the body about its own axis at the full (L·n)/C. The turn about L already has a "
+      "part along this axis, so you counted that part twice.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         const double rate = L.dot(axis_of(q0)) / C;
         return product(turn(t / A * L), q0, turn(t * rate * z_axis));
       }},
      {"own turn backwards",
-      "The turn about the own axis has the wrong sign: the difference of the two inverse moments "
-      "was taken the wrong way round.",
+      "Your turn about the own axis has the wrong sign: you took the difference of the two inverse "
+      "moments the wrong way round.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return product(turn(t / A * L), q0, turn(-t * own_rate(A, C, q0, L) * z_axis));
       }},
      {"moments swapped",
-      "A and C stand at each other's places: the body was taken for a coin where it is a pencil. C "
-      "belongs to the axis of symmetry.",
+      "You swapped A and C, and took the body for a coin where it is a pencil. C belongs to the "
+      "axis of symmetry.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return right(C, A, q0, L, t);
       }},
      {"turn about L at |L|/C",
-      "The axis goes round L at a rate that has C in it. All of ω that is not along the axis "
-      "itself "
-      "belongs to the moment across it.",
+      "Your axis goes round L at a rate that has C in it. All of ω that is not along the axis "
+      "belongs to A, the moment perpendicular to it.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return product(turn(t / C * L), q0, turn(t * own_rate(A, C, q0, L) * z_axis));
       }},
      {"difference of moments, not of their inverses",
-      "The turn about the own axis was given the rate of C − A. Rates are L over a moment: it is "
-      "their inverses whose difference counts.",
+      "You gave the turn about the own axis the rate of C − A. Rates are L over a moment, so it is "
+      "the difference of the inverses that counts.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         const double rate = (A - C) * L.dot(axis_of(q0));
         return product(turn(t / A * L), q0, turn(t * rate * z_axis));
       }},
      {"factors swapped",
-      "The turn about L was put to the right of q0 and the own turn to its left. What stays in the "
+      "You put the turn about L on the right of q0 and the own turn on its left. What stays in the "
       "world is a factor on the left, what stays in the body one on the right.",
       "Frames of reference",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return product(turn(t * own_rate(A, C, q0, L) * z_axis), q0, turn(t / A * L));
       }},
      {"own turn about the world's z axis",
-      "Both turns stand to the left of q0, so that the second one is about the world's z axis. The "
+      "You put both turns on the left of q0, so the second one is about the world's z axis. The "
       "axis of symmetry is painted on the body.",
       "Frames of reference",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return product(turn(t / A * L), turn(t * own_rate(A, C, q0, L) * z_axis), q0);
       }},
      {"z of the world for the axis",
-      "For the part of L along the axis L's z component was taken. L is in world axes, and the "
+      "For the part of L along the axis you took L's z component. L is in world axes, and the "
       "body's z axis points elsewhere in the world.",
       "Frames of reference",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
@@ -279,20 +278,20 @@ const Misconceptions<decltype(only_what_a_scene_needs::free_symmetric_top)> misc
         return product(turn(t / A * L), q0, turn(t * rate * z_axis));
       }},
      {"angles not halved",
-      "Everything turns twice as far as it should: a quaternion holds half of the angle.",
+      "Your body turns twice as far as the true one. A quaternion holds half of the angle.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return right(A, C, q0, L, 2 * t);
       }},
      {"backwards in time",
-      "This is where the body was, not where it will be: all turns have the wrong sense.",
+      "You found where the body was, not where it will be: all your turns have the wrong sense.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return right(A, C, q0, L, -t);
       }},
      {"time without its sign",
-      "For negative times the body goes on into the future. The closed form holds for what was "
-      "before as well.",
+      "For negative times your body goes on into the future. The closed form tells what was before "
+      "as well.",
       "Nothing pushes, no steps",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return right(A, C, q0, L, std::abs(t));

@@ -9,9 +9,12 @@ set(tumble_judge_folder ${CMAKE_CURRENT_LIST_DIR})
 # mark instead of what was in memory before, so that every compiler gives the same wrong answer; an index
 # behind the end of a std::vector ends the program.
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -g1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE
+set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE
   -ftrivial-auto-var-init=pattern -DEIGEN_INITIALIZE_MATRICES_BY_NAN -D_GLIBCXX_ASSERTIONS
-  -Wall -Wextra -Wno-unused-parameter -Werror=return-type -fmax-errors=20)
+  -Wall -Wextra -Wno-unused-parameter -Werror=return-type)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # clang stops after twenty by itself
+  list(APPEND TUMBLE_STUDENT_FLAGS -fmax-errors=20)
+endif()
 foreach(folder IN LISTS eigen_folders)
   list(APPEND TUMBLE_STUDENT_FLAGS -isystem ${folder})
 endforeach()
@@ -93,12 +96,11 @@ endfunction()
 # What calls a unit's function in the student's process.
 function(tumble_add_worker target root chapter name)
   set(exercises ${root}/exercises/${chapter})
-  set(contract ${exercises}/contract.hpp)
   string(REGEX REPLACE "^[0-9]+_" "" namespace ${chapter})
   set(worker ${CMAKE_CURRENT_BINARY_DIR}/workers/${chapter}/${name}.cpp)
   file(CONFIGURE OUTPUT ${worker} CONTENT [[
 #include "judge/worker/serve.hpp"
-#include "@contract@"
+#include "contract.hpp"
 
 int main() { return tumble::judge::serve(@namespace@::@name@); }
 ]] @ONLY)
@@ -157,7 +159,15 @@ endfunction()
 # them. Writes ${target}.json, which tells the judge what there is.
 function(tumble_add_judge target root)
   set(prefix ${ARGN})
-  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp)
+  set(course_file ${CMAKE_CURRENT_BINARY_DIR}/${target}_course_file.cpp) # a path, in a file of its own
+  set(course_json ${CMAKE_CURRENT_BINARY_DIR}/${target}.json)
+  file(CONFIGURE OUTPUT ${course_file} CONTENT [[
+#include "judge/commands/course_file.hpp"
+
+const char* const tumble::judge::course_file = "@course_json@";
+]] @ONLY)
+  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp
+    ${course_file})
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF ENABLE_EXPORTS ON) # specs use what it has
   target_link_libraries(${target} PRIVATE tumble_judge_core tumble_judge_commands)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -238,6 +248,4 @@ function(tumble_add_judge target root)
   endif()
 
   tumble_write_course(${target} ${root} "${engine}" "${json}")
-  target_compile_definitions(${target} PRIVATE
-    TUMBLE_COURSE="${CMAKE_CURRENT_BINARY_DIR}/${target}.json")
 endfunction()

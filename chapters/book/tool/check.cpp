@@ -3,26 +3,28 @@
 #include <algorithm>
 #include <cctype>
 
+#include "book/tool/exercises.hpp"
+#include "book/tool/form.hpp"
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
+#include "book/tool/terms.hpp"
 #include "book/tool/tex.hpp"
+#include "book/tool/voice.hpp"
 #include "support/table.hpp"
 
 namespace tumble::book {
 
 std::vector<fs::path> pages_of(const fs::path& root) {
   std::vector<fs::path> files{root / "README.md"};
-  for (const auto& entry : fs::directory_iterator(root / "chapters"))
-    if (fs::exists(entry.path() / "README.md")) files.push_back(entry.path() / "README.md");
+  for (const auto& folder : fs::directory_iterator(root / "chapters"))
+    if (fs::exists(folder.path() / "README.md"))
+      for (const auto& entry : fs::directory_iterator(folder.path()))
+        if (entry.path().extension() == ".md") files.push_back(entry.path());
   std::sort(files.begin() + 1, files.end());
   return files;
 }
 
 namespace {
-
-std::string at(const Page& page, std::size_t line) {
-  return page.file.string() + ":" + std::to_string(line + 1) + ": ";
-}
 
 /// Code and output that nothing keeps true.
 std::vector<std::string> unannounced_fences(const Page& page) {
@@ -105,6 +107,7 @@ std::vector<std::string> mistakes_in(const Places& places, const fs::path& file)
   try {
     const Page page = read_page(file);
     add(stale_fences(places, page));
+    add(stale_exercises(places.root, page));
     add(unannounced_fences(page));
     add(wide_tables(page));
     add(bad_formulas(page));
@@ -115,13 +118,81 @@ std::vector<std::string> mistakes_in(const Places& places, const fs::path& file)
   return mistakes;
 }
 
+/// The pages that have not been rewritten yet: we check neither their voice nor their form, and
+/// their bold type is not about terms.
+std::vector<fs::path> pages_to_rewrite(const fs::path& root) {
+  std::vector<fs::path> files;
+  const fs::path list = root / "chapters/book/pages_to_rewrite.txt";
+  if (!fs::exists(list)) return files;
+  for (const std::string& line : read_page(list).lines)
+    if (!line.empty() && !line.starts_with("#")) files.push_back(root / line);
+  return files;
+}
+
+std::vector<Idiom> idioms_of(const fs::path& root) {
+  const fs::path list = root / "chapters/book/idioms.txt";
+  return fs::exists(list) ? read_idioms(list) : std::vector<Idiom>{};
+}
+
+/// How a page reads, if it has been rewritten; that it has been, if it reads well and is on the
+/// list still.
+std::vector<std::string> mistakes_of_style(const fs::path& root,
+                                           const std::vector<fs::path>& pages) {
+  const std::vector<fs::path> to_rewrite = pages_to_rewrite(root);
+  const std::vector<Idiom> idioms = idioms_of(root);
+  std::vector<std::string> mistakes;
+  for (const fs::path& file : pages) {
+    const Page page = read_page(file);
+    if (file == place_of_terms(root)) continue;  // the other pages' sentences
+    std::vector<std::string> bad = mistakes_of_voice(page, idioms);
+    if (is_chapter(file))
+      for (const std::string& mistake : mistakes_of_form(root, page, pages)) bad.push_back(mistake);
+    const bool listed = std::find(to_rewrite.begin(), to_rewrite.end(), file) != to_rewrite.end();
+    const bool front = file == pages.front();  // another one in a hand-out
+    if (listed && bad.empty() && !front)
+      mistakes.push_back(at(page, 0) + "strike this page off chapters/book/pages_to_rewrite.txt");
+    if (!listed) mistakes.insert(mistakes.end(), bad.begin(), bad.end());
+  }
+  return mistakes;
+}
+
+std::vector<Term> all_terms(const fs::path& root) {
+  const std::vector<fs::path> to_rewrite = pages_to_rewrite(root);
+  std::vector<Term> terms;
+  for (const fs::path& file : pages_of(root)) {
+    const bool listed = std::find(to_rewrite.begin(), to_rewrite.end(), file) != to_rewrite.end();
+    if (listed || !is_chapter(file)) continue;
+    for (Term& term : terms_of(read_page(file))) terms.push_back(std::move(term));
+  }
+  return terms;
+}
+
+std::vector<std::string> mistakes_of_terms(const fs::path& root) {
+  std::vector<std::string> mistakes = repeated(all_terms(root));
+  const fs::path place = place_of_terms(root);
+  if (!fs::exists(place) || read_page(place).lines != fresh_terms(root).lines)
+    mistakes.push_back(place.string() +
+                       ":1: is not what the pages say; ./tumble book --write takes it over");
+  return mistakes;
+}
+
 }  // namespace
+
+Page fresh_terms(const fs::path& root) { return page_of_terms(root, all_terms(root)); }
 
 std::vector<std::string> mistakes_in(const Places& places) {
   std::vector<std::string> mistakes;
-  for (const fs::path& file : pages_of(places.root)) {
-    const std::vector<std::string> more = mistakes_in(places, file);
+  const auto add = [&](const std::vector<std::string>& more) {
     mistakes.insert(mistakes.end(), more.begin(), more.end());
+  };
+  const std::vector<fs::path> pages = pages_of(places.root);
+  for (const fs::path& file : pages) add(mistakes_in(places, file));
+  if (!mistakes.empty()) return mistakes;  // what follows reads the pages, too
+  try {
+    add(mistakes_of_style(places.root, pages));
+    add(mistakes_of_terms(places.root));
+  } catch (const PageError& error) {
+    add({error.what()});
   }
   return mistakes;
 }

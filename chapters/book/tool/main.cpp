@@ -3,8 +3,10 @@
 #include <iostream>
 
 #include "book/tool/check.hpp"
+#include "book/tool/exercises.hpp"
 #include "book/tool/site.hpp"
 #include "book/tool/sources.hpp"
+#include "book/tool/terms.hpp"
 #include "support/command_line.hpp"
 
 using namespace tumble::book;
@@ -15,10 +17,13 @@ namespace {
 void write_all(const Places& places) {
   std::vector<Page> changed;
   for (const fs::path& file : pages_of(places.root)) {
-    const Page page = read_page(file), fresh = refreshed(places, page);
+    const Page page = read_page(file);
+    const Page fresh = refreshed(places, with_fresh_exercises(places.root, page));
     if (fresh.lines != page.lines) changed.push_back(fresh);
   }
   for (const Page& page : changed) write_page(page);
+  fs::create_directories(place_of_terms(places.root).parent_path());
+  write_page(fresh_terms(places.root));
 }
 
 int print_mistakes(const Places& places) {

@@ -31,8 +31,12 @@ bool read_directive(const std::string& line, Fence& fence) {
 
 }  // namespace
 
+std::string at(const Page& page, std::size_t line) {
+  return page.file.string() + ":" + std::to_string(line + 1) + ": ";
+}
+
 void fail(const Page& page, std::size_t line, const std::string& what) {
-  throw PageError(page.file.string() + ":" + std::to_string(line + 1) + ": " + what);
+  throw PageError(at(page, line) + what);
 }
 
 Page read_page(const fs::path& file) {
@@ -56,36 +60,55 @@ void write_page(const Page& page) {
   fs::rename(fresh, page.file);
 }
 
+bool is_quoted(const std::string& line) { return line == ">" || line.starts_with("> "); }
+
+std::string unquoted(const std::string& line) {
+  return is_quoted(line) ? line.substr(std::min<std::size_t>(2, line.size())) : line;
+}
+
+namespace {
+
+/// The line that closes a fence: of the same quotation, or of none.
+/// @param lines of the page, unquoted
+std::size_t closing_of(const Page& page, const std::vector<std::string>& lines,
+                       const Fence& fence) {
+  for (std::size_t i = fence.opening + 1; i < lines.size(); ++i) {
+    if (lines[i] == "```" && is_quoted(page.lines[i]) == fence.quoted) return i;
+    if (trimmed(lines[i]).starts_with("```"))
+      fail(page, i,
+           "a fence within the one of line " + std::to_string(fence.opening + 1) +
+               ", or blanks around its end");
+  }
+  fail(page, fence.opening, "this fence is not closed");
+}
+
+}  // namespace
+
 std::vector<Fence> fences_of(const Page& page) {
+  std::vector<std::string> lines;
+  for (const std::string& line : page.lines) lines.push_back(unquoted(line));
   std::vector<Fence> fences;
-  for (std::size_t i = 0; i < page.lines.size(); ++i) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     Fence fence;
-    const bool announced = read_directive(page.lines[i], fence);
-    const bool comment = page.lines[i].starts_with("<!--");
+    const bool announced = read_directive(lines[i], fence);
+    const bool comment = lines[i].starts_with("<!--");
     if (comment) ++i;
-    const bool opens = i < page.lines.size() && page.lines[i].starts_with("```");
-    if (comment && !page.lines[i - 1].ends_with("-->"))
-      fail(page, i - 1, "a comment ends in its line");
+    const bool opens = i < lines.size() && lines[i].starts_with("```");
+    if (comment && !lines[i - 1].ends_with("-->")) fail(page, i - 1, "a comment ends in its line");
     if (announced && !opens) fail(page, i - 1, "this comment wants a fence in the line below");
     if (comment && !opens) --i;  // an announcement may follow
     if (comment && opens && !announced)
       fail(page, i - 1,
            "a fence is announced by snippet:, signature:, output: or measured: path#name");
     const bool elsewhere =
-        i < page.lines.size() && !opens &&
-        page.lines[i].find_first_not_of(" >-*\t") != std::string::npos &&
-        (trimmed(page.lines[i]).starts_with("```") || trimmed(page.lines[i]).starts_with("~~~"));
+        i < lines.size() && !opens && lines[i].find_first_not_of(" >-*\t") != std::string::npos &&
+        (trimmed(lines[i]).starts_with("```") || trimmed(lines[i]).starts_with("~~~"));
     if (elsewhere) fail(page, i, "a fence begins with ``` in the first column");
     if (!opens) continue;
     fence.opening = i;
-    fence.language = trimmed(page.lines[i].substr(3));
-    while (++i < page.lines.size() && page.lines[i] != "```")
-      if (trimmed(page.lines[i]).starts_with("```"))
-        fail(page, i,
-             "a fence within the one of line " + std::to_string(fence.opening + 1) +
-                 ", or blanks around its end");
-    if (i == page.lines.size()) fail(page, fence.opening, "this fence is not closed");
-    fence.closing = i;
+    fence.quoted = is_quoted(page.lines[i]);
+    fence.language = trimmed(lines[i].substr(3));
+    i = fence.closing = closing_of(page, lines, fence);
     fences.push_back(fence);
   }
   return fences;
@@ -93,7 +116,8 @@ std::vector<Fence> fences_of(const Page& page) {
 
 std::string content_of(const Page& page, const Fence& fence) {
   std::string text;
-  for (std::size_t i = fence.opening + 1; i < fence.closing; ++i) text += page.lines[i] + "\n";
+  for (std::size_t i = fence.opening + 1; i < fence.closing; ++i)
+    text += (fence.quoted ? unquoted(page.lines[i]) : page.lines[i]) + "\n";
   return text;
 }
 

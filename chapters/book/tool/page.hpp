@@ -31,7 +31,13 @@ struct Fence {
   std::string language;                  ///< "cpp", "text", "math", …
   std::string source;                    ///< "snippet", "signature", "output", "measured"; or empty
   std::string path, region;              ///< before and after the #
+  bool quoted = false;                   ///< every line of it begins with "> "
 };
+
+/// A line of a quotation ("> text", or ">" alone).
+bool is_quoted(const std::string& line);
+/// The line without the "> " of a quotation; any other line as it is.
+std::string unquoted(const std::string& line);
 
 /// Where a kind of line is: outside of fences, formulas and links mean something.
 bool is_inside(const std::vector<Fence>& fences, std::size_t line);
@@ -46,6 +52,9 @@ std::vector<Fence> fences_of(const Page& page);
 
 /// The lines between the two fences.
 std::string content_of(const Page& page, const Fence& fence);
+
+/// "file:line: ", as every mistake begins. @param line from 0
+std::string at(const Page& page, std::size_t line);
 
 [[noreturn]] void fail(const Page& page, std::size_t line, const std::string& what);
 

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <map>
 
+#include "book/tool/boxes.hpp"
+#include "book/tool/figures.hpp"
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
 #include "support/svg.hpp"
@@ -30,22 +32,41 @@ std::string plain(std::string text) {
   return text;
 }
 
+/// `code` in HTML; the text has no other mark-up.
+std::string with_code(const std::string& text) {
+  std::string result;
+  bool inside = false;
+  for (const char c : support::svg_text(text)) {
+    if (c != '`') {
+      result += c;
+      continue;
+    }
+    result += inside ? "</code>" : "<code>";
+    inside = !inside;
+  }
+  return result;
+}
+
 /// The caption keeps its formulas: the page's script sets what stands between \( and \).
 std::string caption_html(const std::string& caption) {
   std::string result;
   std::size_t at = 0;
   for (const InlineFormula& formula : formulas_in(caption)) {
-    result += support::svg_text(caption.substr(at, formula.begin - at)) + "\\(" +
+    result += with_code(caption.substr(at, formula.begin - at)) + "\\(" +
               support::svg_text(formula.tex) + "\\)";
     at = formula.end;
   }
-  return result + support::svg_text(caption.substr(at));
+  return result + with_code(caption.substr(at));
 }
 
 class Converter {
  public:
   Converter(const fs::path& root, const Page& page)
-      : root_(root), page_(page), fences_(fences_of(page)) {}
+      : root_(root),
+        page_(page),
+        fences_(fences_of(page)),
+        figures_(figures_of(page)),
+        boxes_(boxes_of(page)) {}
 
   std::string convert() {
     std::string text;
@@ -54,27 +75,47 @@ class Converter {
   }
 
  private:
+  /// The line between two boxes ends the one and begins the other.
+  std::string box_edges(std::size_t i) const {
+    std::string ends, begins;
+    for (const Box& box : boxes_) {
+      if (i == box.end) ends = "</div>";
+      if (i + 1 == box.first) begins = "<div class=\"" + box.name + "\">";
+    }
+    return ends + begins;
+  }
+
   std::string line(std::size_t i) {
     const auto fence = std::find_if(fences_.begin(), fences_.end(), [i](const Fence& f) {
       return f.opening <= i && i <= f.closing;
     });
     if (fence != fences_.end()) return fenced_line(*fence, i);
-    const std::string& text = page_.lines[i];
+    for (const Figure& figure : figures_) {
+      if (i == figure.line) return figure_html(figure);
+      if (figure.first <= i && i < figure.end) return "";  // it has gone into the figure
+    }
+    if (const std::string edges = box_edges(i); !edges.empty()) return html(edges);
+    for (const Box& box : boxes_) {
+      if (box.first <= i && i < box.end) return text_line(unquoted(page_.lines[i]));
+    }
+    return text_line(page_.lines[i]);
+  }
+
+  std::string text_line(const std::string& text) const {
     if (text.starts_with("<!--")) return "";
     if (const Heading heading = heading_in(text); heading.level > 0) return heading_line(heading);
     if (text.starts_with("<details>") || text.starts_with("</details>") ||
         text.starts_with("<summary>"))
       return html(text);
     if (text.starts_with("> [!")) return alert_line(text);
-    const std::vector<Link> links = links_in(text);
-    if (links.size() == 1 && links[0].image && links[0].begin == 0) return figure(links[0]);
-    return with_formulas(with_links(text, links));
+    return with_formulas(with_links(text, links_in(text)));
   }
 
   std::string fenced_line(const Fence& fence, std::size_t i) const {
-    if (fence.language != "math") return page_.lines[i];
+    std::string line = fence.quoted ? unquoted(page_.lines[i]) : page_.lines[i];
+    if (fence.language != "math") return line;
     if (i == fence.opening) return "\\f[";
-    return i == fence.closing ? "\\f]" : page_.lines[i];
+    return i == fence.closing ? "\\f]" : line;
   }
 
   std::string heading_line(const Heading& heading) const {
@@ -95,10 +136,11 @@ class Converter {
   }
 
   /// Doxygen's scanner cannot take a drawing of 100 kB: its place is marked, and filled afterwards.
-  std::string figure(const Link& link) const {
-    const fs::path svg = fs::relative(page_.file.parent_path() / link.target, root_);
+  std::string figure_html(const Figure& figure) const {
+    const fs::path svg = fs::relative(page_.file.parent_path() / figure.picture, root_);
+    const std::string& caption = figure.caption.empty() ? figure.alternative : figure.caption;
     return html("<figure>" + marker_start + svg.string() + marker_end + "<figcaption>" +
-                caption_html(link.text) + "</figcaption></figure>");
+                caption_html(caption) + "</figcaption></figure>");
   }
 
   std::string with_links(const std::string& text, const std::vector<Link>& links) const {
@@ -132,7 +174,7 @@ class Converter {
   bool is_in_the_site(const fs::path& file) const {
     const fs::path relative = fs::relative(file, root_);
     return relative == "README.md" ||
-           (file.filename() == "README.md" && *relative.begin() == "chapters");
+           (file.extension() == ".md" && *relative.begin() == "chapters");
   }
 
   static std::string with_formulas(const std::string& text) {
@@ -148,6 +190,8 @@ class Converter {
   const fs::path& root_;
   const Page& page_;
   std::vector<Fence> fences_;
+  std::vector<Figure> figures_;
+  std::vector<Box> boxes_;
 };
 
 }  // namespace
@@ -155,6 +199,7 @@ class Converter {
 std::string page_id(const fs::path& root, const fs::path& file) {
   std::string id = fs::relative(file.parent_path(), root).string();
   if (id == ".") return "readme";
+  if (file.filename() != "README.md") id += "-" + file.stem().string();
   std::replace(id.begin(), id.end(), '/', '-');
   return id;
 }

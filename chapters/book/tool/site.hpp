@@ -8,7 +8,8 @@
 
 namespace tumble::book {
 
-/// The name by which the site knows a page: "chapters-04_quaternions"; "readme" for the front page.
+/// The name by which the site knows a page: "chapters-04_quaternions", "chapters-08_mirtich-digits"
+/// for a second page there; "readme" for the front page.
 std::string page_id(const fs::path& root, const fs::path& file);
 
 /// The page with Doxygen's formulas, headings with names, links between pages, and figures inside.

@@ -83,10 +83,20 @@ std::size_t find_definition(const Lines& lines, const std::string& name, std::si
   return to;
 }
 
+/// All below the comment that opens the file, and below the empty lines after it.
+std::string whole(const Lines& lines) {
+  std::size_t i = 0;
+  while (i < lines.size() && (lines[i].empty() || is_comment(lines[i]))) ++i;
+  std::string text;
+  for (; i < lines.size(); ++i) text += lines[i] + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string snippet(const std::filesystem::path& file, const std::string& name) {
   const Lines lines = lines_of(file);
+  if (name == "*") return whole(lines);
   std::size_t from = 0, to = lines.size(), indent = 0;
   std::string last = name;
   if (const auto colons = name.find("::"); colons != std::string::npos) {

@@ -8,7 +8,8 @@
 namespace tumble::book {
 
 /// The definition of `name` in a source file, without its documentation: a function, struct, class,
-/// concept or variable that starts in the first column; "Class::member" for a member.
+/// concept or variable that starts in the first column; "Class::member" for a member; "*" for the
+/// whole file without the comment that opens it.
 /// @throws std::invalid_argument naming the file if it is not there
 std::string snippet(const std::filesystem::path& file, const std::string& name);
 

@@ -111,7 +111,8 @@ Page refreshed(const Places& places, const Page& page) {
     for (; next <= fence.opening; ++next) result.lines.push_back(page.lines[next]);
     const std::string shown = content_of(page, fence), wanted = wanted_at(places, page, fence);
     std::istringstream content(is_fresh(shown, wanted, fence) ? shown : wanted);
-    for (std::string line; std::getline(content, line);) result.lines.push_back(line);
+    for (std::string line; std::getline(content, line);)
+      result.lines.push_back(!fence.quoted ? line : line.empty() ? ">" : "> " + line);
     next = fence.closing;
   }
   for (; next < page.lines.size(); ++next) result.lines.push_back(page.lines[next]);

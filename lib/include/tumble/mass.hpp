@@ -19,6 +19,7 @@
 #include "tumble/mass/principal_axes.hpp"
 #include "tumble/mass/random_points.hpp"
 #include "tumble/mass/replicated_sampling.hpp"
+#include "tumble/mass/shell.hpp"
 #include "tumble/mass/solids/ball.hpp"
 #include "tumble/mass/solids/box.hpp"
 #include "tumble/mass/solids/capsule.hpp"
@@ -38,6 +39,10 @@ namespace tumble::solids {}
 /// Mass properties from points and from columns.
 /// @ingroup mass
 namespace tumble::sampling {}
+
+/// Thin shells: the mass lies in the surface.
+/// @ingroup mass
+namespace tumble::shells {}
 
 /// Boxes around points, and how they do for a body.
 /// @ingroup mass

@@ -11,3 +11,7 @@
 #include "tumble/mesh/read_mesh.hpp"
 #include "tumble/mesh/weld.hpp"
 #include "tumble/mesh/write_obj.hpp"
+
+/// Where a surface passes through itself.
+/// @ingroup mesh
+namespace tumble::crossings {}

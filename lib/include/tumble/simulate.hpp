@@ -5,9 +5,14 @@
 /// @defgroup simulate Simulation
 /// State the error, get the cheapest way.
 
+#include "tumble/simulate/any_forces.hpp"
+#include "tumble/simulate/closed_trajectories.hpp"
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/held.hpp"
+#include "tumble/simulate/motion_record.hpp"
+#include "tumble/simulate/motion_tolerance.hpp"
+#include "tumble/simulate/run_settings.hpp"
 #include "tumble/simulate/simulate.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"

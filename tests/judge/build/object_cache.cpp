@@ -54,4 +54,21 @@ void ObjectCache::keep(const Unit& unit, const std::string& text, const WorkerBu
   if (another_was_quicker) fs::remove_all(beside);
 }
 
+fs::path ObjectCache::place_of_stub(const Unit& unit) const {
+  return folder_ / (unit.chapter + "-" + unit.name + "-stub");
+}
+
+std::optional<std::string> ObjectCache::verdict_on_stub(const Unit& unit) const {
+  const fs::path place = place_of_stub(unit);
+  if (!fs::exists(place)) return std::nullopt;
+  return support::read_text(place);
+}
+
+void ObjectCache::keep_verdict_on_stub(const Unit& unit, const std::string& verdict) const {
+  const fs::path place = place_of_stub(unit),
+                 beside = place.string() + "." + std::to_string(::getpid());
+  support::write_text(beside, verdict);
+  fs::rename(beside, place);  // another one's is the same
+}
+
 }  // namespace tumble::judge

@@ -36,7 +36,7 @@ class Builder {
 
   WorkerBuild compiled_once(const std::string& text, const ObjectCache& cache) {
     if (std::optional<WorkerBuild> known = cache.find(unit_, text, object())) {
-      compiler_.hand_over({object()});
+      if (known->outcome == BuildOutcome::built) compiler_.hand_over({object()});
       return *known;
     }
     WorkerBuild result = compiled(text);
@@ -97,8 +97,8 @@ class Builder {
     for (const fs::path& folder : {exercises / unit_.chapter, exercises})
       flags.insert(flags.end(), {"-I", folder.string()});
     if (sanitized_)
-      flags.insert(flags.end(), {"-fsanitize=address,undefined", "-fno-sanitize-recover=undefined",
-                                 "-fno-omit-frame-pointer"});
+      flags.insert(flags.end(), {"-g1", "-fsanitize=address,undefined",
+                                 "-fno-sanitize-recover=undefined", "-fno-omit-frame-pointer"});
     else if (tools_.compiler_id == "GNU")  // finds the .gch beside it
       flags.insert(flags.end(), {"-Winvalid-pch", "-include",
                                  fs::path(tools_.precompiled).replace_extension().string()});

@@ -8,7 +8,7 @@
 namespace tumble::judge {
 
 /// The exercise that a file's name means: "product" for product.cpp, Product.CPP, product (1).cpp,
-/// product-1.cpp, product.cpp.txt, "product - Copy.cpp". Empty if it is no source file.
+/// product-1.cpp, product.cpp.txt, "product - Copy.cpp". Empty if it is not a source file.
 std::string exercise_named(const std::string& file);
 
 /// The order that people expect: v2 before v10, "a" before "a-1", without regard to case. Texts

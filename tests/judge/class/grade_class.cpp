@@ -32,14 +32,7 @@ void take_attempt(const GradesFolder& folder, const CourseSettings& settings,
                   const StudentRecord& record, std::size_t attempt) {
   const std::string name = file_name_for(record.student);
   write_record(folder.record_of(record.student), record, settings);
-  for (const Unit& unit : settings.units) {
-    const fs::path from = kept_source(folder.sources(attempt) / name, unit),
-                   to = kept_source(folder.sources() / name, unit);
-    if (fs::exists(from))
-      support::write_text_and_folders(to, support::read_text(from));
-    else
-      fs::remove(to);
-  }
+  copy_sources(folder.sources(attempt) / name, folder.sources() / name, settings.units);
 }
 
 /// All students with a record, where no list of the class says more.
@@ -56,6 +49,16 @@ std::vector<ListedStudent> students_with_records(const GradesFolder& folder) {
 
 }  // namespace
 
+void copy_sources(const fs::path& from, const fs::path& to, const std::vector<Unit>& units) {
+  for (const Unit& unit : units) {
+    const fs::path source = kept_source(from, unit), copy = kept_source(to, unit);
+    if (fs::exists(source))
+      support::write_text_and_folders(copy, support::read_text(source));
+    else
+      fs::remove(copy);
+  }
+}
+
 std::uint64_t class_seed(const CourseSettings& settings, const GradesFolder& folder) {
   if (settings.seed) return *settings.seed;
   if (!fs::exists(folder.seed()))
@@ -63,7 +66,7 @@ std::uint64_t class_seed(const CourseSettings& settings, const GradesFolder& fol
   const std::string text = support::read_text(folder.seed());
   require(!text.empty() && text.find_first_not_of("0123456789\n") == std::string::npos &&
               text.size() < 20,
-          folder.seed().string(), " is no seed, but '", text, "': delete it to draw a new one");
+          folder.seed().string(), " is not a seed, but '", text, "': delete it to draw a new one");
   return std::stoull(text);
 }
 
@@ -151,6 +154,9 @@ std::vector<StudentRecord> records_of(const GradesFolder& folder, const CourseSe
 KeptRecords read_records(const GradesFolder& folder) {
   KeptRecords kept;
   const std::optional<ClassList> list = read_class_list(folder.class_list());
+  require(list || !fs::exists(folder.shards()), folder.path.string(),
+          " holds shards of a class: ./tumble grade --merge ", folder.path.string(),
+          " makes one of them, when all are judged");
   for (const ListedStudent& listed : list ? list->students : students_with_records(folder)) {
     if (listed.absent) {
       kept.records.push_back({listed.student, 1, 0, "", {}});

@@ -39,7 +39,13 @@ struct GradesFolder {
   std::filesystem::path csv() const { return path / "grades.csv"; }
   std::filesystem::path junit() const { return path / "junit.xml"; }
   std::filesystem::path seed() const { return path / "seed"; }
+  /// What shards of a class say of themselves.
+  std::filesystem::path shards() const { return path / "shards"; }
 };
+
+/// Copies the files of these units that were judged; of a unit without one, none is there then.
+void copy_sources(const std::filesystem::path& from, const std::filesystem::path& to,
+                  const std::vector<Unit>& units);
 
 /// The seed of a class: as the settings say, else as it was drawn when grading into this folder
 /// began.
@@ -73,7 +79,7 @@ struct KeptRecords {
   std::vector<std::string> unreadable;
 };
 
-/// @throws std::invalid_argument if there are none
+/// @throws std::invalid_argument if there are none, or only those of shards
 KeptRecords read_records(const GradesFolder& folder);
 
 }  // namespace tumble::judge

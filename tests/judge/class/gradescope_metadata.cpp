@@ -63,12 +63,12 @@ class MetadataReader {
  private:
   void take(const YamlLine& line) {
     if (line.indent == 0 && !line.element) {
-      require(!line.key.empty(), "it is no list of submissions");
+      require(!line.key.empty(), "it is not a list of submissions");
       now_ = &all_[yaml_value(line.key)];
       among_submitters_ = false;
       return;
     }
-    require(now_ != nullptr, "it is no list of submissions");
+    require(now_ != nullptr, "it is not a list of submissions");
     if (line.indent <= 2 && !line.element) {
       among_submitters_ = line.key == ":submitters";
       if (line.key == ":created_at") now_->created_at = line.value;
@@ -79,7 +79,7 @@ class MetadataReader {
 
   void take_submitter(const YamlLine& line) {
     if (line.element) now_->submitters.emplace_back();
-    require(!now_->submitters.empty(), ":submitters is no list");
+    require(!now_->submitters.empty(), ":submitters is not a list");
     Identity& submitter = now_->submitters.back();
     if (line.key == ":name") submitter.name = line.value;
     if (line.key == ":sid") submitter.id = line.value;

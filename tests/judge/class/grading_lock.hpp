@@ -1,8 +1,10 @@
 #pragma once
 /// @file
-/// One grading at a time in a folder: two would do the same work, and write the same files.
+/// One grading at a time in a folder: two would do the same work, and write the same files. Shards
+/// of a class do neither, and may be at work beside each other.
 
 #include <filesystem>
+#include <string>
 
 #include "judge/sandbox/pipe.hpp"
 
@@ -11,8 +13,12 @@ namespace tumble::judge {
 /// Holds a folder's lock while it lives. The system takes it away from a process that is killed.
 class GradingLock {
  public:
+  enum class With { nobody, other_shards };
+
+  /// @param where what is locked, for the message
   /// @throws std::invalid_argument if another process holds it
-  explicit GradingLock(const std::filesystem::path& file);
+  GradingLock(const std::filesystem::path& file, const std::string& where,
+              With with = With::nobody);
 
  private:
   Descriptor file_;

@@ -91,38 +91,42 @@ class RosterReader {
   Roster& roster_;
 };
 
-/// Is a member of the class meant by the name of a folder, or by what a platform has called it?
-bool is_named(const Member& member, const Submission& submission) {
-  for (const std::string* name : {&submission.student, &submission.who.name, &submission.who.email})
-    for (const std::string& own : {member.who.name, member.who.id, member.who.email, member.login,
-                                   member.who.email.substr(0, member.who.email.find('@'))})
-      if (!squeezed(own).empty() && squeezed(*name) == squeezed(own)) return true;
-  return false;
-}
-
 }  // namespace
 
-const Member* Roster::find(const Submission& submission) const {
-  const Member* found = nullptr;
-  for (const Member& member : members)
-    if (!submission.who.id.empty() && member.who.id == submission.who.id) return &member;
-  for (const Member& member : members)
-    if (is_named(member, submission)) {
-      if (found) return nullptr;  // two of one name
-      found = &member;
-    }
-  return found;
+MemberFinder::MemberFinder(const Roster& roster) {
+  for (const Member& member : roster.members) {
+    by_id_.try_emplace(member.who.id, &member);
+    const std::string& email = member.who.email;
+    for (const std::string& name :
+         {member.who.name, member.who.id, email, member.login, email.substr(0, email.find('@'))})
+      by_name_[squeezed(name)].insert(&member);
+  }
+}
+
+const Member* MemberFinder::find(const Submission& submission) const {
+  const auto with_id = by_id_.find(submission.who.id);
+  if (!submission.who.id.empty() && with_id != by_id_.end()) return with_id->second;
+  std::set<const Member*> named;
+  for (const std::string* name : {&submission.student, &submission.who.name, &submission.who.email})
+    if (const auto found = by_name_.find(squeezed(*name));
+        found != by_name_.end() && !found->first.empty())
+      named.insert(found->second.begin(), found->second.end());
+  return named.size() == 1 ? *named.begin() : nullptr;  // of two of one name neither
 }
 
 Roster read_roster(const std::filesystem::path& file) {
+  return roster_in(support::read_text(file), file.string());
+}
+
+Roster roster_in(const std::string& text, const std::string& name) {
   Roster roster;
-  roster.table = read_csv(support::read_text(file), file.string());
+  roster.table = read_csv(text, name);
   roster.lms = lms_of(roster.table);
   RosterReader(roster).read();
   std::string columns;
-  for (const std::string& name : roster.table.header)
-    columns += (columns.empty() ? "" : ", ") + name;
-  require(!roster.members.empty(), file.string(),
+  for (const std::string& column : roster.table.header)
+    columns += (columns.empty() ? "" : ", ") + column;
+  require(!roster.members.empty(), name,
           " names nobody: it needs a column called name, email or id; it has: ", columns);
   return roster;
 }
@@ -130,8 +134,9 @@ Roster read_roster(const std::filesystem::path& file) {
 RosterMatch match(const Roster& roster, std::vector<Submission>& submissions) {
   RosterMatch result;
   std::set<std::size_t> handed_in;
+  const MemberFinder members(roster);
   for (Submission& submission : submissions) {
-    const Member* member = roster.find(submission);
+    const Member* member = members.find(submission);
     if (!member) {
       result.strangers.push_back(submission.student);
       continue;

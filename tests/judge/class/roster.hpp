@@ -4,6 +4,8 @@
 /// Gradescope's roster. Its columns are known by their names.
 
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,13 +26,26 @@ struct Roster {
   CsvTable table;
   Lms lms = Lms::none;  ///< whose table it is
   std::vector<Member> members;
+};
+
+/// Finds members by what submissions are called; in a class of thousands, too.
+class MemberFinder {
+ public:
+  /// @param roster it stays where it is, and as it is
+  explicit MemberFinder(const Roster& roster);
 
   /// Who has handed this in; null if nobody in the class, or not one alone.
   const Member* find(const Submission& submission) const;
+
+ private:
+  std::map<std::string, const Member*> by_id_;
+  std::map<std::string, std::set<const Member*>> by_name_;  ///< letters and digits of each name
 };
 
 /// @throws std::invalid_argument if the file is no table, or has no column with names
 Roster read_roster(const std::filesystem::path& file);
+/// The same of a file's text, called by this name in messages.
+Roster roster_in(const std::string& text, const std::string& name);
 
 struct RosterMatch {
   std::vector<Member> missing;         ///< those of the class who have handed in nothing

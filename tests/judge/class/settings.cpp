@@ -158,8 +158,12 @@ CourseSettings default_settings(const Course& course) {
 }
 
 CourseSettings read_settings(const Course& course, const std::filesystem::path& file) {
-  const nlohmann::json json = support::parsed_json(support::read_text(file), file.string());
-  return settings_of(course, Place(json, file.string()));
+  return settings_in(course, support::read_text(file), file.string());
+}
+
+CourseSettings settings_in(const Course& course, const std::string& text, const std::string& name) {
+  const nlohmann::json json = support::parsed_json(text, name);
+  return settings_of(course, Place(json, name));
 }
 
 CourseSettings settings_or_default(const Course& course,

@@ -59,6 +59,9 @@ CourseSettings default_settings(const Course& course);
 /// @throws std::invalid_argument naming the file and the place of what means nothing
 CourseSettings read_settings(const Course& course, const std::filesystem::path& file);
 
+/// The same of a file's text, called by this name in messages.
+CourseSettings settings_in(const Course& course, const std::string& text, const std::string& name);
+
 /// The one or the other.
 CourseSettings settings_or_default(const Course& course,
                                    const std::optional<std::filesystem::path>& file);

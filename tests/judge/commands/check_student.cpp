@@ -21,7 +21,8 @@ struct Seen {
   fs::path sources;
 
   explicit Seen(const fs::path& file) {
-    require(fs::is_regular_file(file), file.string(), " is no file: `grade` makes one per student");
+    require(fs::is_regular_file(file), file.string(),
+            " is not a file: `grade` makes one per student");
     record = *read_record(file);
     sources =
         fs::absolute(file).lexically_normal().parent_path().parent_path() / "sources" / file.stem();

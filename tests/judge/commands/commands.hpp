@@ -46,6 +46,8 @@ struct GradeOptions {
   std::vector<std::string> students;   ///< to judge; all if none is named
   bool strict = false;                 ///< refuse to judge if a wall of the sandbox is missing
   std::optional<double> seconds;       ///< after these no exercise is begun
+  std::optional<std::string> shard;    ///< "3/10": judge this part of the class
+  std::vector<fs::path> merge;         ///< folders of shards, instead of submissions
 };
 
 struct ReportOptions {
@@ -92,8 +94,10 @@ int reset(const Course& course, const std::string& what);
 int solution(const Course& course, const std::string& what, bool anyway);
 /// Which walls of the sandbox stand here.
 int sandbox(const Course& course);
-/// Grades a class.
+/// Grades a class, or a shard of it, or makes one class of its shards.
 int grade(const Course& course, const GradeOptions& options);
+/// Makes the grades of a class whose shards were judged elsewhere.
+int merge(const Course& course, const GradeOptions& options);
 /// Makes a repository for students.
 int handout_command(const Course& course, const HandoutOptions& options);
 /// Grades one submission where a platform has put it, and writes the results where it looks for

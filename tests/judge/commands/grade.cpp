@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <iostream>
+#include <random>
+#include <sstream>
 #include <thread>
 
 #include "judge/build/work_folder.hpp"
-#include "judge/class/class_outputs.hpp"
 #include "judge/class/collect.hpp"
 #include "judge/class/final_grade.hpp"
 #include "judge/class/grading_lock.hpp"
 #include "judge/class/progress_line.hpp"
+#include "judge/class/shard_manifest.hpp"
 #include "judge/commands/commands.hpp"
+#include "judge/commands/finish_grading.hpp"
 #include "judge/commands/grade_messages.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "support/nearest.hpp"
@@ -22,51 +25,23 @@ namespace {
 /// What there is to grade.
 struct Work {
   WorkFolder unpacked;
-  ClassWork all;
-  std::optional<Roster> roster;
-  RosterMatch match;
+  ClassRoll roll;
 
   Work(const Course& course, const CourseSettings& settings, const GradeOptions& options) {
     std::optional<Lms> from;
     if (options.from) from = lms_named(*options.from);
-    if (options.roster) roster = read_roster(*options.roster);
-    all = collect(course, options.folders, from, settings.rules.several, unpacked);
-    if (roster) match = judge::match(*roster, all.submissions);
-    if (all.lms == Lms::none && roster && !from) all.lms = roster->lms;
+    if (options.roster) {
+      roll.roster_text = support::read_text(*options.roster);
+      roll.roster = roster_in(roll.roster_text, options.roster->string());
+    }
+    ClassWork all = collect(course, options.folders, from, settings.rules.several, unpacked);
+    roll.submissions = std::move(all.submissions);
+    roll.left_out = std::move(all.left_out);
+    roll.lms = all.lms;
+    if (roll.roster) roll.match = judge::match(*roll.roster, roll.submissions);
+    if (roll.lms == Lms::none && roll.roster && !from) roll.lms = roll.roster->lms;
   }
 };
-
-/// A row for who is on the roster and has handed in nothing.
-StudentRecord absent_record(const Member& member) {
-  StudentRecord record{!member.who.name.empty()    ? member.who.name
-                       : !member.who.email.empty() ? member.who.email
-                       : !member.who.id.empty()    ? member.who.id
-                                                   : member.login,
-                       1,
-                       0,
-                       "",
-                       {}};
-  record.who = member.who;
-  record.absent = true;
-  return record;
-}
-
-/// All rows of the table, by the students' names.
-std::vector<StudentRecord> rows_of(const Work& work, const GradesFolder& folder,
-                                   const CourseSettings& settings) {
-  std::vector<StudentRecord> records = records_of(folder, settings, work.all.submissions);
-  std::set<std::string> names;
-  for (const StudentRecord& record : records) names.insert(record.student);
-  for (const Member& member : work.match.missing) {
-    StudentRecord record = absent_record(member);
-    while (!names.insert(record.student).second) record.student += " (" + member.who.id + ")";
-    records.push_back(std::move(record));
-  }
-  std::stable_sort(
-      records.begin(), records.end(),
-      [](const StudentRecord& a, const StudentRecord& b) { return a.student < b.student; });
-  return records;
-}
 
 /// Those of the submissions that are to be judged.
 std::vector<Submission> wanted(const std::vector<Submission>& all,
@@ -101,61 +76,106 @@ std::set<std::string> units_named(const Course& course, const CourseSettings& se
   return ids;
 }
 
-/// Says for whom no time was left.
-/// @return whether there is anybody
-bool said_who_is_left(const std::vector<StudentRecord>& records) {
-  const auto left = std::count_if(records.begin(), records.end(),
-                                  [](const StudentRecord& record) { return record.out_of_time; });
-  if (left > 0)
-    std::cerr << "tumble: no time was left for " << left << " of " << records.size()
-              << " submissions; the same command goes on there\n";
-  return left > 0;
+/// Those of them that one shard judges.
+std::vector<Submission> in_shard(const std::vector<Submission>& all, const Shard& shard) {
+  std::vector<Submission> chosen;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
+               [&](const Submission& each) { return holds(shard, each.student); });
+  return chosen;
 }
 
-/// Keeps the settings for the report.
-void keep_settings(const GradesFolder& folder, const std::optional<fs::path>& settings) {
-  std::error_code was_not_there;
-  if (settings)
-    support::write_text(folder.settings(), support::read_text(*settings));
-  else
-    fs::remove(folder.settings(), was_not_there);
+/// What is to be judged: of the whole class, or of a shard of it.
+std::vector<Submission> chosen(const std::vector<Submission>& all, const GradeOptions& options,
+                               const std::optional<Shard>& shard) {
+  std::vector<Submission> named = wanted(all, options.students);
+  if (!shard) return named;
+  std::vector<Submission> here = in_shard(named, *shard);
+  require(options.students.empty() || !here.empty(), "'",
+          options.students.empty() ? "" : options.students.front(), "' is in shard ",
+          named.empty() ? "" : name_of({shard_number(named.front().student, shard->of), shard->of}),
+          ", not in ", name_of(*shard));
+  return here;
 }
 
-/// Writes what there is, says what was written, and how it ended.
-int finish(const Work& work, const GradesFolder& folder, const CourseSettings& settings,
-           const std::vector<FailedStudent>& failed, const Interruption& interruption,
-           std::chrono::steady_clock::time_point start) {
-  const std::vector<StudentRecord> records = rows_of(work, folder, settings);
-  const auto written = write_outputs(folder, {settings, records, work.all.submissions, work.all.lms,
-                                              work.roster ? &*work.roster : nullptr});
-  print_grades(settings, records);
-  say_about(work.all.left_out, work.match.strangers, settings, records);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  std::cerr << "tumble: " << duration_text(taken.count()) << "; grades: ";
-  for (const fs::path& file : written) std::cerr << file.string() << ", ";
-  std::cerr << "one file a student in " << (folder.path / "students").string() << ", for them in "
-            << folder.feedback().string() << "\n";
-  if (interruption.asked()) {
-    std::cerr << "tumble: interrupted: the grades are those of what was judged; the same command "
-                 "goes on there\n";
-    return 130;
+/// Shards of one class need one seed.
+void require_seed(const CourseSettings& settings, const GradesFolder& folder) {
+  require(settings.seed || fs::exists(folder.seed()),
+          "--shard needs a \"seed\" in --course course.json, or every shard would draw its own "
+          "inputs: a whole number that you keep secret, such as ",
+          std::random_device{}());
+}
+
+std::optional<std::string> text_of(const std::optional<fs::path>& file) {
+  if (!file) return std::nullopt;
+  return support::read_text(*file);
+}
+
+/// What has to be remembered of a shard, until it is merged.
+ShardManifest manifest(const Shard& shard, const Grading& grading, const GradeOptions& options,
+                       const ClassRoll& roll) {
+  ShardManifest said{shard, grading.seed, text_of(options.settings), {}, roll};
+  for (const Unit& unit : grading.settings.units) said.judges[unit.id()] = grading.judge.of(unit);
+  return said;
+}
+
+/// Locks a folder for all of a class, or for one shard beside others.
+class FolderLock {
+ public:
+  FolderLock(const GradesFolder& folder, const std::optional<Shard>& shard)
+      : whole_(folder.lock(), folder.path.string(),
+               shard ? GradingLock::With::other_shards : GradingLock::With::nobody) {
+    if (!shard) return;
+    fs::create_directories(folder.shards());
+    own_.emplace(manifest_of(folder, *shard).replace_extension(".lock"),
+                 folder.path.string() + ", of shard " + name_of(*shard));
   }
-  const bool has_failed = say_failures(failed, records), unfinished = said_who_is_left(records);
-  return has_failed ? 2 : unfinished ? 1 : 0;
+
+ private:
+  GradingLock whole_;
+  std::optional<GradingLock> own_;
+};
+
+/// Says a line, whole: other shards may speak on the same terminal.
+template <class... Words>
+void say(const Words&... words) {
+  std::ostringstream line;
+  line << "tumble: ";
+  (line << ... << words) << "\n";
+  std::cerr << line.str();
+}
+
+/// Says what a shard is, and how it ended: tables are the whole class's.
+int finish_shard(const Shard& shard, const GradesFolder& folder, const CourseSettings& settings,
+                 const std::vector<Submission>& all, const GradingRun& run) {
+  const std::vector<Submission> own = in_shard(all, shard);
+  const int status = say_end(records_of(folder, settings, own), run);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - run.start;
+  say(duration_text(taken.count()), "; shard ", name_of(shard), ", ", own.size(), " of ",
+      all.size(), " submissions, is ", status == 0 ? "judged" : "not complete", ": ",
+      (folder.path / "students").string());
+  say("the tables come when all ", shard.of, " are judged: ./tumble grade --merge DIR...");
+  return status;
 }
 
 }  // namespace
 
 int grade(const Course& course, const GradeOptions& options) {
+  if (!options.merge.empty()) return merge(course, options);
+  require(!options.folders.empty(), "DIR is required: the folder of the submissions");
   const CourseSettings settings = settings_or_default(course, options.settings);
+  std::optional<Shard> shard;
+  if (options.shard) shard = shard_in(*options.shard);
+  const GradesFolder folder{options.out};
+  if (shard) require_seed(settings, folder);
   const Work work(course, settings, options);
-  const std::vector<Submission> submissions = wanted(work.all.submissions, options.students);
+  const std::vector<Submission>& all = work.roll.submissions;
+  const std::vector<Submission> submissions = chosen(all, options, shard);
   const std::set<std::string> only = units_named(course, settings, options.only);
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::yes)) return 2;
-  const GradesFolder folder{options.out};
   fs::create_directories(folder.path / "students");
-  const GradingLock lock(folder.lock());
-  keep_settings(folder, options.settings);
+  if (shard) require_same_cut(folder, *shard);
+  const FolderLock lock(folder, shard);
+  if (!shard) keep_settings(folder, text_of(options.settings));  // a shard's manifest has them
   const WorkFolder compiled;
   fs::permissions(compiled.path(), fs::perms::owner_all);  // nobody else's, not even to look in
   const ObjectCache cache(compiled.path());
@@ -167,16 +187,22 @@ int grade(const Course& course, const GradeOptions& options) {
   Grading grading{course, settings, class_seed(settings, folder), judge, cache, builds_at_once};
   grading.only = only;
   if (options.seconds) grading.deadline = after(*options.seconds);
-  std::cerr << "tumble: " << submissions.size() << " submissions, " << settings.units.size()
-            << " exercises each\n";
-  say_list("records:", set_damaged_aside(folder, work.all.submissions));
-  const auto start = std::chrono::steady_clock::now();
+  if (shard) {
+    write_manifest(folder, manifest(*shard, grading, options, work.roll));
+    say("shard ", name_of(*shard), ": ", submissions.size(), " of ", all.size(), " submissions, ",
+        settings.units.size(), " exercises each");
+  } else {
+    say(submissions.size(), " submissions, ", settings.units.size(), " exercises each");
+  }
+  say_list("records:", set_damaged_aside(folder, shard ? submissions : all));
+  GradingRun run;
   const Interruption interruption;
   const std::vector<StudentRecord> before = records_of(folder, settings, submissions);
-  const std::vector<FailedStudent> failed =
-      grade_class(grading, submissions, folder, students_at_once, interruption);
+  run.failed = grade_class(grading, submissions, folder, students_at_once, interruption);
   say_changes(before, records_of(folder, settings, submissions));
-  return finish(work, folder, settings, failed, interruption, start);
+  run.interrupted = interruption.asked();
+  return shard ? finish_shard(*shard, folder, settings, all, run)
+               : finish_class(work.roll, folder, settings, run);
 }
 
 }  // namespace tumble::judge

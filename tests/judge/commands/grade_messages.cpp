@@ -132,13 +132,14 @@ void say_changes(const std::vector<StudentRecord>& before,
 }
 
 bool say_failures(const std::vector<FailedStudent>& failed,
-                  const std::vector<StudentRecord>& records) {
+                  const std::vector<StudentRecord>& records, const std::string& again) {
   const std::vector<std::string> lines = failures_of(failed, records);
   for (const std::string& line : lines)
     std::cerr << "tumble: the judge failed at " << escaped(line) << "\n";
   if (!lines.empty())
     std::cerr << "tumble: these are failures of the judge or of this machine, and cost nobody a "
-                 "point for good: the same command again judges what is missing\n";
+                 "point for good: "
+              << again << " judges what is missing\n";
   return !lines.empty();
 }
 

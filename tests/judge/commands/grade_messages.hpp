@@ -26,8 +26,9 @@ void say_about(const std::vector<LeftOut>& left_out, const std::vector<std::stri
 void say_changes(const std::vector<StudentRecord>& before, const std::vector<StudentRecord>& after);
 
 /// Says what the judge has failed at.
+/// @param again what judges what is missing: "the same command"
 /// @return whether there was anything
 bool say_failures(const std::vector<FailedStudent>& failed,
-                  const std::vector<StudentRecord>& records);
+                  const std::vector<StudentRecord>& records, const std::string& again);
 
 }  // namespace tumble::judge

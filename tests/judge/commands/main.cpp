@@ -5,6 +5,7 @@
 
 #include "judge/class/lms.hpp"
 #include "judge/commands/commands.hpp"
+#include "judge/commands/course_file.hpp"
 #include "judge/commands/needs.hpp"
 #include "judge/platforms/platform.hpp"
 #include "support/command_line.hpp"
@@ -41,7 +42,7 @@ class CommandLine {
   int run(int argc, char** argv) {
     if (argc > 1 && std::string(argv[1]) == "--needs") return print_needs(argc, argv);
     return tumble::support::run_command_line(app_, argc, argv,
-                                             [&] { return run_(read_course(TUMBLE_COURSE)); });
+                                             [&] { return run_(read_course(course_file)); });
   }
 
  private:
@@ -62,7 +63,7 @@ class CommandLine {
   int print_needs(int argc, char** argv) {
     try {
       app_.parse(argc, argv);
-      for (const std::string& target : needs_(read_course(TUMBLE_COURSE)))
+      for (const std::string& target : needs_(read_course(course_file)))
         std::cout << target << "\n";
     } catch (const std::exception&) {
       return 0;
@@ -135,25 +136,37 @@ class CommandLine {
 
   void add_grade() {
     CLI::App& app = command(
-        "grade", "grade a class", [this](const Course& course) { return grade(course, grade_); },
-        [this](const Course& course) { return specs_that_count(course, grade_.settings); });
+        "grade", "grade a class, or a part of one",
+        [this](const Course& course) { return grade(course, grade_); },
+        [this](const Course& course) {
+          return grade_.merge.empty() ? specs_that_count(course, grade_.settings)
+                                      : Targets{"grading_tools"};
+        });
     app.add_option("DIR", grade_.folders,
-                   "folders with a folder or an archive per student, or a platform's download")
-        ->required();
+                   "folders with a folder or an archive per student, or a platform's download");
     app.add_option("--out", grade_.out, "folder for the results; grading goes on where it was")
         ->capture_default_str();
-    app.add_option("--course", grade_.settings,
-                   "course.json: exercises, weights, credit, due date, seed");
-    app.add_option("--from", grade_.from,
-                   std::string("whose download it is, if its names leave a doubt: ") + lms_names);
-    app.add_option("--roster", grade_.roster,
-                   "table of the class (CSV): names, numbers, who has not handed in");
-    app.add_option("--only", grade_.only, "judge only these exercises or chapters, and again");
-    app.add_option("--student", grade_.students, "judge only these students");
-    app.add_option("--jobs", grade_.at_once, "submissions at a time; as many as cores if not given")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--deadline", grade_.seconds, seconds_help)->check(CLI::PositiveNumber);
-    app.add_flag("--strict", grade_.strict, strict_help);
+    std::vector<CLI::Option*> about_judging = {
+        app.get_option("DIR"),
+        app.add_option("--course", grade_.settings,
+                       "course.json: exercises, weights, credit, due date, seed"),
+        app.add_option(
+            "--from", grade_.from,
+            std::string("whose download it is, if its names leave a doubt: ") + lms_names),
+        app.add_option("--roster", grade_.roster,
+                       "table of the class (CSV): names, numbers, who has not handed in"),
+        app.add_option("--only", grade_.only, "judge only these exercises or chapters, and again"),
+        app.add_option("--student", grade_.students, "judge only these students"),
+        app.add_option("--jobs", grade_.at_once,
+                       "submissions at a time; as many as cores if not given")
+            ->check(CLI::Range(1, 1000)),
+        app.add_option("--deadline", grade_.seconds, seconds_help)->check(CLI::PositiveNumber),
+        app.add_flag("--strict", grade_.strict, strict_help),
+        app.add_option("--shard", grade_.shard,
+                       "3/10: judge a tenth of the class, the third; by the students' names")};
+    CLI::Option* merge = app.add_option(
+        "--merge", grade_.merge, "folders of shards: make the grades of the whole class of them");
+    for (CLI::Option* option : about_judging) merge->excludes(option);
   }
 
   void add_report() {

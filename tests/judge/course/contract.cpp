@@ -70,9 +70,9 @@ std::string stub_of(const Course& course, const Unit& unit) {
   const std::string space = unit.chapter.substr(unit.chapter.find('_') + 1);
   std::ostringstream stub;
   stub << "#include \"contract.hpp\"\n\nnamespace " << space << " {\n\n// " << unit.number << " "
-       << unit.name << ": " << declaration.title
-       << ".\n// What is demanded stands in contract.hpp. Ask: ./tumble hint " << unit.number
-       << " · Be judged: ./tumble check " << unit.number << "\n"
+       << unit.name << ": " << declaration.title << (declaration.title.ends_with("?") ? "" : ".")
+       << "\n// contract.hpp says what to write. Stuck? ./tumble hint " << unit.number
+       << " · Done? ./tumble check " << unit.number << "\n"
        << declaration.signature << " {\n  throw NotImplemented{};\n}\n\n}  // namespace " << space
        << "\n";
   return stub.str();

@@ -25,7 +25,7 @@ class ContractTypes {
   const std::vector<ContractMember>& members_of(const std::string& type) const;
   /// The words for the values 0, 1, … of an enumeration; empty if `type` is none.
   const std::vector<std::string>& enumerators_of(const std::string& type) const;
-  /// "Mesh" of "std::vector<Mesh>"; empty if `type` is no list.
+  /// "Mesh" of "std::vector<Mesh>"; empty if `type` is not a list.
   static std::string element_of(const std::string& type);
   static bool is_bool(const std::string& type);
 

@@ -113,7 +113,7 @@ Course read_course(const fs::path& file) {
     for (const json& unit : j.at("units")) course.units.push_back(read_unit(unit));
     return course;
   } catch (const json::exception& e) {
-    throw std::runtime_error(file.string() + " is no course: " + e.what());
+    throw std::runtime_error(file.string() + " is not a course: " + e.what());
   }
 }
 

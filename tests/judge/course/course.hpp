@@ -84,7 +84,7 @@ struct Course {
 std::string numbers_of(const std::vector<Unit>& units);
 
 /// Reads what the build has written.
-/// @throws std::runtime_error if the file is missing or is no course
+/// @throws std::runtime_error if the file is missing or is not a course
 Course read_course(const fs::path& file);
 
 }  // namespace tumble::judge

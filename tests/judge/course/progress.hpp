@@ -37,7 +37,7 @@ class Progress {
   std::map<std::string, UnitProgress> units_;
 };
 
-/// A number that changes with the text of a file; 0 if it is no file (a link is none) or huge.
+/// A number that changes with the text of a file; 0 if it is not a file (a link is none) or huge.
 std::uint64_t fingerprint(const std::filesystem::path& file);
 
 }  // namespace tumble::judge

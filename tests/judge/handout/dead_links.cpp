@@ -100,9 +100,10 @@ std::string without_dead_links(const std::string& text, const fs::path& path,
   std::string result, prose;
   bool code = false;
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("```")) code = !code;
+    const bool fence = line.starts_with("```") || line.starts_with("> ```");  // in a box, too
+    if (fence) code = !code;
     prose += line + "\n";
-    if (line.starts_with("```")) {  // a link may go over two lines, but not into a fence
+    if (fence) {  // a link may go over two lines, but not into a fence
       result += code ? page.cleaned(prose) : prose;
       prose.clear();
     }

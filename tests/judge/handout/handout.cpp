@@ -89,7 +89,7 @@ std::set<std::string> chapters_meant(const Course& course, const std::string& te
     const std::string part = text.substr(begin, end - begin);
     std::smatch match;
     require(std::regex_match(part, match, range) && part.size() < 8, "'", part,
-            "' is no chapter and no range of chapters, such as 1-4 or 1-4,6");
+            "' is neither a chapter nor a range of chapters, such as 1-4 or 1-4,6");
     const int first = std::stoi(match[1]), last = match[2].matched ? std::stoi(match[2]) : first;
     require(first <= last, "'", part, "' is a range that ends before it begins");
     for (int number = first; number <= last; ++number)

@@ -35,7 +35,7 @@ bool throws_not_implemented(const std::string& text) {
 /// What can be said of a file without compiling it; empty if it has to be.
 std::string not_written(const Course& course, const Part& part) {
   if (!fs::exists(fs::symlink_status(part.source))) return "there is no file";
-  if (!fs::is_regular_file(fs::symlink_status(part.source))) return "is no file";
+  if (!fs::is_regular_file(fs::symlink_status(part.source))) return "is not a file";
   if (fs::file_size(part.source) > (1 << 20)) return {};  // refused, with its reason, when compiled
   const std::string text = support::read_text(part.source);
   if (text == stub_of(course, part.unit)) return "nothing is written yet";

@@ -11,6 +11,7 @@ using support::Scale;
 support::Series series_of(const Curve& curve, const std::string& owner) {
   support::Series series{owner + " " + curve.name, {}, {}};
   series.look = curve.own ? Look::line : Look::dashed;
+  if (curve.own) series.width = 3.4;
   for (const Point& point : curve.points) {
     series.x.push_back(point.seconds);
     series.y.push_back(point.error);
@@ -23,9 +24,9 @@ support::Plot plot_of(const EngineBuild& build, const ProblemResult& result) {
                      {"time [s]", Scale::log},
                      {"error of the orientation at the end [rad]", Scale::log},
                      {}};
-  for (const OwnCurve& own : result.own)
-    plot.series.push_back(series_of(own.curve, owner_of(build, number_of(own.method))));
   for (const Curve& curve : result.library) plot.series.push_back(series_of(curve, "library"));
+  for (const OwnCurve& own : result.own)  // in front
+    plot.series.push_back(series_of(own.curve, owner_of(build, number_of(own.method))));
   if (result.closed_form)
     plot.series.push_back(series_of(*result.closed_form, owner_of(build, closed_form_unit)));
   return plot;

@@ -37,10 +37,11 @@ void require_image_name(const std::string& name) {
   if (name.size() < 256 && is_image_name(name)) return;
   const std::string lower = in_lower_case(name);
   const bool is_near = lower.size() < 256 && is_image_name(lower);
-  require(false, "'", name.substr(0, 256),
-          "' is no name of an image: it has lower case letters, digits, and - . _ between them, "
-          "such as owner/tumble-judge",
-          is_near ? "; did you mean " + lower + "?" : "");
+  require(
+      false, "'", name.substr(0, 256),
+      "' is not the name of an image: it has lower case letters, digits, and - . _ between them, "
+      "such as owner/tumble-judge",
+      is_near ? "; did you mean " + lower + "?" : "");
 }
 
 }  // namespace tumble::judge

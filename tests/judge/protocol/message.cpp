@@ -89,7 +89,7 @@ std::string encode(const Message& message) {
 Message decode(const std::string& body) {
   ValueBuilder builder;
   if (!json::sax_parse(body, &builder, json::input_format_t::msgpack))
-    throw BadMessage("these bytes are no message");
+    throw BadMessage("these bytes are not a message");
   const List* parts = builder.root.as<List>();
   if (!parts || parts->size() != 3) throw BadMessage("a message has three parts");
   const std::int64_t* kind = (*parts)[0].as<std::int64_t>();

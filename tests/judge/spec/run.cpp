@@ -111,7 +111,7 @@ class Explanations {
     const Verdict& verdict = known != verdicts_.end()
                                  ? known->second
                                  : verdicts_.emplace(name, tried(name)).first->second;
-    return verdict.holds && verdict.failed.count(case_number) > 0;
+    return verdict.holds && verdict.failed.contains(case_number);
   }
 
  private:
@@ -141,7 +141,7 @@ class Explanations {
     int same = 0, other = 0;
     bool has_numbers = true;
     for (const CaseResult& each : cases_) {
-      if (each.passed() && failed.count(each.number) > 0) return false;
+      if (each.passed() && failed.contains(each.number)) return false;
       if (each.passed() || each.finding->outcome != Outcome::wrong) continue;
       ++(session_.gives_the_same_in_case(each.number, k) ? same : other);
       has_numbers = has_numbers && each.finding->answer && contains_number(*each.finding->answer);

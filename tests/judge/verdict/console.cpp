@@ -97,7 +97,7 @@ class Printer {
 
   void explain_judge_failure() {
     out_ << "\n  The judge failed here: " << one_line(result_.judge_failure)
-         << ".\n  This is no verdict on your code. Try again; if it stays, tell your "
+         << ".\n  This is not a verdict on your code. Try again; if it stays, tell your "
             "instructor.\n\n";
   }
 

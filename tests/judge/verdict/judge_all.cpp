@@ -5,7 +5,10 @@
 #include <optional>
 #include <thread>
 
+#include "judge/build/object_cache.hpp"
+#include "judge/build/submission.hpp"
 #include "judge/build/work_folder.hpp"
+#include "judge/course/contract.hpp"
 #include "judge/sandbox/pipe.hpp"
 #include "judge/sandbox/process_pool.hpp"
 #include "judge/spec/load_spec.hpp"
@@ -15,13 +18,32 @@ namespace tumble::judge {
 
 namespace {
 
+/// Is this the exercise as it was handed out?
+bool is_stub(const Job& job) {
+  try {
+    return read_submission(job.source) == stub_of(job.course, job.unit);
+  } catch (const Refused&) {
+    return false;
+  }
+}
+
 UnitResult build_and_judge(const Job& job, const Judgement& judgement) {
   const auto start = Clock::now();
+  const bool stub = judgement.compiled && is_stub(job);
+  if (stub)
+    if (const auto known = judgement.compiled->verdict_on_stub(job.unit)) {
+      UnitResult result = decode_result(*known, job);
+      result.seed = judgement.seed;
+      result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      return result;
+    }
   const auto instrumentation =
       judgement.only_sanitized ? Instrumentation::sanitizers : Instrumentation::none;
   const WorkerBuild build = build_worker(job, instrumentation, judgement.compiled);
   UnitResult result = judge_build(job, judgement, build);
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (stub && result.untouched())
+    judgement.compiled->keep_verdict_on_stub(job.unit, encode_result(result));
   return result;
 }
 

@@ -81,7 +81,7 @@ void answer_one(const Message& question, const std::function<Value(const List&)>
     constexpr std::size_t most = 1000;  // a frame has an end
     send(Kind::threw, {std::string(e.what()).substr(0, most)});
   } catch (...) {
-    send(Kind::threw, {std::string("something that is no std::exception")});
+    send(Kind::threw, {std::string("something that is not a std::exception")});
   }
 }
 

@@ -20,12 +20,23 @@ namespace {
 class SmallBook : public tumble::test::TemporaryFolder {
  public:
   SmallBook() {
-    write("README.md", "# Front\n\n[one](chapters/01_one/README.md)\n");
+    write("README.md", "# Front\n\nYou read [one](chapters/01_one/README.md).\n");
+    write("chapters/book/pages_to_rewrite.txt", "# a list\nchapters/01_one/README.md\n");
+    write("chapters/terms/README.md", text_of(fresh_terms(path())));
+    write("exercises/01_one/contract.hpp",
+          "// == 1.1 twice: a number doubled\n/// @return 2x\nint twice(int x);\n");
+    write("exercises/01_one/hints.md", "## 1.1 twice\n\n1. Add it\n   to itself.\n2. x + x\n");
     write("code.hpp", "/// Twice as much.\nint twice(int x) {\n  return x + x;\n}\n");
     write("chapters/01_one/figures/a.svg", "<svg/>\n");
     write("programs/01_one",
           "#!/bin/sh\n[ \"$2\" = times ] && echo 'sum  3 ns' || echo 'drift  1.5'\n");
     fs::permissions(path() / "programs/01_one", fs::perms::owner_all);
+  }
+
+  static std::string text_of(const Page& page) {
+    std::string text;
+    for (const std::string& line : page.lines) text += line + "\n";
+    return text;
   }
 
   Places places() const { return {path(), path() / "programs"}; }
@@ -56,6 +67,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("a page that is right has no mistakes") {
   const SmallBook book;
   CHECK(book.mistakes(fence("snippet: code.hpp#twice", "cpp", twice) +
+                      fence("snippet: code.hpp#*", "cpp", twice) +
                       fence("signature: code.hpp#twice", "cpp", "int twice(int x);\n") +
                       fence("output: 01_one#drift", "text", "drift  1.5\n") +
                       "It is $x^2$, or $`\\frac{1}{2}\\,x`$.\n\n```math\nx = y\n```\n\n"

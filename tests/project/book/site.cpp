@@ -60,6 +60,43 @@ TEST_CASE("formulas are set, and code and dollars are not") {
   CHECK(project.converted("```sh\n$x$\n```\n") == "```sh\n$x$\n```\n");
 }
 
+TEST_CASE("the paragraph in italics below a figure becomes its caption") {
+  const Project project;
+  const std::string site = project.converted(
+      "![read out](figures/a.svg)\n\n*Figure 1.1. How $x$\nfalls, by `f`.*\n\nText.\n");
+  CHECK(
+      mentions(site, "<figcaption>Figure 1.1. How \\(x\\) falls, by <code>f</code>.</figcaption>"));
+  CHECK_FALSE(mentions(site, "read out"));
+  CHECK_FALSE(mentions(site, "*Figure"));
+  CHECK(std::count(site.begin(), site.end(), '\n') == 6);
+}
+
+TEST_CASE("a box is a division with its content unquoted, and other quotations stay") {
+  const Project project;
+  const std::string site = project.converted(
+      "Text.\n\n> **Try it.** What is $x$?\n>\n> ```sh\n> ls\n> ```\n\n> A quotation.\n");
+  CHECK(site ==
+        "Text.\n\\htmlonly[block] <div class=\"try-it\"> \\endhtmlonly\n**Try it.** What is "
+        "\\f$x\\f$?\n\n```sh\nls\n```\n\\htmlonly[block] </div> \\endhtmlonly\n> A quotation.\n");
+  CHECK_THROWS_WITH(project.converted("Text.\n> **Try it.** What?\n"),
+                    doctest::Contains("line above a box is empty"));
+  CHECK_THROWS_WITH(project.converted("\n> **Try it.** What?\nText.\n"),
+                    doctest::Contains("line below a box is empty"));
+}
+
+TEST_CASE("two boxes below each other are two") {
+  const Project project;
+  const std::string site =
+      project.converted("Text.\n\n> **Try it.** What?\n\n> **For the curious.** Why?\n\nText.\n");
+  CHECK(mentions(site,
+                 "What?\n\\htmlonly[block] </div><div class=\"curious\"> \\endhtmlonly\n**For"));
+}
+
+TEST_CASE("a second page of a chapter has a name of its own") {
+  CHECK(page_id("/p", "/p/chapters/08_eight/README.md") == "chapters-08_eight");
+  CHECK(page_id("/p", "/p/chapters/08_eight/digits.md") == "chapters-08_eight-digits");
+}
+
 TEST_CASE("a figure's place is kept, and the drawing is put there when Doxygen is through") {
   const Project project;
   const std::string site = project.converted("![How $x$ falls.](figures/a.svg)\n");

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The library's umbrella header for compilers and targets that no other test has: libc++, C++23,
-# wasm32-wasi, no exceptions. Syntax alone, but for one program that is refused without exceptions.
+# wasm32-wasi, no exceptions. And a program of a user who has nothing but -I: without a warning.
 # What is not installed is left out, and said; exit status 77 if that is everything.
 #
 # usage: umbrella.sh [--eigen FOLDER]
@@ -25,6 +25,19 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 echo '#include <version>' >"$work/probe.cpp"
 echo '#include "tumble/tumble.hpp"' >"$work/umbrella.cpp"
+cat >"$work/plain.cpp" <<'CPP'
+#include "tumble/tumble.hpp"
+using namespace tumble;
+double mass_of(const PolygonMesh& mesh) {
+  return mesh_mass_properties(mesh, 1000, {.accuracy = Accuracy::tight}).mass;
+}
+RigidBodyState<> after_a_second(const RigidBody<>& body, const RigidBodyState<>& start) {
+  return simulate(body, start, {.t1 = 1, .tolerance = 1e-9}, Weight{}).end();
+}
+std::size_t lost(Ensemble& bodies) {
+  return advance(bodies, {.h = 0.01, .count = 10}).count + advance(bodies, {.h = 0.01, .count = 10}, Weight{}).count;
+}
+CPP
 cat >"$work/refused.cpp" <<'CPP'
 #include "tumble/core/parallel.hpp"
 int main() {
@@ -32,7 +45,7 @@ int main() {
   tumble::require(false, "the mass is ", -1);
 }
 CPP
-warnings='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wno-psabi -Werror'
+warnings='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror'
 checked=0 failed=0
 
 report() { printf '%-8s %s\n' "$1" "$2"; }
@@ -56,6 +69,16 @@ umbrella() {
   works "$*" "$status"
 }
 
+# A program of a user who has nothing but `-I`: compiled to the end, as some warnings come late.
+plain() {
+  has "$@" || { report left-out "$* (a program)"; return; }
+  status=0
+  # shellcheck disable=SC2086  # one word a warning
+  "$@" -std=c++20 $warnings -O1 -I"$root/lib/include" -isystem "$eigen" -c "$work/plain.cpp" \
+    -o "$work/plain.o" >"$work/messages" 2>&1 || status=1
+  works "$*: a program without a warning" "$status"
+}
+
 # Without exceptions a refusal says why, and aborts.
 refused() {
   has "$@" || { report left-out "$* (a refusal)"; return; }
@@ -74,6 +97,8 @@ refused() {
 }
 
 # C++20 with libstdc++ is what all other tests compile.
+plain g++
+plain clang++
 umbrella g++ -std=c++23
 umbrella g++ -std=c++20 -fno-exceptions
 refused g++

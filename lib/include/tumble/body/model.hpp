@@ -10,6 +10,7 @@
 ///
 /// Source: Landau & Lifshitz, "Mechanics" (1976), §33 and §37.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -41,7 +42,7 @@ struct SymmetricMoments {
   double axial;       ///< C, about the axis of symmetry [kg m²]
   double transverse;  ///< A, about any axis across it [kg m²]
   Vec3 axis;          ///< unit vector of the axis of symmetry, body coordinates
-  double asymmetry;   ///< |difference of the two nearly equal moments| / A: 0 for a true top
+  double asymmetry;   ///< difference of the two nearly equal moments, by the larger: 0 for a top
 };
 
 /// The symmetric top that is nearest to a body.
@@ -49,23 +50,28 @@ inline SymmetricMoments nearest_symmetric_top(const PrincipalAxes& p) {
   const double low = p.moments[1] - p.moments[0], high = p.moments[2] - p.moments[1];
   const int odd = low < high ? 2 : 0;  // the axis of the moment that has no equal
   const double a = p.moments[1], b = p.moments[odd == 2 ? 0 : 2];
-  return {p.moments[odd], (a + b) / 2, p.R.col(odd), std::abs(a - b) / ((a + b) / 2)};
+  return {p.moments[odd], (a + b) / 2, p.R.col(odd), std::abs(a - b) / std::max(a, b)};
 }
 inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
   return nearest_symmetric_top(principal_axes(body.I_body()));
 }
 
 /// The simplest model that tells the turning of a body that nothing pushes round.
-/// @param tolerance relative difference of moments that counts as none; its angle grows as
-///                  tolerance · |ω| · t, so choose it for the time span
+/// @param tolerance difference of two moments, by the larger one, that counts as none. The angle
+/// that
+///                  it makes wrong grows as tolerance · |ω| · t, so choose it for the time span.
+///                  For a spin perpendicular to the axis of a near-symmetry it grows as t²
 /// @throws std::invalid_argument if the tolerance is negative or not finite
-inline ModelChoice choose_model(const RigidBody<>& body, double tolerance = 0) {
+inline ModelChoice choose_model(const PrincipalAxes& axes, double tolerance = 0) {
   require(tolerance >= 0 && std::isfinite(tolerance), "choose_model: the tolerance is ", tolerance);
-  const SymmetricMoments top = nearest_symmetric_top(body);
+  const SymmetricMoments top = nearest_symmetric_top(axes);
   if (top.asymmetry > tolerance) return {Model::full_body, "no two principal moments are equal"};
-  if (std::abs(top.axial - top.transverse) > tolerance * top.transverse)
+  if (std::abs(top.axial - top.transverse) > tolerance * std::max(top.axial, top.transverse))
     return {Model::symmetric_top, "two principal moments are equal"};
   return {Model::ball, "all principal moments are equal"};
+}
+inline ModelChoice choose_model(const RigidBody<>& body, double tolerance = 0) {
+  return choose_model(principal_axes(body.I_body()), tolerance);
 }
 
 /// @}

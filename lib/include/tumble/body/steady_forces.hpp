@@ -4,11 +4,13 @@
 /// drag in proportion to v and ω. The path of the centre is then a closed form, and the turning
 /// does not depend on it.
 
+#include <cmath>
 #include <concepts>
 #include <vector>
 
 #include "tumble/body/derived.hpp"
 #include "tumble/body/wrench.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble {
 
@@ -38,6 +40,19 @@ struct SteadyForces {
     return sum;
   }
   const SteadyForces& steady(const RigidBody<>&) const { return *this; }
+
+  /// @throws std::invalid_argument if a number is not finite, or a drag negative
+  void require_valid() const {
+    require(force.allFinite(), "steady forces: the force (", force.transpose(), ") is not finite");
+    for (std::size_t i = 0; i < at_point.size(); ++i)
+      require(at_point[i].force.allFinite() && at_point[i].p_body.allFinite(),
+              "steady forces: at_point[", i, "]: the force (", at_point[i].force.transpose(),
+              ") at the point (", at_point[i].p_body.transpose(), ") is not finite");
+    require(linear_drag >= 0 && std::isfinite(linear_drag),
+            "steady forces: linear_drag = ", linear_drag, " is not a finite number ≥ 0");
+    require(angular_drag >= 0 && std::isfinite(angular_drag),
+            "steady forces: angular_drag = ", angular_drag, " is not a finite number ≥ 0");
+  }
 
   friend SteadyForces operator+(SteadyForces a, const SteadyForces& b) {
     a.force += b.force;

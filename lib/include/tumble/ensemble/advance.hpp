@@ -52,7 +52,8 @@ template <class Method = void, class... Forces>
   const std::size_t eights = bodies.bodies().size(), chunks = (eights + chunk - 1) / chunk;
   LostBodies lost;
   detail::OneAtATime losing;
-  detail::parallel_for(static_cast<int>(chunks), steps.loop.threads, [&](int i) {
+  const int threads = detail::ensembles::worthwhile_threads(bodies.size(), all);
+  detail::parallel_for(static_cast<int>(chunks), threads, [&](int i) {
     const std::size_t begin = chunk * static_cast<std::size_t>(i);
     const LostBodies here = take_steps(begin, std::min(begin + chunk, eights));
     if (here.count == 0) return;

@@ -2,6 +2,7 @@
 /// @file
 /// Which steps an ensemble takes.
 
+#include <algorithm>
 #include <cmath>
 
 #include "tumble/core/require.hpp"
@@ -18,10 +19,18 @@ struct FixedSteps {
   double h;                     ///< length [s], negative to go back in time
   int count;                    ///< at least 0
   double t0 = 0;                ///< the time before the first [s], for forces that depend on it
-  simd::LoopOptions loop = {};  ///< starting a thread takes the time of some 10⁴ steps of a body
+  simd::LoopOptions loop = {};  ///< no more threads are started than there is work for
 };
 
 namespace detail::ensembles {
+
+/// Of the threads that are allowed, as many as gain time: starting one takes as long as some 10⁴
+/// steps of a body.
+inline int worthwhile_threads(std::size_t bodies, const FixedSteps& steps) {
+  constexpr double per_start = 1e4;
+  const double work = static_cast<double>(bodies) * steps.count / per_start;
+  return static_cast<int>(std::clamp(work, 1.0, static_cast<double>(steps.loop.threads)));
+}
 
 /// @throws std::invalid_argument as advance() does
 template <class... Forces>

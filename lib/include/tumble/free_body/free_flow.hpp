@@ -22,8 +22,8 @@ inline Quat orientation_at(const FreeRotation& rotation, double t) {
 /// The free turning of a body.
 class FreeFlow {
  public:
-  explicit FreeFlow(const RigidBody<>& body)
-      : axes_(principal_axes(body.I_body())), top_(nearest_symmetric_top(axes_)) {
+  explicit FreeFlow(const RigidBody<>& body) : FreeFlow(principal_axes(body.I_body())) {}
+  explicit FreeFlow(const PrincipalAxes& axes) : axes_(axes), top_(nearest_symmetric_top(axes)) {
     const Vec3& A = axes_.moments;
     if (A[0] == A[1] || A[1] == A[2]) kind_ = A[0] == A[2] ? Model::ball : Model::symmetric_top;
   }

@@ -31,8 +31,8 @@ namespace tumble::elliptic {
 /// The constants of a free motion, about principal axes of which the third is the one that is
 /// turned about.
 struct Polhode {
-  double G;         ///< |L| [kg m²/s]
-  Vec3 J;           ///< principal moments, ascending or descending [kg m²]
+  double G;         ///< |L|, in the unit of the moments and 1/s
+  Vec3 J;           ///< principal moments, ascending or descending, in units of about the largest
   Modulus modulus;  ///< of the elliptic functions
   double lambda;    ///< du/dt [1/s], negative where the moments descend
   double u0;        ///< u at t = 0
@@ -163,9 +163,11 @@ inline std::optional<Polhode> polhode_of(const PrincipalAxes& axes, const Quat& 
   const simd::DoubleDouble separation = detail::separation(axes.moments, m);
   const detail::SignedAxes sorted = detail::signed_axes(m, !(separation < simd::DoubleDouble(0)));
   const Vec3 rounded(m[0].hi, m[1].hi, m[2].hi), direction = sorted.of(rounded) / rounded.norm();
-  Polhode p = detail::polhode_through(sorted.of(axes.moments), direction.cwiseAbs2(),
+  // Only L/J counts: measured by the largest moment, no product leaves the range.
+  const double unit = std::exp2(std::ilogb(axes.moments[2]));
+  Polhode p = detail::polhode_through(sorted.of(axes.moments / unit), direction.cwiseAbs2(),
                                       std::abs(double(separation)) / rounded.squaredNorm(),
-                                      size * rounded.norm());
+                                      size / unit * rounded.norm());
   p.u0 = detail::start_of(p.modulus, std::abs(direction[0]) / p.amplitudes[0],
                           sorted.sign[1] * direction[1] / p.amplitudes[1]);
   p.frame = detail::frame_of(axes.R, sorted, p.pole_is_axis);

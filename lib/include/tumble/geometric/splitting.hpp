@@ -11,6 +11,8 @@
 /// Source: Hairer, Lubich & Wanner, "Geometric Numerical Integration" (2nd ed. 2006), §II.5,
 /// §VII.5; Celledoni, Fassò, Säfström & Zanna, SIAM J. Sci. Comput. 30 (2008), §5.
 
+#include <type_traits>
+
 #include "tumble/body/dydt.hpp"
 #include "tumble/free_body/free_flow.hpp"
 #include "tumble/geometric/composition.hpp"
@@ -20,15 +22,16 @@ namespace tumble::geometric {
 /// @addtogroup geometric
 /// @{
 
-/// A body that takes such steps.
+/// A body that takes such steps; splitting<Strang>(motion) makes one.
 /// @tparam Scheme Strang, BlanesMoan4, BlanesMoan6 or KahanLi8
 template <class Scheme, BodyForce<double>... Forces>
 class Splitting {
  public:
   static constexpr int order = Scheme::order;
 
-  explicit Splitting(const RigidBodyRhs<double, Forces...>& motion)
-      : motion_(motion), flow_(motion.body()) {}
+  using Motion = RigidBodyRhs<double, std::remove_const_t<Forces>...>;
+
+  explicit Splitting(const Motion& motion) : motion_(motion), flow_(motion.body()) {}
 
   /// The state a time h [s] after `state` at time t.
   RigidBodyState<> step(double t, RigidBodyState<> state, double h) const {
@@ -59,9 +62,15 @@ class Splitting {
     state.q = flow_.advance(state.q, state.L, h);
   }
 
-  RigidBodyRhs<double, Forces...> motion_;
+  Motion motion_;
   detail::FreeFlow flow_;
 };
+
+/// The body of a motion, under its forces, that takes steps of a scheme.
+template <class Scheme, class... Forces>
+Splitting<Scheme, Forces...> splitting(const RigidBodyRhs<double, Forces...>& motion) {
+  return Splitting<Scheme, Forces...>(motion);
+}
 
 /// @}
 

@@ -31,6 +31,8 @@ struct MassOptions {
   Accuracy accuracy = Accuracy::tight;
   Policy policy = Policy::refuse;
   simd::LoopOptions loop = {};
+  double tolerance = 1e-6;  ///< the share of the volume that may count wrongly at a crossing
+  crossings::Search search = crossings::Search::usual;
 };
 
 /// Mass properties of a mesh that is known to be closed; nothing is checked. A face that is not
@@ -45,8 +47,10 @@ inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, 
   const Vec3 p = detail::reference_point(mesh);
   const detail::TetrahedronSums sums =
       fast ? detail::sum_in_doubles(mesh, p, loop) : detail::sum_in_pairs(mesh, p, loop);
+  const double triangles = static_cast<double>(mesh.corners.size());  // no more
   return detail::bounded(detail::with_factors(sums.raw), p, density,
-                         fast ? detail::unit_roundoff : 0x1p-104, sums.rounding);
+                         fast ? detail::errors_in_doubles(sums.rounding)
+                              : detail::errors_in_pairs(sums.rounding, triangles));
 }
 
 /// Mass properties of a mesh, and everything that was found about it.
@@ -66,8 +70,8 @@ struct MeshMassProperties : BoundedMassProperties {
 inline MeshMassProperties mesh_mass_properties(const PolygonMesh& mesh, double density,
                                                const MassOptions& options = {}) {
   require_density(density);
-  const std::vector<MeshDefect> findings = diagnose(mesh, options.loop);
-  require_body(findings, options.policy);
+  const std::vector<MeshDefect> findings = diagnose(mesh, options.loop, options.search);
+  require_body(findings, options.policy, options.tolerance);
   const BoundedMassProperties body =
       unchecked_mass_properties(mesh, density, options.accuracy, options.loop);
   return {options.policy == Policy::refuse ? require_volume(body) : body, findings};

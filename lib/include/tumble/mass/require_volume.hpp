@@ -2,6 +2,8 @@
 /// @file
 /// What mass properties must be before they can be those of a body.
 
+#include <cmath>
+
 #include "tumble/core/require.hpp"
 #include "tumble/mass/error_bound.hpp"
 
@@ -12,7 +14,7 @@ namespace tumble {
 
 /// Passes on mass properties that can be those of a body.
 /// @throws std::invalid_argument if the mesh is inside out, or so flat, thin or small that no digit
-///         of its mass is certain
+///         of its mass or inertia is certain
 inline BoundedMassProperties require_volume(const BoundedMassProperties& body) {
   require(body.mass_error_bound < 1,
           "the mesh encloses no volume that rounding leaves certain: mass ", body.mass,
@@ -20,8 +22,14 @@ inline BoundedMassProperties require_volume(const BoundedMassProperties& body) {
   require(body.mass > 0,
           "the mesh is inside out: its faces go round clockwise seen from outside (mass ",
           body.mass, " kg)");
-  require(body.inertia.trace() > 0 && body.inertia.allFinite(),
+  // Beside what is 2⁻¹⁰⁷⁴, the smallest double, a tensor keeps its digits only if it is much
+  // larger.
+  require(body.inertia.trace() > 0x1p-960 && body.inertia.allFinite() &&
+              std::isfinite(body.centre_error_bound),
           "the inertia of the mesh is too small or too large for double");
+  require(body.inertia_error_bound < 1,
+          "the mesh has no inertia that rounding leaves certain: a relative error of up to ",
+          body.inertia_error_bound);
   return body;
 }
 

@@ -6,6 +6,7 @@
 /// the parallel axis theorem.
 
 #include <cmath>
+#include <span>
 
 #include "tumble/core/require.hpp"
 #include "tumble/mass/as_point.hpp"
@@ -67,6 +68,15 @@ inline MassProperties combine(const MassProperties& a, const MassProperties& b) 
   const double reduced = a.mass * (b.mass / mass);
   return {mass, a.centre + (b.mass / mass) * apart,
           a.inertia + b.inertia + point_inertia(reduced, apart)};
+}
+
+/// Any number of bodies as one rigid body, all given in the same coordinates.
+/// @throws std::invalid_argument if there are none, or a mass is not positive and finite
+inline MassProperties combine(std::span<const MassProperties> bodies) {
+  require(!bodies.empty(), "there are no bodies to combine");
+  MassProperties all = bodies[0];
+  for (const MassProperties& body : bodies.subspan(1)) all = combine(all, body);
+  return all;
 }
 
 /// @}

@@ -39,7 +39,9 @@ inline std::vector<MeshDefect> find_bad_indices(const PolygonMesh& mesh) {
       if (!exists(v))
         bad.add(f, {-1, -1}, [&] {
           return "face #" + std::to_string(f + 1) + " has vertex #" + std::to_string(v + 1LL) +
-                 ", but the mesh has vertices #1 to #" + std::to_string(vertex_count);
+                 (vertex_count == 0
+                      ? ", but the mesh has no vertices"
+                      : ", but the mesh has vertices #1 to #" + std::to_string(vertex_count));
         });
   bad.append_to(findings);
   return findings;

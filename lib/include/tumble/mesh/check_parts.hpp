@@ -1,7 +1,7 @@
 #pragma once
 /// @file
 /// The parts of a closed surface: which enclose nothing, which are inside out, which lie in another
-/// and count twice, and where the surface passes through itself. In words.
+/// and count twice. In words.
 
 #include <algorithm>
 #include <cmath>
@@ -23,22 +23,6 @@ inline std::string describe_part(const PolygonMesh& mesh, const Components& surf
     count += !mesh.face(f).empty() && surface.of(mesh.face(f)[0]) == part;
   return "the part with face #" + std::to_string(face + 1) + " (" + std::to_string(count) + " of " +
          std::to_string(mesh.face_count()) + " faces)";
-}
-
-/// What a wrong depth looks like to somebody who climbs the line.
-inline std::string describe_wrong_depth(const WrongDepth& wrong) {
-  std::ostringstream text;
-  text.precision(9);
-  text << "the surface passes through itself: going up the line x = " << wrong.here.line.x()
-       << ", y = " << wrong.here.line.y();
-  if (wrong.depth < 0)
-    text << ", the body is left at z = " << wrong.here.z << " (face #" << wrong.here.face + 1
-         << ") without having been entered";
-  else
-    text << ", the body is entered at z = " << wrong.before.z << " (face #" << wrong.before.face + 1
-         << ") and again at z = " << wrong.here.z << " (face #" << wrong.here.face + 1
-         << ") without having been left; what lies above counts " << wrong.depth << " times";
-  return text.str();
 }
 
 /// Finds the parts of a closed surface that enclose nothing.
@@ -89,29 +73,6 @@ inline std::vector<MeshDefect> find_wrong_parts(const PolygonMesh& mesh, const C
   std::vector<MeshDefect> findings;
   inverted.append_to(findings);
   nested.append_to(findings);
-  return findings;
-}
-
-/// What a bundle of lines says: parts that are inside out or nested wrongly, and places where the
-/// surface crosses itself.
-inline std::vector<MeshDefect> find_wrong_depth(const PolygonMesh& mesh, const Components& surface,
-                                                const LineHits& hits) {
-  const std::vector<WrongDepth> wrong = find_wrong_depths(hits);
-  const bool one_looks_inwards = std::any_of(surface.parts.begin(), surface.parts.end(),
-                                             [](const Component& part) { return part.volume < 0; });
-  if (wrong.empty() && !one_looks_inwards) return {};
-  const std::vector<PartDepth> depths = measure_parts(hits, surface);
-  std::vector<MeshDefect> findings = find_wrong_parts(mesh, surface, depths);
-  const auto crosses = [&](const LineHit& hit) {
-    const PartDepth& depth = depths[static_cast<std::size_t>(hit.part)];
-    return depth.crosses_itself || depth.crosses_another();
-  };
-  const bool unexplained = findings.empty();
-  MeshDefectsOfOneKind crossing(MeshDefectKind::self_crossing);
-  for (const WrongDepth& place : wrong)
-    if (unexplained || crosses(place.here) || crosses(place.before))
-      crossing.add(place.here.face, {-1, -1}, [&] { return describe_wrong_depth(place); });
-  crossing.append_to(findings);
   return findings;
 }
 

@@ -1,14 +1,15 @@
 #pragma once
 /// @file
-/// Does the surface of a closed mesh bound a body? Going up any vertical line the depth, 0 outside,
-/// must go 0, 1, 0, 1, …, 0: a part that looks inwards makes it −1; parts that overlap, or lie
-/// inside another with the same orientation, make it 2, and every integral would count them twice.
+/// Does the surface of a closed mesh bound a body? Going along any line the depth, 0 outside, must
+/// go 0, 1, 0, 1, …, 0: a part that looks inwards makes it −1; parts that overlap, or lie inside
+/// another with the same orientation, make it 2, and every integral would count them twice.
 ///
-/// The lines are about a thousand, and one through each part: whatever is wrong with a whole part
-/// is found for certain, a crossing only when a line meets it.
+/// The lines are some thousand along each axis, and one through each part: whatever is wrong with a
+/// whole part is found for certain, a crossing only when a line meets it.
 
 #include <algorithm>
 #include <climits>
+#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -16,11 +17,16 @@
 
 namespace tumble::detail {
 
-/// A place where the depth is neither 0 nor 1.
+/// A piece of a line where the depth is neither 0 nor 1.
 struct WrongDepth {
-  int depth;       ///< what it is there
-  LineHit here;    ///< the crossing after which it is so
-  LineHit before;  ///< the crossing where the body was entered before; `here` again if it was not
+  int depth;         ///< what it is there
+  LineHit here;      ///< the crossing after which it is so
+  LineHit before;    ///< the crossing where the body was entered before; `here` again if it was not
+  std::size_t line;  ///< number of the line
+  double length = 0;  ///< of the piece [m]
+
+  /// How often it counts that should not, or should and does not.
+  int excess() const { return std::abs(depth - std::clamp(depth, 0, 1)); }
 };
 
 /// What the lines say about one part.
@@ -45,15 +51,17 @@ void for_each_height(std::span<const LineHit> hits, Visit&& visit) {
   }
 }
 
-/// The first place on each line where the depth is wrong.
+/// All pieces of the lines where the depth is wrong, up to the next height.
 inline std::vector<WrongDepth> find_wrong_depths(const LineHits& hits) {
   std::vector<WrongDepth> wrong;
   std::vector<LineHit> entered;  // where the body was entered and not left again
   for (std::size_t i = 0; i < hits.line_count(); ++i) {
     int depth = 0;
-    bool found = false;
+    double last = 0;  // height of the hit before
     entered.clear();
     for_each_height(hits.of_line(i), [&](std::span<const LineHit> height) {
+      if (depth != 0 && depth != 1) wrong.back().length = height.front().z - last;
+      last = height.back().z;
       for (const LineHit& hit : height) {
         depth += hit.direction;
         if (hit.direction > 0)
@@ -61,19 +69,18 @@ inline std::vector<WrongDepth> find_wrong_depths(const LineHits& hits) {
         else if (!entered.empty())
           entered.pop_back();
       }
-      if (found || depth == 0 || depth == 1) return;
-      found = true;
+      if (depth == 0 || depth == 1) return;
       const LineHit& before = entered.size() > 1 ? entered[entered.size() - 2] : height.back();
-      wrong.push_back({depth, depth > 1 ? entered.back() : height.back(), before});
+      wrong.push_back({depth, depth > 1 ? entered.back() : height.back(), before, i});
     });
   }
   return wrong;
 }
 
-/// For each part, how deep inside the others it lies, and whether it crosses itself.
-inline std::vector<PartDepth> measure_parts(const LineHits& hits, const Components& surface) {
-  std::vector<PartDepth> result(surface.parts.size());
-  if (result.size() == 1) result[0].least_around = result[0].most_around = 0;
+/// For each part, how deep inside the others it lies, and whether it crosses itself: adds to
+/// `result` what some lines say.
+inline void measure_parts(const LineHits& hits, const Components& surface,
+                          std::vector<PartDepth>& result) {
   std::vector<int> own(surface.parts.size(), 0);  // depth due to each part alone
   for (std::size_t i = 0; i < hits.line_count(); ++i) {
     int depth = 0;
@@ -98,7 +105,6 @@ inline std::vector<PartDepth> measure_parts(const LineHits& hits, const Componen
     });
     for (const LineHit& hit : hits.of_line(i)) own[static_cast<std::size_t>(hit.part)] = 0;
   }
-  return result;
 }
 
 }  // namespace tumble::detail

@@ -13,13 +13,15 @@
 #include <vector>
 
 #include "tumble/core/require.hpp"
+#include "tumble/mesh/check_crossing.hpp"
 #include "tumble/mesh/check_edges.hpp"
 #include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/check_parts.hpp"
 #include "tumble/mesh/components.hpp"
-#include "tumble/mesh/edge_balance.hpp"
+#include "tumble/mesh/crossing_search.hpp"
 #include "tumble/mesh/finite_bounds.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
+#include "tumble/mesh/survey.hpp"
 
 namespace tumble {
 
@@ -28,43 +30,27 @@ namespace tumble {
 
 namespace detail {
 
-/// How many vertical lines are spread over a mesh: they miss a crossing that covers less than about
-/// a thousandth of what is seen from above.
-inline constexpr int diagnosis_lines = 1024;
+/// How many lines are spread over a mesh along each axis: they miss a crossing that covers less
+/// than about a four-thousandth of what is seen from all three sides.
+inline constexpr int diagnosis_lines = 4096;
 
-/// What one pass over the triangles tells.
-struct Survey {
-  std::uint64_t balance = 0;  ///< 0: closed, and the faces agree on what is outside
-  EnclosedVolume enclosed;
-  TrianglesNearLines near_lines;
+/// Up to how many faces all pairs are looked at anyway: it costs no more than the lines.
+inline constexpr int always_pairs = 3'000;
 
-  Survey& operator+=(const Survey& other) {
-    balance += other.balance;
-    enclosed += other.enclosed;
-    near_lines += other.near_lines;
-    return *this;
-  }
-};
-
-/// Goes over all triangles once.
-/// @param mesh indices in range, positions finite
-inline Survey survey(const PolygonMesh& mesh, const LatticeFilter& filter,
-                     const simd::LoopOptions& options) {
-  const Vec3 origin = mesh.corners.empty() ? Vec3(0, 0, 0) : mesh.vertex(mesh.corners[0]);
-  const auto add = [&](const TriangleBlock& block, Survey& sum) {
-    dispatch(options.instructions, BlockBalance{block, sum.balance});
-    dispatch(options.instructions, BlockVolume{block, origin, sum.enclosed});
-    dispatch(options.instructions, BlockNearLines{block, filter, sum.near_lines});
-  };
-  return sum_over_blocks<Survey>(mesh, options, add);
+/// The pairs that a search looks at.
+inline TriangleMeetings meetings_for(const PolygonMesh& mesh, crossings::Search search) {
+  if (search == crossings::Search::usual && mesh.face_count() > always_pairs) return {};
+  return find_meetings(mesh);
 }
 
 }  // namespace detail
 
-/// Everything that is wrong with the mesh; empty when it bounds a body. At most a few findings of
-/// each kind are listed, and the last one says how many more there are.
+/// Everything that is wrong with the mesh; empty when it bounds a body. A crossing comes with the
+/// share of the volume that counts wrongly: spoils_integrals() says whether it is too much. At most
+/// a few findings of each kind are listed, and the last one says how many more there are.
 inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh,
-                                        const simd::LoopOptions& options = {}) {
+                                        const simd::LoopOptions& options = {},
+                                        crossings::Search search = crossings::Search::usual) {
   std::vector<MeshDefect> findings = detail::find_bad_indices(mesh);
   if (!findings.empty()) return findings;
   if (mesh.face_count() == 0)
@@ -82,8 +68,8 @@ inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh,
     if (!detail::is_closed(mesh, options)) add_edge_defects();
     return findings;
   }
-  const detail::LineLattice lattice(bounds.box, detail::diagnosis_lines);
-  const detail::Survey all = detail::survey(mesh, lattice.filter(), options);
+  const detail::LineLattices lattices(bounds.box, detail::diagnosis_lines);
+  const detail::Survey all = detail::survey(mesh, detail::filters_of(lattices), options);
   if (all.balance != 0) add_edge_defects();
   if (all.enclosed.doubtful > 0 || detail::has_short_faces(mesh))
     add(detail::find_degenerate_faces(mesh));
@@ -92,7 +78,8 @@ inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh,
   const detail::Components surface = detail::components(mesh, all.enclosed);
   add(detail::find_flat_parts(mesh, surface));
   add(detail::find_wrong_depth(
-      mesh, surface, detail::hits_of_bundle(mesh, surface, bounds.box, lattice, all.near_lines)));
+      {mesh, surface, bounds.box, lattices, all.near_lines, search == crossings::Search::thorough},
+      detail::meetings_for(mesh, search)));
   return findings;
 }
 
@@ -117,11 +104,16 @@ enum class Policy {
 /// Lets findings pass with which the integrals over a mesh are right, or with Policy::accept at
 /// least possible. Real meshes have faces without area; they add nothing to an integral and alone
 /// are no reason to refuse here: require_faultless() does.
+/// @param tolerance the share of the volume that may count wrongly because the surface crosses
+/// itself
 /// @throws std::invalid_argument with all findings, one a line
-inline void require_body(const std::vector<MeshDefect>& findings, Policy policy = Policy::refuse) {
-  const auto refused = policy == Policy::refuse ? spoils_integrals : prevents_integrals;
-  const bool good = std::none_of(findings.begin(), findings.end(),
-                                 [&](const MeshDefect& finding) { return refused(finding.kind); });
+inline void require_body(const std::vector<MeshDefect>& findings, Policy policy = Policy::refuse,
+                         double tolerance = detail::crossing_tolerance) {
+  const auto refused = [=](const MeshDefect& finding) {
+    return policy == Policy::refuse ? spoils_integrals(finding, tolerance)
+                                    : prevents_integrals(finding.kind);
+  };
+  const bool good = std::none_of(findings.begin(), findings.end(), refused);
   require(good, "the mesh does not bound a body:", detail::findings_text(findings));
 }
 

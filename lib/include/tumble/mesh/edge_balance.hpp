@@ -42,6 +42,25 @@ TUMBLE_INLINE L random_area(const L& a, const L& b, const L& c) {
   return (q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u);
 }
 
+/// The random areas of a pack of triangles.
+/// @param vertices three a triangle
+template <class P>
+TUMBLE_INLINE simd::Integers<P> random_areas(const int* vertices) {
+  using L = simd::Integers<P>;
+  const simd::CornerNumbers<P> numbers = simd::load_numbers<P>(vertices);
+  return random_area<L>(__builtin_convertvector(numbers.of_corner[0], L),
+                        __builtin_convertvector(numbers.of_corner[1], L),
+                        __builtin_convertvector(numbers.of_corner[2], L));
+}
+
+/// The sum of all lanes, modulo 2⁶⁴.
+template <class P>
+TUMBLE_INLINE std::uint64_t sum_of_lanes_modulo(const simd::Integers<P>& x) {
+  std::uint64_t sum = 0;
+  for (int i = 0; i < simd::lanes<P>; ++i) sum += x[i];
+  return sum;
+}
+
 /// Adds up the random areas of a block.
 struct BlockBalance {
   const TriangleBlock& block;
@@ -49,15 +68,10 @@ struct BlockBalance {
 
   template <class P, simd::Fma>
   TUMBLE_INLINE void run() const {
-    using L = simd::Integers<P>;
-    L areas{};
-    for (int i = 0; i < block.size; i += simd::lanes<P>) {
-      const simd::CornerNumbers<P> numbers = simd::load_numbers<P>(block.vertices + 3 * i);
-      areas += random_area<L>(__builtin_convertvector(numbers.of_corner[0], L),
-                              __builtin_convertvector(numbers.of_corner[1], L),
-                              __builtin_convertvector(numbers.of_corner[2], L));
-    }
-    for (int i = 0; i < simd::lanes<P>; ++i) sum += areas[i];
+    simd::Integers<P> areas{};
+    for (int i = 0; i < block.size; i += simd::lanes<P>)
+      areas += random_areas<P>(block.vertices + 3 * i);
+    sum += sum_of_lanes_modulo<P>(areas);
   }
 };
 

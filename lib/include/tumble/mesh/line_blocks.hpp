@@ -14,9 +14,11 @@
 namespace tumble::detail {
 
 /// Whether a line ends with the first `length` letters. Of \r\n, both belong to it; a \r at the
-/// very end of the text may be the first of them.
+/// very end of the text may be the first of them. A line that ends with a backslash goes on.
 inline bool ends_line(std::string_view text, std::size_t length) {
   const char last = text[length - 1];
+  const std::size_t body = text.substr(0, length).find_last_not_of("\r\n");
+  if (body != std::string_view::npos && text[body] == '\\') return false;
   return last == '\n' || (last == '\r' && length < text.size() && text[length] != '\n');
 }
 

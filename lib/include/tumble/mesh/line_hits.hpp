@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Where vertical lines meet a surface: each triangle is drawn onto the lines that pass it.
+/// Where lines along an axis meet a surface: each triangle is drawn onto the lines that pass it.
 ///
 /// Source: Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH (1988).
 
@@ -13,15 +13,17 @@
 #include "tumble/mesh/line_height.hpp"
 #include "tumble/mesh/near_lines.hpp"
 #include "tumble/mesh/orientation.hpp"
+#include "tumble/mesh/view.hpp"
 
 namespace tumble::detail {
 
-/// One crossing of a vertical line and a face.
+/// One crossing of a line and a face, in the coordinates of a view.
 struct LineHit {
   PlanePoint line;
   int face;       ///< which face
   int part;       ///< of which part of the surface
   int direction;  ///< 1: going up, the line enters the body; −1: it leaves
+  View view;      ///< which coordinates line and z are
   double z;       ///< height [m]
   double error;   ///< what rounding, of the vertices too, may have done to z at most [m]
 };
@@ -36,24 +38,15 @@ struct LineHits {
     return std::span<const LineHit>(hits).subspan(first[i], first[i + 1] - first[i]);
   }
   std::size_t line_count() const { return first.size() - 1; }
-
-  /// Adds the hits of further lines.
-  void append(const LineHits& more) {
-    const std::size_t shift = hits.size();
-    first.pop_back();
-    for (const std::size_t k : more.first) first.push_back(shift + k);
-    hits.insert(hits.end(), more.hits.begin(), more.hits.end());
-  }
 };
 
 /// Fills in z and error of a hit on the triangle a, b, c.
-/// @param largest the largest absolute coordinate of the mesh: its vertices are known to ± ε
-/// largest
-inline void set_height(LineHit& hit, const Vec3& a, const Vec3& b, const Vec3& c, double largest) {
+/// @param blur how far rounding may have moved a coordinate of a vertex [m]
+inline void set_height(LineHit& hit, const Vec3& a, const Vec3& b, const Vec3& c, double blur) {
   const LineWeights weights(a, b, c, hit.line);
   const double low = std::min({a.z(), b.z(), c.z()}), high = std::max({a.z(), b.z(), c.z()});
-  // A shift of ε largest sideways moves z by as much times the slope, at most height / width.
-  const double blur = 8 * unit_roundoff * largest, all = weights.area;
+  // A shift sideways moves z by as much times the slope, at most height / width.
+  const double all = weights.area;
   const double slope =
       all > 0 ? (high - low) * ((b - a).lpNorm<1>() + (c - a).lpNorm<1>()) / all : 0;
   hit.z = weights.height(a, b, c);
@@ -78,24 +71,30 @@ inline LineHits sort_hits(const std::vector<LineHit>& hits, const std::vector<in
   return sorted;
 }
 
+/// What the lines of a view meet.
+struct LinesOnMesh {
+  const PolygonMesh& mesh;
+  const Components& surface;
+  View view;
+  double blur;  ///< how far rounding may have moved a coordinate of a vertex [m]
+};
+
 /// Gathers the crossings of lines and triangles.
 template <class Lines>
 class HitCollector {
  public:
-  /// @param largest the largest absolute coordinate of the mesh
-  HitCollector(const PolygonMesh& mesh, const Components& surface, double largest,
-               const Lines& lines)
-      : mesh_(mesh), surface_(surface), largest_(largest), lines_(lines) {}
+  HitCollector(const LinesOnMesh& what, const Lines& lines) : what_(what), lines_(lines) {}
 
   void add(int face, const std::array<int, 3>& t) {
-    const int part = surface_.of(t[0]);
+    const int part = what_.surface.of(t[0]);
     if (part < 0) return;  // three times the same vertex
-    const Vec3 &a = mesh_.vertex(t[0]), &b = mesh_.vertex(t[1]), &c = mesh_.vertex(t[2]);
+    const auto corner = [&](int v) { return what_.view.point(what_.mesh.vertex(v)); };
+    const Vec3 a = corner(t[0]), b = corner(t[1]), c = corner(t[2]);
     lines_.for_each_in(rectangle_of(a, b, c), [&](int i, const PlanePoint& line) {
       const int crossing = line_crossing(a, b, c, line.x(), line.y());
       if (crossing == 0) return;
-      hits_.push_back({line, face, part, -crossing, 0, 0});
-      set_height(hits_.back(), a, b, c, largest_);
+      hits_.push_back({line, face, part, -crossing, what_.view, 0, 0});
+      set_height(hits_.back(), a, b, c, what_.blur);
       line_of_hit_.push_back(i);
     });
   }
@@ -103,13 +102,27 @@ class HitCollector {
   LineHits sorted() const { return sort_hits(hits_, line_of_hit_, lines_.size()); }
 
  private:
-  const PolygonMesh& mesh_;
-  const Components& surface_;
-  double largest_;
+  LinesOnMesh what_;
   const Lines& lines_;
   std::vector<LineHit> hits_;
   std::vector<int> line_of_hit_;
 };
+
+/// Where lines anywhere meet the mesh.
+inline LineHits hits_of_lines(const LinesOnMesh& what, const LineList& lines) {
+  HitCollector collector(what, lines);
+  for_each_triangle(what.mesh, [&](int f, const std::array<int, 3>& t) { collector.add(f, t); });
+  return collector.sorted();
+}
+
+/// Where the lines of a lattice meet the mesh.
+/// @param near all triangles that may meet one
+inline LineHits hits_of_lattice(const LinesOnMesh& what, const LineLattice& lattice,
+                                const std::vector<FaceTriangle>& near) {
+  HitCollector collector(what, lattice);
+  for (const FaceTriangle& triangle : near) collector.add(triangle.face, triangle.vertices);
+  return collector.sorted();
+}
 
 /// A vertical line through each part: through the middle of its widest triangle.
 inline std::vector<PlanePoint> lines_through_parts(const PolygonMesh& mesh,
@@ -121,25 +134,6 @@ inline std::vector<PlanePoint> lines_through_parts(const PolygonMesh& mesh,
     lines.emplace_back(middle.x(), middle.y());
   }
   return lines;
-}
-
-/// Where a bundle of vertical lines meets the mesh: those of a lattice, and when it has several
-/// parts, one through each.
-/// @param box  around all vertices
-/// @param near all triangles that may meet a line of the lattice
-inline LineHits hits_of_bundle(const PolygonMesh& mesh, const Components& surface,
-                               const Eigen::AlignedBox3d& box, const LineLattice& lattice,
-                               const TrianglesNearLines& near) {
-  const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  HitCollector on_lattice(mesh, surface, largest, lattice);
-  for (const FaceTriangle& triangle : near.list) on_lattice.add(triangle.face, triangle.vertices);
-  LineHits hits = on_lattice.sorted();
-  if (surface.parts.size() == 1) return hits;
-  const LineList through_parts(box, lines_through_parts(mesh, surface));
-  HitCollector on_parts(mesh, surface, largest, through_parts);
-  for_each_triangle(mesh, [&](int f, const std::array<int, 3>& t) { on_parts.add(f, t); });
-  hits.append(on_parts.sorted());
-  return hits;
 }
 
 }  // namespace tumble::detail

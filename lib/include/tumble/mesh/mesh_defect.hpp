@@ -6,6 +6,7 @@
 /// 1, as an OBJ file does: the first face is `mesh.face(0)`.
 
 #include <array>
+#include <limits>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -41,6 +42,9 @@ struct MeshDefect {
   int face = -1;                       ///< a face it can be seen at; −1: none
   std::array<int, 2> edge = {-1, -1};  ///< the edge, or twice the vertex; −1: none
   std::string message = {};            ///< a sentence
+  /// Of a crossing: which share of the volume counts wrongly, and twice its standard error.
+  double share = std::numeric_limits<double>::quiet_NaN();
+  double share_uncertainty = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The name of a kind, as in the code.
@@ -86,6 +90,21 @@ inline std::ostream& operator<<(std::ostream& out, MeshDefectKind kind) {
 /// another diagonal).
 inline bool spoils_integrals(MeshDefectKind kind) {
   return kind != MeshDefectKind::degenerate_face && kind != MeshDefectKind::nonplanar_face;
+}
+
+namespace detail {
+
+/// The share of the volume that may count wrongly before a mesh is refused, if nothing else is
+/// said.
+inline constexpr double crossing_tolerance = 1e-6;
+
+}  // namespace detail
+
+/// Whether an integral over the mesh is wrong because of what was found. A crossing is a note as
+/// long as no larger share of the volume than `tolerance` counts wrongly.
+inline bool spoils_integrals(const MeshDefect& defect,
+                             double tolerance = detail::crossing_tolerance) {
+  return spoils_integrals(defect.kind) && !(defect.share <= tolerance);
 }
 
 /// Whether there is nothing that could be integrated over.

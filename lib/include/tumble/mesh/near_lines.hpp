@@ -1,12 +1,14 @@
 #pragma once
 /// @file
-/// Which of all triangles may meet one of a thousand vertical lines? Few: they are found by packs.
+/// Which of all triangles may meet one of some thousand lines along each axis? Few: they are found
+/// by packs.
 
 #include <array>
 #include <vector>
 
 #include "tumble/mesh/line_lattice.hpp"
 #include "tumble/mesh/sum_over_blocks.hpp"
+#include "tumble/mesh/view.hpp"
 #include "tumble/simd/corners.hpp"
 
 namespace tumble::detail {
@@ -17,46 +19,64 @@ struct FaceTriangle {
   std::array<int, 3> vertices;
 };
 
-/// Triangles that may meet a line of a lattice.
+/// Triangles that may meet a line of a lattice, for each of the three axes that lines run along.
 struct TrianglesNearLines {
-  std::vector<FaceTriangle> list;
+  std::array<std::vector<FaceTriangle>, 3> along;
 
   TrianglesNearLines& operator+=(const TrianglesNearLines& more) {
-    list.insert(list.end(), more.list.begin(), more.list.end());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      along[axis].insert(along[axis].end(), more.along[axis].begin(), more.along[axis].end());
     return *this;
   }
 };
 
-/// Finds those of a block.
-struct BlockNearLines {
-  const TriangleBlock& block;
-  const LatticeFilter& filter;
-  TrianglesNearLines& result;
+/// Lattices of lines along x, y and z, over the same box.
+struct LineLattices {
+  std::array<LineLattice, 3> along;
 
-  template <class P, simd::Fma>
-  TUMBLE_INLINE void run() const {
-    for (int i = 0; i < block.size; i += simd::lanes<P>) {
-      const P near = near_lines<P>(block.corners + 3 * i);
-      if (simd::sum_of_lanes(near) == 0) continue;
-      for (int k = 0; k < simd::lanes<P>; ++k)
-        if (near[k] != 0 && i + k < block.size - block.padding) add(i + k);
-    }
-  }
-
-  template <class P>
-  TUMBLE_INLINE P near_lines(const int* corners) const {
-    const auto a = simd::load_corners<P>(block.coordinates, corners, 0),
-               b = simd::load_corners<P>(block.coordinates, corners, 1),
-               c = simd::load_corners<P>(block.coordinates, corners, 2);
-    return filter.near<P>(
-        simd::smaller(simd::smaller(a.x, b.x), c.x), simd::larger(simd::larger(a.x, b.x), c.x),
-        simd::smaller(simd::smaller(a.y, b.y), c.y), simd::larger(simd::larger(a.y, b.y), c.y));
-  }
-
-  void add(int triangle) const {
-    const int* v = block.vertices + 3 * triangle;
-    result.list.push_back({block.face(triangle), {v[0], v[1], v[2]}});
-  }
+  LineLattices(const Eigen::AlignedBox3d& box, int count)
+      : along{LineLattice(View{0}.box(box), count), LineLattice(View{1}.box(box), count),
+              LineLattice(View{2}.box(box), count)} {}
 };
+
+/// What leaves out triangles that meet none of their lines.
+using LatticeFilters = std::array<LatticeFilter, 3>;
+
+inline LatticeFilters filters_of(const LineLattices& lattices) {
+  return {lattices.along[0].filter(), lattices.along[1].filter(), lattices.along[2].filter()};
+}
+
+/// The least and the largest of three.
+template <class P>
+struct Extent {
+  P low, high;
+
+  TUMBLE_INLINE Extent(const P& a, const P& b, const P& c)
+      : low(simd::smaller(simd::smaller(a, b), c)), high(simd::larger(simd::larger(a, b), c)) {}
+};
+
+/// Notes those of a pack that are in the lanes where `near` is not 0.
+/// @param first the number of its first triangle in the block
+template <class P>
+TUMBLE_INLINE void note_lanes(const TriangleBlock& block, int first, const P& near,
+                              std::vector<FaceTriangle>& list) {
+  if (simd::sum_of_lanes(near) == 0) return;
+  for (int k = 0; k < simd::lanes<P>; ++k) {
+    if (near[k] == 0 || first + k >= block.size - block.padding) continue;
+    const int* v = block.vertices + 3 * (first + k);
+    list.push_back({block.face(first + k), {v[0], v[1], v[2]}});
+  }
+}
+
+/// Notes the triangles of a pack that may meet a line.
+template <class P>
+TUMBLE_INLINE void note_near_lines(const TriangleBlock& block, const LatticeFilters& filters,
+                                   int first, const simd::Point<P>& a, const simd::Point<P>& b,
+                                   const simd::Point<P>& c, TrianglesNearLines& result) {
+  const Extent<P> x(a.x, b.x, c.x), y(a.y, b.y, c.y), z(a.z, b.z, c.z);
+  note_lanes<P>(block, first, filters[0].near<P>(y.low, y.high, z.low, z.high), result.along[0]);
+  note_lanes<P>(block, first, filters[1].near<P>(z.low, z.high, x.low, x.high), result.along[1]);
+  note_lanes<P>(block, first, filters[2].near<P>(x.low, x.high, y.low, y.high), result.along[2]);
+}
 
 }  // namespace tumble::detail

@@ -19,27 +19,42 @@
 
 namespace tumble::detail {
 
+/// A sum of doubles without an error: parts that do not overlap, smallest first, none of them 0.
+/// @tparam n how many may be added
+template <std::size_t n>
+class ExactSum {
+ public:
+  void add(double b) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const double a = parts_[i], sum = a + b, part = sum - a;
+      const double rest = (a - (sum - part)) + (b - part);  // the rounding error of a + b
+      if (rest != 0) parts_[kept++] = rest;
+      b = sum;
+    }
+    if (b != 0) parts_[kept++] = b;
+    size_ = kept;
+  }
+  /// Adds x y, as long as it neither over- nor underflows.
+  void add_product(double x, double y) {
+    const double product = x * y;
+    add(std::fma(x, y, -product));
+    add(product);
+  }
+  /// −1, 0 or 1.
+  int sign() const { return size_ == 0 ? 0 : parts_[size_ - 1] > 0 ? 1 : -1; }
+
+ private:
+  std::array<double, n> parts_{};
+  std::size_t size_ = 0;
+};
+
 /// The exact sign (−1, 0, 1) of Σ x_i y_i over pairs, as long as no product over- or underflows.
 template <std::size_t n>
 int exact_sign_of_products(const std::array<std::array<double, 2>, n>& pairs) {
-  std::array<double, 2 * n> expansion{};  // non-overlapping, smallest first; zeros do no harm
-  std::size_t size = 0;
-  const auto grow = [&](double b) {
-    for (std::size_t i = 0; i < size; ++i) {
-      const double a = expansion[i], sum = a + b, part = sum - a;
-      expansion[i] = (a - (sum - part)) + (b - part);  // the rounding error of a + b
-      b = sum;
-    }
-    expansion[size++] = b;
-  };
-  for (const std::array<double, 2>& pair : pairs) {
-    const double product = pair[0] * pair[1];
-    grow(std::fma(pair[0], pair[1], -product));
-    grow(product);
-  }
-  for (std::size_t i = size; i-- > 0;)
-    if (expansion[i] != 0) return expansion[i] > 0 ? 1 : -1;
-  return 0;
+  ExactSum<2 * n> sum;
+  for (const std::array<double, 2>& pair : pairs) sum.add_product(pair[0], pair[1]);
+  return sum.sign();
 }
 
 /// The sign of (q − p) × (r − p), all in the plane: 1 when r is to the left of p → q, 0 when on it.

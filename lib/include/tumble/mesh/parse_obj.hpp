@@ -58,16 +58,36 @@ class ObjReader {
   /// Where there are no more words: at the end of the line, or at a comment.
   bool at_last_word() const { return text_.at_line_end() || *text_.at() == '#'; }
 
-  /// Colours or a weight after the three coordinates are passed over.
+  /// Whether a line goes on in the next one here: at a backslash that is its last letter.
+  bool continues(const char* at) const {
+    return at != text_.end() && *at == '\\' && (at + 1 == text_.end() || is_newline(at[1]));
+  }
+  bool ends_word(const char* at) const { return text_.ends_word(at) || continues(at); }
+
+  /// Goes to the next word of the line, and of those that it goes on in.
+  void skip_blanks() {
+    for (text_.skip_blanks(); continues(text_.at()); text_.skip_blanks()) {
+      text_.move_to(text_.at() + 1);
+      text_.next_line();
+    }
+  }
+
+  /// Colours or a weight after the three coordinates are passed over; they are numbers too.
   void read_vertex() {
     text_.move_to(text_.at() + 1);
     Vec3 p;
     for (int k = 0; k < 3; ++k) {
-      text_.skip_blanks();
+      skip_blanks();
       const Parsed<double> x = parse_double(text_.at(), text_.end());
-      if (x.end == text_.at() || !text_.ends_word(x.end) || !std::isfinite(x.value))
-        refuse_coordinate(k);
+      if (x.end == text_.at() || !ends_word(x.end) || !std::isfinite(x.value)) refuse_coordinate(k);
       p[k] = x.value;
+      text_.move_to(x.end);
+    }
+    for (skip_blanks(); !at_last_word(); skip_blanks()) {
+      const Parsed<double> x = parse_double(text_.at(), text_.end());
+      if (x.end == text_.at() || !ends_word(x.end))
+        text_.refuse("'", shown(text_.peek_word()), "' behind the coordinates of vertex #",
+                     mesh_.vertices.size() + 1, " is not a number");
       text_.move_to(x.end);
     }
     mesh_.vertices.push_back(p);
@@ -76,15 +96,15 @@ class ObjReader {
   [[noreturn]] void refuse_coordinate(int k) const {
     if (at_last_word()) text_.refuse("a vertex has 3 coordinates, not ", k);
     text_.refuse("the coordinate '", shown(text_.peek_word()), "' of vertex #",
-                 mesh_.vertices.size() + 1, " is not a finite number", about_continuation());
+                 mesh_.vertices.size() + 1, " is not a finite number");
   }
 
   void read_face() {
     text_.move_to(text_.at() + 1);
-    text_.skip_blanks();
+    skip_blanks();
     if (text_.at_line_end()) return;  // a word without anything after it means nothing
     const std::size_t first = mesh_.corners.size();
-    for (; !at_last_word(); text_.skip_blanks()) mesh_.corners.push_back(read_corner());
+    for (; !at_last_word(); skip_blanks()) mesh_.corners.push_back(read_corner());
     const std::size_t count = mesh_.corners.size() - first;
     if (count < 3) refuse_face("has ", count, " corners, and needs 3");
     if (mesh_.corners.size() > std::numeric_limits<int>::max())
@@ -96,9 +116,8 @@ class ObjReader {
   int read_corner() {
     const Parsed<std::int64_t> index = parse_integer(text_.at(), text_.end());
     const char* const end = end_of_corner(index.end);
-    if (index.end == text_.at() || !text_.ends_word(end))
-      refuse_face("has the vertex '", shown(text_.peek_word()), "', which is not an index",
-                  about_continuation());
+    if (index.end == text_.at() || !ends_word(end))
+      refuse_face("has the vertex '", shown(text_.peek_word()), "', which is not an index");
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t v = index.value > 0 ? index.value - 1 : count + index.value;
     if (index.value == 0 || v < 0 || v >= count) refuse_index(index.value);
@@ -106,15 +125,12 @@ class ObjReader {
     return static_cast<int>(v);
   }
 
-  /// Passes over the indices of texture and normal. What they are does not matter, but there are no
-  /// more than two.
+  /// Passes over the indices of texture and normal, of which there are no more than two, and either
+  /// may be missing.
   /// @return the end of the word, or what should not be in it
   const char* end_of_corner(const char* at) const {
-    if (at == text_.end() || *at != '/') return at;
-    for (int slashes = 0; !text_.ends_word(at); ++at) {
-      slashes += *at == '/';
-      if (slashes > 2 || *at == '\0') break;
-    }
+    for (int k = 0; k < 2 && at != text_.end() && *at == '/'; ++k)
+      at = parse_integer(at + 1, text_.end()).end;
     return at;
   }
 
@@ -131,13 +147,6 @@ class ObjReader {
   template <class... Parts>
   [[noreturn]] void refuse_face(const Parts&... message) const {
     text_.refuse("face #", mesh_.face_count() + 1, ' ', message...);
-  }
-
-  /// What helps where a line goes on in the next one.
-  std::string_view about_continuation() const {
-    return text_.peek_word() == "\\"
-               ? ": a line that goes on in the next one has to be joined with it"
-               : "";
   }
 
   TextScanner text_;

@@ -11,8 +11,11 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <new>
+#include <type_traits>
 #include <utility>
 
+#include "tumble/core/inline.hpp"
 #include "tumble/ode/rhs.hpp"
 
 namespace tumble::runge_kutta {
@@ -54,7 +57,7 @@ struct StepWeights {
 
 /// sum + wⱼ k, and nothing at all where wⱼ is zero.
 template <class Row, std::size_t j, class Scalar>
-Scalar add_weighted(const Scalar& sum, const Scalar& k) {
+TUMBLE_INLINE Scalar add_weighted(const Scalar& sum, const Scalar& k) {
   if constexpr (Row::weights[j] == 0)
     return sum;
   else
@@ -63,25 +66,41 @@ Scalar add_weighted(const Scalar& sum, const Scalar& k) {
 
 /// Component i of Σⱼ wⱼ kⱼ, over the first stages k.
 template <class Row, OdeState State, std::size_t n, std::size_t... j>
-ScalarOf<State> weighted_sum(const std::array<State, n>& k, Eigen::Index i,
-                             std::index_sequence<j...>) {
+TUMBLE_INLINE ScalarOf<State> weighted_sum(const std::array<State, n>& k, Eigen::Index i,
+                                           std::index_sequence<j...>) {
   ScalarOf<State> sum(0);
   ((sum = add_weighted<Row, j>(sum, k[j][i])), ...);
   return sum;
 }
 
-/// y + h Σⱼ wⱼ kⱼ in one pass, over the first `terms` stages k.
+/// result = y + h Σⱼ wⱼ kⱼ in one pass, over the first `terms` stages k.
 template <class Row, std::size_t terms, OdeState State, std::size_t n>
-State advance(const State& y, ScalarOf<State> h, const std::array<State, n>& k) {
-  State result(y.size(), 1);
+TUMBLE_INLINE void advance_into(State& result, const State& y, ScalarOf<State> h,
+                                const std::array<State, n>& k) {
   for (Eigen::Index i = 0; i < y.size(); ++i)
     result[i] = y[i] + h * weighted_sum<Row>(k, i, std::make_index_sequence<terms>{});
+}
+
+/// y + h Σⱼ wⱼ kⱼ.
+template <class Row, std::size_t terms, OdeState State, std::size_t n>
+TUMBLE_INLINE State advance(const State& y, ScalarOf<State> h, const std::array<State, n>& k) {
+  State result(y.size(), 1);
+  advance_into<Row, terms>(result, y, h, k);
   return result;
+}
+
+/// k = f(t, y); a state on the stack is made in its place, not copied to it.
+template <OdeState State, class F>
+TUMBLE_INLINE void evaluate_into(State& k, F& f, ScalarOf<State> t, const State& y) {
+  if constexpr (std::is_trivially_destructible_v<State>)
+    ::new (static_cast<void*>(&k)) State(f(t, y));
+  else
+    k = f(t, y);
 }
 
 /// h Σⱼ wⱼ kⱼ over all the stages that Row weighs: an error estimate.
 template <class Row, OdeState State, std::size_t n>
-State weighted_difference(ScalarOf<State> h, const std::array<State, n>& k) {
+TUMBLE_INLINE State weighted_difference(ScalarOf<State> h, const std::array<State, n>& k) {
   State result(k[0].size(), 1);
   for (Eigen::Index i = 0; i < result.size(); ++i)
     result[i] = h * weighted_sum<Row>(k, i, std::make_index_sequence<Row::weights.size()>{});

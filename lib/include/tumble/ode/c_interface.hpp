@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
@@ -52,6 +53,19 @@ class CRhs {
   F dydt_;
 };
 
+/// The numbers of a state whose length is known at run time only, on the stack: a rigid body
+/// has 13.
+using ShortState = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 16, 1>;
+
+/// The end state of ode().
+template <class State, class F>
+std::vector<double> end_of_ode(const F& dydt, std::span<const double> y0, double t0, double tf,
+                               const Tolerances& tolerances) {
+  const State start = Eigen::Map<const Eigen::VectorXd>(y0.data(), std::ssize(y0));
+  const State end = integrate_adaptive<DormandPrince54>(dydt, start, t0, tf, tolerances).y;
+  return {end.data(), end.data() + end.size()};
+}
+
 }  // namespace detail
 
 /// dydt(t, y, ydot) for the typed solvers: integrate_adaptive<Dop853>(rhs_from_c(dydt), y0, …).
@@ -67,11 +81,11 @@ detail::CRhs<F> rhs_from_c(F dydt) {
 template <detail::CDydt F>
 std::vector<double> ode(std::span<const double> y0, double t0, double tf, F dydt,
                         const Tolerances& tolerances = {}) {
-  const Eigen::VectorXd start =
-      Eigen::Map<const Eigen::VectorXd>(y0.data(), static_cast<Eigen::Index>(y0.size()));
-  const Eigen::VectorXd end =
-      integrate_adaptive<DormandPrince54>(rhs_from_c(dydt), start, t0, tf, tolerances).y;
-  return {end.data(), end.data() + end.size()};
+  using namespace detail;
+  const CRhs<F> f = rhs_from_c(dydt);
+  return std::ssize(y0) <= ShortState::MaxSizeAtCompileTime
+             ? end_of_ode<ShortState>(f, y0, t0, tf, tolerances)
+             : end_of_ode<Eigen::VectorXd>(f, y0, t0, tf, tolerances);
 }
 
 /// One step of size h of the classical Runge–Kutta method, in place (Lien's form).

@@ -88,16 +88,16 @@ struct Dop853Tableau {
   };
 
   /// Both estimates in one, so weighted that it falls as h⁸.
-  template <OdeState State>
+  template <OdeState State, class Tolerance>
   static ScalarOf<State> error(ScalarOf<State> h, const std::array<State, 13>& k, const State& y0,
-                               const State& y1, const Tolerances& tolerances) {
+                               const State& y1, const Tolerance& tolerances) {
+    using runge_kutta::error_norm;
+    using std::sqrt;
     using Scalar = ScalarOf<State>;
-    const Scalar e5 =
-        runge_kutta::error_norm(weighted_difference<ErrorWeights5>(h, k), y0, y1, tolerances);
-    const Scalar e3 =
-        runge_kutta::error_norm(weighted_difference<ErrorWeights3>(h, k), y0, y1, tolerances);
+    const Scalar e5 = error_norm(weighted_difference<ErrorWeights5>(h, k), y0, y1, tolerances);
+    const Scalar e3 = error_norm(weighted_difference<ErrorWeights3>(h, k), y0, y1, tolerances);
     if (e5 == 0) return Scalar(0);
-    return e5 * (e5 / std::hypot(e5, Scalar(0.1) * e3));
+    return e5 * (e5 / sqrt(e5 * e5 + Scalar(0.01) * e3 * e3));
   }
 };
 

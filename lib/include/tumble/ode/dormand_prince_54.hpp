@@ -44,10 +44,11 @@ struct DormandPrince54Tableau {
   };
 
   /// The norm of the difference between the two results.
-  template <OdeState State>
+  template <OdeState State, class Tolerance>
   static ScalarOf<State> error(ScalarOf<State> h, const std::array<State, 7>& k, const State& y0,
-                               const State& y1, const Tolerances& tolerances) {
-    return runge_kutta::error_norm(weighted_difference<ErrorWeights>(h, k), y0, y1, tolerances);
+                               const State& y1, const Tolerance& tolerances) {
+    using runge_kutta::error_norm;
+    return error_norm(weighted_difference<ErrorWeights>(h, k), y0, y1, tolerances);
   }
 };
 

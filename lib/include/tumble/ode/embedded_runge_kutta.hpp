@@ -37,19 +37,21 @@ struct EmbeddedRungeKutta : ExplicitRungeKutta<Tableau> {
   static constexpr int error_order = Tableau::error_order;
 
   /// Keeps f at the end of a step, which is the first stage of the next.
-  template <OdeState State>
+  /// @tparam Tolerance what its error_norm() is measured by
+  template <OdeState State, class Tolerance = Tolerances>
   class Stepper {
    public:
     using Scalar = ScalarOf<State>;
 
-    Stepper(const Tolerances& tolerances, const State& dydt0) : tolerances_(tolerances) {
-      k_[0] = dydt0;
+    Stepper(const Tolerance& tolerances, const State& dydt0) : tolerances_(tolerances) {
+      k_[stages] = dydt0;
     }
 
     /// Tries the step from y at t. k₁ = f(t, y) is known, from the last step or from the start.
     template <OdeRhs<State> F>
     Attempt<State> attempt(F&& f, Scalar t, const State& y, Scalar h) {
-      EmbeddedRungeKutta::compute_stages(f, t, y, h, k_, std::make_index_sequence<stages - 1>{});
+      if (was_accepted_) k_[0] = k_[stages];
+      EmbeddedRungeKutta::compute_stages(f, t, y, h, k_);
       const State y1 = EmbeddedRungeKutta::end_of_step(y, h, k_);
       if constexpr (Tableau::error_needs_end) k_[stages] = f(t + h, y1);
       Scalar error = Tableau::error(h, k_, y, y1, tolerances_);
@@ -61,22 +63,38 @@ struct EmbeddedRungeKutta : ExplicitRungeKutta<Tableau> {
       return {y1, error, next_step(h, error)};
     }
 
+    /// The stages of the last attempt and, if it was accepted, f at its end.
+    const detail::EmbeddedStages<Tableau, State>& stages_of_step() const { return k_; }
+    Tolerance& tolerances() { return tolerances_; }
+
+    /// |h λ| of the fastest part of f that the last step, from y to y1, has met. Beyond about 6 the
+    /// steps of Dop853 are as short as stability demands, not accuracy.
+    /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.2,
+    /// eq. 2.9.
+    Scalar stiffness(const State& y, const State& y1, Scalar h) const {
+      static_assert(Tableau::c[stages - 1] == 1, "compares two evaluations at the end of the step");
+      using LastStage = detail::StageWeights<Tableau, stages - 1>;
+      const State other = detail::advance<LastStage, stages - 1>(y, h, k_);
+      using std::abs;
+      return abs(h) * (k_[stages] - k_[stages - 1]).norm() / (y1 - other).norm();
+    }
+
    private:
     static constexpr std::size_t stages = Tableau::stages;
 
     /// After a rejection the step does not grow again at once.
     Scalar next_step(Scalar h, Scalar error) {
+      using std::abs;
       Scalar next_h = adaptive_step_size(h, error, error_order);
       const bool accepted = error <= 1;
-      if (accepted) k_[0] = k_[stages];
-      if (accepted && was_rejected_ && std::abs(next_h) > std::abs(h)) next_h = h;
-      was_rejected_ = !accepted;
+      if (accepted && !was_accepted_ && abs(next_h) > abs(h)) next_h = h;
+      was_accepted_ = accepted;
       return next_h;
     }
 
-    Tolerances tolerances_;
+    Tolerance tolerances_;
     detail::EmbeddedStages<Tableau, State> k_;
-    bool was_rejected_ = false;
+    bool was_accepted_ = true;
   };
 };
 

@@ -48,7 +48,8 @@ template <class Scalar>
 template <OdeState State>
 void require_progress(const runge_kutta::Attempt<State>& attempt, ScalarOf<State> t,
                       ScalarOf<State> h, ScalarOf<State> shortest, int attempts) {
-  if (!attempt.accepted() && std::abs(h) <= shortest) {
+  using std::abs;
+  if (!attempt.accepted() && abs(h) <= shortest) {
     if (attempt.error != attempt.error)
       stop_integration("dydt is not finite", t, h,
                        "the solution leaves the domain of dydt here; end the integration before");
@@ -76,6 +77,7 @@ OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0
                                       Observer&& observe = {}) {
   static_assert(runge_kutta::AdaptiveMethod<Method, runge_kutta::CountedRhs<F>, State>,
                 "integrate_adaptive<Method>: a method like DormandPrince54");
+  using std::abs, std::copysign;
   using Scalar = ScalarOf<State>;
   require_valid<Scalar>(tolerances);
   detail::require_finite("integrate_adaptive", y0, t0, t1);
@@ -93,10 +95,10 @@ OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0
       detail::initial_step_size(counted, t0, y0, dydt0, t1 - t0, Method::error_order, tolerances);
   while (t != t1) {
     // A few units in the last place of t: a shorter step says nothing.
-    const Scalar shortest = 8 * std::numeric_limits<Scalar>::epsilon() * std::abs(t);
-    if (std::abs(h) < shortest) h = std::copysign(shortest, h);
+    const Scalar shortest = Scalar(8) * std::numeric_limits<Scalar>::epsilon() * abs(t);
+    if (abs(h) < shortest) h = copysign(shortest, h);
     // The last step is stretched by up to 1 % rather than followed by a tiny one.
-    const bool last = std::abs(t1 - t) <= Scalar(1.01) * std::abs(h);
+    const bool last = abs(t1 - t) <= Scalar(1.01) * abs(h);
     if (last) h = t1 - t;
 
     const runge_kutta::Attempt<State> attempt = stepper.attempt(counted, t, solution.y, h);

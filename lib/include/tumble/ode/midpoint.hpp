@@ -19,8 +19,9 @@ namespace tumble::runge_kutta {
 /// @param h step, negative to go back in time
 template <OdeState State, OdeRhs<State> F>
 State midpoint_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
+  const ScalarOf<State> half = h / ScalarOf<State>(2);
   const State k1 = f(t, y);
-  const State k2 = f(t + h / 2, State(y + h / 2 * k1));
+  const State k2 = f(t + half, State(y + half * k1));
   return y + h * k2;
 }
 

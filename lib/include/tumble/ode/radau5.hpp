@@ -28,17 +28,17 @@ struct Radau5 {
   template <OdeState State, OdeRhs<State> F>
   static State step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h);
 
-  template <OdeState State>
+  template <OdeState State, class Tolerance = Tolerances>
   class Stepper;
 };
 
 /// What Radau5 keeps between the steps: f, its Jacobian, two factorisations and the last stages.
-template <OdeState State>
+template <OdeState State, class Tolerance>
 class Radau5::Stepper {
  public:
   using Scalar = ScalarOf<State>;
 
-  Stepper(const Tolerances& tolerances, const State& dydt0)
+  Stepper(const Tolerance& tolerances, const State& dydt0)
       : tolerances_(tolerances), dydt_(dydt0) {}
 
   /// Tries the step from y at t.
@@ -63,6 +63,8 @@ class Radau5::Stepper {
     return {y1, error, next_h};
   }
 
+  Tolerance& tolerances() { return tolerances_; }
+
  private:
   static constexpr int max_iterations = 7;
 
@@ -79,9 +81,10 @@ class Radau5::Stepper {
     if (h != factorised_h_) matrices_ = detail::Radau5Matrices<State>(h, J_);
     factorised_h_ = h;
     const auto norm = [&](const detail::Radau5Stages<State>& W) {
-      const Vector3<Scalar> norms(runge_kutta::error_norm(State(W.col(0)), y, y, tolerances_),
-                                  runge_kutta::error_norm(State(W.col(1)), y, y, tolerances_),
-                                  runge_kutta::error_norm(State(W.col(2)), y, y, tolerances_));
+      using runge_kutta::error_norm;
+      const Vector3<Scalar> norms(error_norm(State(W.col(0)), y, y, tolerances_),
+                                  error_norm(State(W.col(1)), y, y, tolerances_),
+                                  error_norm(State(W.col(2)), y, y, tolerances_));
       return static_cast<double>(norms.norm()) / std::sqrt(3);
     };
     constexpr auto epsilon = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
@@ -117,13 +120,14 @@ class Radau5::Stepper {
   template <class F>
   Scalar estimate_error(F&& f, Scalar t, const State& y, const State& y1, Scalar h,
                         const detail::Radau5Stages<State>& Z) const {
+    using runge_kutta::error_norm;
     const State difference = Z.lazyProduct(detail::Radau5Coefficients<Scalar>::e()) / h;
     State error = matrices_.solve_real(dydt_ + difference);
-    const Scalar norm = runge_kutta::error_norm(error, y, y1, tolerances_);
+    const Scalar norm = error_norm(error, y, y1, tolerances_);
     if (norm <= 1 || !is_doubtful_) return norm;
     const State dydt = f(t, State(y + error));
     error = matrices_.solve_real(dydt + difference);
-    return runge_kutta::error_norm(error, y, y1, tolerances_);
+    return error_norm(error, y, y1, tolerances_);
   }
 
   /// Shorter where Newton's method had to work, and where the error is seen to grow.
@@ -151,7 +155,7 @@ class Radau5::Stepper {
 
   static constexpr double slow_rate = 1e-3;  // of convergence, above which J is computed anew
 
-  Tolerances tolerances_;
+  Tolerance tolerances_;
   State dydt_;
   detail::JacobianOf<State> J_;
   detail::Radau5Matrices<State> matrices_;

@@ -61,8 +61,9 @@ namespace tumble::detail {
 /// @throws std::invalid_argument if y0, t0 or t1 is not finite
 template <OdeState State>
 void require_finite(const char* who, const State& y0, ScalarOf<State> t0, ScalarOf<State> t1) {
-  require(std::isfinite(t0) && std::isfinite(t1), who, ": from t0 = ", t0, " to t1 = ", t1,
-          " is no finite span");
+  using std::isfinite;  // a dual number brings its own
+  require(isfinite(t0) && isfinite(t1), who, ": from t0 = ", t0, " to t1 = ", t1,
+          " is not a finite span");
   require(y0.allFinite(), who, ": y0 = (", y0.transpose(), ") is not finite");
 }
 

@@ -19,11 +19,13 @@ namespace tumble::runge_kutta {
 /// @param h step, negative to go back in time
 template <OdeState State, OdeRhs<State> F>
 State rk4_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) {
+  using Scalar = ScalarOf<State>;
+  const Scalar two(2), half = h / two, sixth = h / Scalar(6);
   const State k1 = f(t, y);
-  const State k2 = f(t + h / 2, State(y + h / 2 * k1));
-  const State k3 = f(t + h / 2, State(y + h / 2 * k2));
+  const State k2 = f(t + half, State(y + half * k1));
+  const State k3 = f(t + half, State(y + half * k2));
   const State k4 = f(t + h, State(y + h * k3));
-  return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  return y + sixth * (k1 + two * k2 + two * k3 + k4);
 }
 
 /// @}

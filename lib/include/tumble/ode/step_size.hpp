@@ -28,7 +28,7 @@ namespace tumble::runge_kutta {
 template <class Scalar>
 Scalar adaptive_step_size(Scalar h, std::type_identity_t<Scalar> error, int order) {
   using std::pow;
-  constexpr auto safety = Scalar(0.9), min_factor = Scalar(0.2), max_factor = Scalar(10);
+  const auto safety = Scalar(0.9), min_factor = Scalar(0.2), max_factor = Scalar(10);
   if (error != error) return h * min_factor;
   if (error == 0) return h * max_factor;
   const Scalar factor = safety * pow(error, Scalar(-1) / static_cast<Scalar>(order + 1));
@@ -46,26 +46,27 @@ namespace tumble::detail {
 /// @param dydt0 f(t0, y0)
 /// @param span  t1 − t0; its sign is the direction, and the step is not longer
 /// @param order q, where the error falls as h^(q+1)
-template <OdeState State, OdeRhs<State> F>
+template <OdeState State, OdeRhs<State> F, class Tolerance = Tolerances>
 ScalarOf<State> initial_step_size(F&& f, ScalarOf<State> t0, const State& y0, const State& dydt0,
-                                  ScalarOf<State> span, int order, const Tolerances& tolerances) {
+                                  ScalarOf<State> span, int order, const Tolerance& tolerances) {
+  using runge_kutta::error_norm;
   using std::abs, std::copysign, std::max, std::min, std::pow;
   using Scalar = ScalarOf<State>;
-  const auto norm = [&](const State& v) { return runge_kutta::error_norm(v, y0, y0, tolerances); };
+  const auto norm = [&](const State& v) { return error_norm(v, y0, y0, tolerances); };
   const Scalar d0 = norm(y0), d1 = norm(dydt0);
-  constexpr auto tiny = Scalar(1e-5), guess = Scalar(1e-6), small_part = Scalar(0.01);
+  const auto tiny = Scalar(1e-5), guess = Scalar(1e-6), small_part = Scalar(0.01);
   const Scalar h0 = min(d0 < tiny || d1 < tiny ? guess : small_part * d0 / d1, abs(span));
 
   const Scalar step = copysign(h0, span);
   const State dydt1 = f(t0 + step, State(y0 + step * dydt0));
   const Scalar d2 = norm(dydt1 - dydt0) / h0;
-  if (!dydt1.allFinite()) return step / 100;  // the edge of where f is defined is near
+  if (!dydt1.allFinite()) return step / Scalar(100);  // the edge of where f is defined is near
 
   const Scalar largest = max(d1, d2);
   const Scalar h1 = largest <= Scalar(1e-15)
-                        ? max(guess, h0 / 1000)
+                        ? max(guess, h0 / Scalar(1000))
                         : pow(small_part / largest, Scalar(1) / static_cast<Scalar>(order + 1));
-  return copysign(min(min(100 * h0, h1), abs(span)), span);
+  return copysign(min(min(Scalar(100) * h0, h1), abs(span)), span);
 }
 
 }  // namespace tumble::detail

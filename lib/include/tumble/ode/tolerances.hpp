@@ -28,9 +28,10 @@ struct Tolerances {
 /// @throws std::invalid_argument if one is not positive and finite, also as a `Scalar`
 template <class Scalar = double>
 void require_valid(const Tolerances& tolerances) {
+  using std::isfinite;
   const auto valid = [](double tolerance) {
     const auto rounded = static_cast<Scalar>(tolerance);
-    return std::isfinite(rounded) && rounded > 0;
+    return isfinite(rounded) && rounded > 0;
   };
   require(valid(tolerances.relative), "tolerances: relative = ", tolerances.relative,
           " is not positive and finite");

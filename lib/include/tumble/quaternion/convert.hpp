@@ -84,8 +84,8 @@ inline Quat from_matrix(const Mat3& R) {
 /// @throws std::invalid_argument if the axis is zero or anything is not finite
 inline Quat from_axis_angle(const Vec3& axis, double angle) {
   require(std::isfinite(angle), "from_axis_angle: the angle is ", angle);
-  require(axis.allFinite() && !axis.isZero(0), "from_axis_angle: ", axis.transpose(),
-          " is no axis");
+  require(axis.allFinite() && !axis.isZero(0), "from_axis_angle: the axis (", axis.transpose(),
+          ") has no direction");
   Quat q;
   q.w() = std::cos(angle / 2);
   q.vec() = std::sin(angle / 2) * axis.stableNormalized();

@@ -10,13 +10,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "tumble/core/inline.hpp"
+
 #if !defined(__GNUC__) || (!defined(__clang__) && __GNUC__ < 12)
 #error "tumble/simd/pack.hpp: gcc 12 or newer, or clang, is needed"
 #endif
-
-/// Inlined even where nothing else is: a Pack must not go through a function that was compiled for
-/// other instructions.
-#define TUMBLE_INLINE inline __attribute__((always_inline))
 
 /// Code that exists once, however often it is called. In a copy of it a compiler may fuse other
 /// products with other sums, and so round otherwise.
@@ -25,6 +23,10 @@
 #else
 #define TUMBLE_ONE_COPY __attribute__((noipa))
 #endif
+
+// Packs are passed to inlined functions only, so no calling convention is involved. gcc says so
+// where the file that includes this one ends, which is why this holds to the end.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace tumble::simd {
 

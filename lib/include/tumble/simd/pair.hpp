@@ -97,6 +97,11 @@ template <class T, Fma fma>
 TUMBLE_INLINE Pair<T, fma>& operator+=(Pair<T, fma>& x, const Pair<T, fma>& y) {
   return x = x + y;
 }
+template <class T, Fma fma>
+TUMBLE_INLINE Pair<T, fma>& operator+=(Pair<T, fma>& x, const T& y) {
+  const Pair<T, fma> s = two_sum<fma>(x.hi, y);
+  return x = {s.hi, s.lo + x.lo};
+}
 
 // ── Products and sums, whatever the numbers ──
 

@@ -2,6 +2,8 @@
 /// @file
 /// Points whose coordinates are numbers of any kind: doubles, Pairs, Packs, or Pairs of Packs.
 
+#include <type_traits>
+
 #include "tumble/simd/pair.hpp"
 
 namespace tumble::simd {
@@ -67,6 +69,13 @@ TUMBLE_INLINE const P& leading(const P& x) {
 template <class P, Fma fma>
 TUMBLE_INLINE const P& leading(const detail::Pair<P, fma>& x) {
   return x.hi;
+}
+
+/// Of Pairs their leading parts.
+template <class T>
+TUMBLE_INLINE auto leading(const Point<T>& p) {
+  return Point<std::remove_cvref_t<decltype(leading(p.x))>>{leading(p.x), leading(p.y),
+                                                            leading(p.z)};
 }
 
 /// |x| + |y| + |z|, of Pairs that of their leading parts.

@@ -1,85 +1,161 @@
 #pragma once
 /// @file
-/// A body under any forces, by Dormand and Prince's method of order 8 on thirteen numbers that are
-/// of the size of 1.
+/// One run of a body under any forces, by Dormand and Prince's method of order 8 or, where the
+/// scene is stiff, by Radau IIA of order 5.
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
 #include <vector>
 
-#include "tumble/ode/dop853.hpp"
-#include "tumble/ode/integrate_adaptive.hpp"
-#include "tumble/simulate/scaled_rhs.hpp"
+#include "tumble/core/step_budget.hpp"
+#include "tumble/ode/counted_rhs.hpp"
+#include "tumble/simulate/motion_record.hpp"
 #include "tumble/simulate/stated_error.hpp"
+#include "tumble/simulate/trajectory.hpp"
 
 namespace tumble::detail {
 
-/// What is large and small in a scene: at least the motion through the body's own size, and the
-/// turn by one radian, in the whole time.
+/// The run.
+/// @tparam Rhs a RigidBodyRhs<double, …>
 template <class Rhs>
-MotionScale scale_of(const Rhs& rhs, const RigidBodyState<>& start, double t0, double t1) {
-  const RigidBody<>& body = rhs.body();
-  const double span = t1 - t0, inertia = body.I_body().trace() / 3;
-  const RigidBodyState<> rate = rhs.rate(t0, start);
-  const double own_length = std::sqrt(inertia / body.mass());
-  MotionScale scale;
-  scale.momentum =
-      std::max({start.P.norm(), rate.P.norm() * span, body.mass() * own_length / span});
-  scale.length = std::max(start.x.norm(), scale.momentum / body.mass() * span);
-  scale.angular_momentum = std::max({start.L.norm(), rate.L.norm() * span, inertia / span});
-  return scale;
-}
+class GeneralTrajectory : public MotionRecord<Rhs> {
+  using Record = MotionRecord<Rhs>;
 
-/// One integration from t0 to t1 whose steps can be gone into again.
-template <class Rhs>
-class GeneralTrajectory {
  public:
-  static constexpr double error_exponent = 0.5, margin = 10, first_epsilon = 0.01;
+  static constexpr double error_exponent = 0.5, margin = 1, careful = 4;
+  using typename Record::Numbers;
 
-  /// @param rhs a RigidBodyRhs<double, …>
-  /// @throws std::runtime_error as integrate_adaptive() does
-  GeneralTrajectory(const Rhs& rhs, const MotionScale& scale, const RigidBodyState<>& start,
-                    double t0, double t1, double tolerance)
-      : rhs_(rhs, scale) {
-    steps_.push_back({t0, rhs_.numbers(start)});
-    const auto keep = [this](double t, const Numbers& y) { steps_.push_back({t, y}); };
-    const auto solution =
-        integrate_adaptive<Dop853>(rhs_, steps_.front().y, t0, t1, {tolerance, tolerance}, keep);
-    rejected_ = solution.rejected;
-    evaluations_ = solution.evaluations;
+  /// @throws std::runtime_error if a force is not finite, or no step is short enough
+  GeneralTrajectory(const ScaledRhs<Rhs>& rhs, const RigidBodyState<>& start, double t0,
+                    double span, const RunSettings& settings)
+      : Record(rhs, t0, shift(settings) * std::max(std::abs(t0), std::abs(t0 + span)),
+               rhs.numbers(settings.moved ? beside(start, shift(settings)) : start), span,
+               settings.tolerance, settings.breaks, settings.stiff),
+        settings_(settings),
+        guide_(std::move(settings_.guide)),
+        budget_(0, span, settings.most_steps) {
+    for (const double end : breaks_)
+      if (end_ == RunEnd::complete) settings.stiff ? follow<Radau5>(end) : follow<Dop853>(end);
   }
 
-  int steps() const { return static_cast<int>(steps_.size()) - 1; }
+  RunEnd end() const { return end_; }
+  double predicted_steps() const { return budget_.predicted(); }
+  double radians() const { return radians_; }
 
-  std::vector<double> times() const {
-    std::vector<double> times;
-    for (const Step& step : steps_) times.push_back(step.t);
-    return times;
-  }
-
-  /// Any t between t0 and t1: a part of the step that it is in.
-  RigidBodyState<> at(double t) const {
-    const auto later = [](double time, const Step& step) { return time < step.t; };
-    const Step& step = *(std::upper_bound(steps_.begin() + 1, steps_.end(), t, later) - 1);
-    return rhs_.state(t == step.t ? step.y : Dop853::step(rhs_, step.t, step.y, t - step.t));
+  /// @throws std::runtime_error that says how many steps it would take
+  [[noreturn]] void refuse() const {
+    refuse_hopeless("simulate", budget_, settings_.most_steps, t0_ + steps_.back().s,
+                    "the body turns or swings too often; ask for a shorter time");
   }
 
   void account(SimulationReport& report) const {
     ++report.runs;
-    report.steps += steps();
+    report.steps += this->steps();
     report.rejected += rejected_;
     report.evaluations += evaluations_;
   }
 
  private:
-  using Numbers = typename ScaledRhs<Rhs>::Numbers;
-  struct Step {
-    double t;
-    Numbers y;
-  };
+  using Record::breaks_, Record::dense_, Record::rhs_, Record::steps_, Record::t0_,
+      Record::tolerance_;
 
-  ScaledRhs<Rhs> rhs_;
-  std::vector<Step> steps_;
-  int rejected_ = 0, evaluations_ = 0;
+  /// The part of themselves by which numbers are moved.
+  static double shift(const RunSettings& settings) {
+    constexpr double roundings = 4;
+    return settings.moved ? roundings * unit_roundoff : 0;
+  }
+
+  /// From where it is to a break, or to the end.
+  template <class Method>
+  void follow(double end) {
+    double s = steps_.back().s;
+    if (!(s < end)) return;
+    Numbers y = steps_.back().y;
+    const auto clock = this->timed(s);
+    const runge_kutta::CountedRhs<const typename Record::Timed> f(clock, evaluations_);
+    const Numbers dydt = f(s, y);
+    if (!dydt.allFinite()) stop("a force is not finite", s, end - s);
+    typename Method::template Stepper<Numbers, MotionTolerance> stepper(tolerance_, dydt);
+    double h = initial_step_size(f, s, y, dydt, end - s, Method::error_order, tolerance_);
+    while (s != end && end_ == RunEnd::complete) {
+      const double shortest = 8 * 0x1p-52 * std::max(s, 0.01 * breaks_.back());
+      h = std::max(guide_.longest(s, std::min(h, settings_.longest)), shortest);
+      const bool last = end - s <= 1.01 * h;
+      if (last) h = end - s;
+      const runge_kutta::Attempt<Numbers> attempt = stepper.attempt(f, s, y, h);
+      if (attempt.accepted()) {
+        const double next = last ? end : s + h;
+        keep(attempt.y, next, h);
+        look_at(stepper, f, s, y, attempt.y, h);
+        stepper.tolerances().grow(attempt.y);
+        s = next;
+        y = attempt.y;
+      } else {
+        ++rejected_;
+        if (h <= shortest)
+          stop(attempt.error != attempt.error ? "a force is not finite" : "no step is short enough",
+               s, h);
+      }
+      count_step(s);
+      h = attempt.next_h;
+    }
+    tolerance_ = stepper.tolerances();
+  }
+
+  void keep(const Numbers& y, double s, double h) {
+    steps_.push_back({s, y});
+    radians_ += h * rhs_.omega(y);
+  }
+
+  /// What DOP853's stages tell beside where the step leads: the way between, and stiffness.
+  template <class Stepper, class F>
+  void look_at(const Stepper& stepper, const F& f, double s, const Numbers& y, const Numbers& y1,
+               double h) {
+    if constexpr (requires { stepper.stages_of_step(); }) {
+      // The rough run is asked at the ends of its steps only.
+      if (dense_.size() < max_dense && !settings_.moved)
+        dense_.emplace_back(f, s, y, y1, h, stepper.stages_of_step());
+      if (settings_.watched && this->steps() > 100 && this->steps() % 4 == 0)
+        watch(stepper, y, y1, h);
+    }
+  }
+
+  /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", IV.2; the numbers are
+  /// those of Hairer's program dop853.
+  template <class Stepper>
+  void watch(const Stepper& stepper, const Numbers& y, const Numbers& y1, double h) {
+    constexpr double limit_of_stability = 6.1, worth_it = 5000;
+    if (stepper.stiffness(y, y1, h) > limit_of_stability) {
+      if (++stiff_steps_ >= 15 && budget_.predicted() > worth_it) end_ = RunEnd::stiff;
+    } else if (stiff_steps_ > 0) {
+      --stiff_steps_;
+    }
+  }
+
+  void count_step(double s) {
+    budget_.count(s);
+    if (budget_.hopeless()) end_ = RunEnd::too_many_steps;
+  }
+
+  [[noreturn]] void stop(const char* why, double s, double h) const {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << "simulate: " << why << " at t = " << t0_ + s << " with a step of h = " << h
+         << ": the motion leaves what the forces are defined for; ask for a shorter time";
+    throw_error<std::runtime_error>(text.str());
+  }
+
+  /// Steps whose way between is kept (42 MB); for later ones it is computed anew.
+  static constexpr std::size_t max_dense = 50'000;
+
+  RunSettings settings_;
+  StepGuide guide_;
+  StepBudget budget_;
+  double radians_ = 0;
+  int rejected_ = 0, evaluations_ = 0, stiff_steps_ = 0;
+  RunEnd end_ = RunEnd::complete;
 };
 
 }  // namespace tumble::detail

@@ -3,6 +3,10 @@
 /// Says how a body turns that is held at one of its points, as simulate() does for one that is
 /// free.
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "tumble/body/held_body.hpp"
 #include "tumble/simulate/simulate.hpp"
 
@@ -14,13 +18,22 @@ namespace tumble {
 namespace detail {
 
 /// The motion of the held body, from its turning about the point.
-inline Trajectory held_trajectory(const HeldBody& held, Trajectory turning) {
-  const std::vector<double> times = turning.times();
-  const SimulationReport report = turning.report();
-  const auto at = [held, turning = std::move(turning)](double t) {
-    return held.state_of(turning.at(t));
-  };
-  return {at, times, report};
+class HeldMotion final : public MotionOverTime {
+ public:
+  HeldMotion(const HeldBody& held, Trajectory turning)
+      : held_(held), turning_(std::move(turning)) {}
+
+  RigidBodyState<> at(double t) const override { return held_.state_of(turning_.at(t)); }
+  std::vector<double> times() const override { return turning_.times(); }
+
+ private:
+  HeldBody held_;
+  Trajectory turning_;
+};
+
+inline Trajectory held_trajectory(const HeldBody& held, const Trajectory& turning) {
+  return {std::make_shared<const HeldMotion>(held, turning), turning.t0(), turning.t1(),
+          turning.report()};
 }
 
 }  // namespace detail

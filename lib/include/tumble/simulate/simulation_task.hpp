@@ -2,6 +2,12 @@
 /// @file
 /// What simulate() is asked for.
 
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tumble/core/require.hpp"
+
 namespace tumble {
 
 /// @addtogroup simulate
@@ -19,8 +25,28 @@ struct SimulationTask {
   double t1 = 1;            ///< [s], not before t0
   double tolerance = 1e-6;  ///< of the orientation in radians, of all else relative to its size
   Wanted wanted = Wanted::trajectory;
+  /// When forces begin, end or jump [s]: no step goes across. For forces of your own.
+  std::vector<double> breaks = {};
+  /// No step is longer [s]. For forces of your own that act for a very short time.
+  double longest_step = std::numeric_limits<double>::infinity();
 };
 
 /// @}
+
+namespace detail {
+
+/// @throws std::invalid_argument if the task means nothing
+inline void require_valid_task(const SimulationTask& task) {
+  require(std::isfinite(task.t0) && std::isfinite(task.t1) && task.t0 <= task.t1,
+          "simulate: from t0 = ", task.t0, " to t1 = ", task.t1, " is not a span of time");
+  require(task.tolerance > 0 && std::isfinite(task.tolerance), "simulate: the tolerance ",
+          task.tolerance, " is not positive and finite");
+  require(task.longest_step > 0, "simulate: the longest step ", task.longest_step,
+          " is not positive");
+  for (const double t : task.breaks)
+    require(std::isfinite(t), "simulate: a break at t = ", t, " is not a time");
+}
+
+}  // namespace detail
 
 }  // namespace tumble

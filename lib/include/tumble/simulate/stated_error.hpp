@@ -4,87 +4,73 @@
 /// rough and with fine steps.
 ///
 /// What the two differ by, d, is the rough run's error: its tolerance ε times what the motion makes
-/// of errors. So the fine run, with a tolerance of 10⁻³ ε, has an error of about 10⁻³ d, and its
+/// of errors. So the fine run, with a smaller tolerance, has an error of a share of d, and its
 /// rounding makes one of about d u/ε for each step. If that is not good enough, both are run again
 /// with an ε that is. How far proportion can be trusted, a Run says:
 ///
 ///     error_exponent   errors fall at least as tolerance^exponent: 1, or less where forces may be
 ///                      rough and now and then fool the control of steps
 ///     margin           how much smaller the error of a step is than its tolerance
+///     careful          how much larger errors may be than that says: measured on random scenes
+///
+/// The rough run starts a little beside the start: what the motion makes of that is in d too.
 ///
 /// Source: Shampine, "Error estimation and control for ODEs", J. Sci. Comput. 25 (2005), §5, on
 /// tolerance proportionality and global errors.
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
+#include "tumble/body/state.hpp"
 #include "tumble/core/rounding.hpp"
-#include "tumble/quaternion/exp_log.hpp"
-#include "tumble/simulate/trajectory.hpp"
 
 namespace tumble::detail {
 
-/// How far two motions are from each other: the angle between orientations [rad], and everything
-/// else as a part of its largest size on the way; the largest of these at some moments.
-struct MotionScale {
-  double length;            ///< [m]
-  double momentum;          ///< [kg m/s]
-  double angular_momentum;  ///< [kg m²/s]
-
-  double difference(const RigidBodyState<>& a, const RigidBodyState<>& b) const {
-    return std::max({angle_between(a.q, b.q), (a.x - b.x).norm() / length,
-                     (a.P - b.P).norm() / momentum, (a.L - b.L).norm() / angular_momentum});
-  }
-};
-
-/// What two runs show of the second one's error.
-struct StatedError {
-  double difference;  ///< between them
-  double estimate;    ///< of the second one's error
-};
-
-/// @param rough, fine two runs of `at(t)`; the rough one's ε and the fine one's tolerance and steps
-template <class Run>
-StatedError stated_error(const Run& rough, const Run& fine, const MotionScale& scale, double t0,
-                         double t1, double epsilon, double tolerance) {
-  constexpr int samples = 8;
-  double difference = 0;
-  for (int i = 1; i <= samples; ++i) {
-    const double t = i == samples ? t1 : t0 + i * (t1 - t0) / samples;
-    difference = std::max(difference, scale.difference(rough.at(t), fine.at(t)));
-  }
-  constexpr double careful = 4;
-  const double steps = std::sqrt(static_cast<double>(fine.steps()));
-  const double share = careful * std::pow(tolerance / epsilon, Run::error_exponent) +
-                       Run::margin * steps * unit_roundoff / epsilon;
-  return {difference, std::min(1.0, share) * difference + unit_roundoff};
+/// A start beside the start, each number by up to a part of itself: what is 0 stays 0.
+inline RigidBodyState<> beside(const RigidBodyState<>& start, double part) {
+  // Of both signs and all sizes.
+  constexpr double share[13] = {0.83, -0.67, 0.91,  -0.74, 0.97,  0.62, -0.88,
+                                0.71, 0.93,  -0.79, 0.86,  -0.95, 0.69};
+  PackedState<double> y = pack(start);
+  for (int i = 0; i < y.size(); ++i) y[i] *= 1 + part * share[i];
+  return unpack<double>(y);
 }
 
-/// The fine run that keeps the tolerance, or the best that there is.
-/// @param run run(start, tolerance of a step) → a Run with at(t), steps() and account(report)
-/// @return the run; the report's error_estimate and costs are filled in
-template <class Runner>
-std::invoke_result_t<Runner, const RigidBodyState<>&, double> run_to_tolerance(
-    const Runner& run, const RigidBodyState<>& start, const MotionScale& scale, double t0,
-    double t1, SimulationReport& report) {
-  using Run = std::invoke_result_t<Runner, const RigidBodyState<>&, double>;
-  constexpr double finer = 1e-3, finest = 1e-16, lowest = 10 * finest;
-  double epsilon = std::clamp(Run::first_epsilon * report.tolerance, lowest, 1e-2);
-  while (true) {
-    const double fine_tolerance = std::max(finer * epsilon, finest);
-    const Run rough = run(start, epsilon);
-    Run fine = run(start, fine_tolerance);
-    rough.account(report);
-    fine.account(report);
-    const StatedError error = stated_error(rough, fine, scale, t0, t1, epsilon, fine_tolerance);
-    report.error_estimate = error.estimate;
-    if (report.reached() || epsilon == lowest) return fine;
-    // What the difference says is needed, but by at most 1000 at a time: a large difference says
-    // little.
-    const double needed = epsilon * report.tolerance / (2 * error.estimate);
-    epsilon = std::max(lowest, std::clamp(needed, epsilon / 1000, epsilon / 3));
-  }
+/// Two runs, and what they differ by.
+struct TwoRuns {
+  double difference;  ///< at most, on the way
+  double epsilon;     ///< the rough one's tolerance of a step
+  double tolerance;   ///< the fine one's
+  int steps;          ///< the fine one's
+  double radians;     ///< by which the body turns
+};
+
+/// What part of the difference is the fine run's error.
+template <class Run>
+double fine_share(const TwoRuns& runs) {
+  // What differs by so much is not proportional to anything.
+  constexpr double too_large = 0.05;
+  if (!(runs.difference < too_large)) return 1;
+  const double rounding = std::sqrt(static_cast<double>(runs.steps)) * unit_roundoff;
+  return std::min(1.0, Run::careful * std::pow(runs.tolerance / runs.epsilon, Run::error_exponent) +
+                           Run::margin * rounding / runs.epsilon);
+}
+
+/// The error of the fine run.
+/// @param lost what the moments have lost, see rounding_of_moments()
+template <class Run>
+double stated_error(const TwoRuns& runs, double lost) {
+  const double growth = Run::margin * runs.difference / runs.epsilon;  // of a small error
+  constexpr double everything = 4;
+  return fine_share<Run>(runs) * runs.difference +
+         std::min(everything, lost * (runs.radians + growth)) + 2 * unit_roundoff;
+}
+
+/// The ε to try next: what the error says is needed, but by at most 1000 at a time: a large error
+/// says little.
+inline double next_epsilon(double epsilon, double asked, double error, double lowest) {
+  const double needed = epsilon * asked / (2 * error);
+  return std::max(lowest, std::clamp(needed, epsilon / 1000, epsilon / 3));
 }
 
 }  // namespace tumble::detail

@@ -2,10 +2,15 @@
 /// @file
 /// A body under steady forces: its path in closed form, its turning by Taylor series.
 
-#include <memory>
+#include <algorithm>
 #include <vector>
 
+#include "tumble/core/largest.hpp"
+#include "tumble/quaternion/exp_log.hpp"
+#include "tumble/simulate/motion_tolerance.hpp"
+#include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
+#include "tumble/simulate/trajectory.hpp"
 #include "tumble/steady/steady_path.hpp"
 #include "tumble/steady/turning_by_series.hpp"
 
@@ -15,7 +20,7 @@ namespace tumble::detail {
 template <int rank>
 class SteadyTrajectory {
  public:
-  static constexpr double error_exponent = 1, margin = 100, first_epsilon = 10;
+  static constexpr double error_exponent = 1, margin = 100, careful = 20;
 
   /// @throws std::runtime_error as TurningBySeries does
   SteadyTrajectory(const steady::SteadyTorque& torque, const steady::SteadyPath& path,
@@ -23,20 +28,46 @@ class SteadyTrajectory {
       : torque_(torque),
         path_(path),
         t0_(t0),
-        turning_(torque, torque.turning(start.q, start.L), t0, t1, tolerance) {}
+        turning_(torque, torque.turning(start.q, start.L), 0, t1 - t0, tolerance) {}
 
   int steps() const { return turning_.steps(); }
   int order() const { return turning_.order(); }
 
-  std::vector<double> times() const {
+  std::vector<double> times(double t1) const {
     std::vector<double> times;
-    for (int i = 0; i <= steps(); ++i) times.push_back(turning_.time(i));
+    times.reserve(static_cast<std::size_t>(steps()) + 1);
+    for (int i = 0; i < steps(); ++i) times.push_back(t0_ + turning_.time(i));
+    times.push_back(t1);
     return times;
   }
 
   RigidBodyState<> at(double t) const {
-    const steady::TurningState s = turning_.at(t);
-    return {path_.x(t - t0_), torque_.orientation(s), path_.P(t - t0_), torque_.L(s)};
+    const double s = t - t0_;
+    const steady::TurningState state = turning_.at(s);
+    return {path_.x(s), torque_.orientation(state), path_.P(s), torque_.L(state)};
+  }
+
+  /// By how much the body turns, more or less.
+  double radians() const {
+    double sum = 0;
+    for (int i = 1; i <= steps(); ++i)
+      sum += (turning_.time(i) - turning_.time(i - 1)) * turning_.state(i).omega.norm();
+    return sum;
+  }
+
+  /// The largest difference at the ends of another run's steps: the angle between orientations
+  /// [rad], and of L as a part of its largest size.
+  double difference(const SteadyTrajectory& other, double least_L) const {
+    double L = least_L, angle = 0, off = 0;
+    for (int i = 0; i <= other.steps(); ++i) {
+      const steady::TurningState theirs = other.turning_.state(i);
+      const steady::TurningState ours = turning_.at(other.turning_.time(i));
+      const Vec3 right = torque_.L(ours);
+      L = std::max(L, right.norm());
+      angle = largest({angle, angle_between(ours.q, theirs.q)});
+      off = largest({off, (right - torque_.L(theirs)).norm()});
+    }
+    return largest({angle, off / L});
   }
 
   void account(SimulationReport& report) const {
@@ -51,5 +82,59 @@ class SteadyTrajectory {
   double t0_;
   steady::TurningBySeries<rank> turning_;
 };
+
+/// What a run gives, for a Trajectory.
+template <class Run>
+class ComputedMotion final : public MotionOverTime {
+ public:
+  ComputedMotion(Run run, double t1) : run_(std::move(run)), t1_(t1) {}
+
+  RigidBodyState<> at(double t) const override { return run_.at(t); }
+  std::vector<double> times() const override { return run_.times(t1_); }
+
+ private:
+  Run run_;
+  double t1_;
+};
+
+/// A trajectory that owns its run.
+template <class Run>
+Trajectory trajectory_of(Run&& run, const SimulationTask& task, const SimulationReport& report) {
+  using Motion = ComputedMotion<std::decay_t<Run>>;
+  return {std::make_shared<const Motion>(std::forward<Run>(run), task.t1), task.t0, task.t1,
+          report};
+}
+
+/// The turning that keeps the tolerance, or the best that there is.
+template <int rank>
+Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::SteadyPath& path,
+                              const RigidBody<>& body, const RigidBodyState<>& start,
+                              const SimulationTask& task) {
+  using Run = SteadyTrajectory<rank>;
+  constexpr double first = 10, finer = 1e-3, finest = 1e-16, lowest = 10 * finest;
+  const double least_L = least_sizes(body, task.t1 - task.t0).angular_momentum;
+  const double lost = rounding_of_moments(body.I_body(), torque.axes().moments[0]);
+  SimulationReport report{
+      .model = Model::full_body, .why = "steady forces turn the body", .tolerance = task.tolerance};
+  const auto run = [&](const RigidBodyState<>& from, double tolerance) {
+    return Run(torque, path, from, task.t0, task.t1, tolerance);
+  };
+  double epsilon = std::clamp(first * task.tolerance, lowest, 1e-2);
+  while (true) {
+    const double fine_tolerance = std::max(finer * epsilon, finest);
+    const Run rough = run(beside(start, epsilon / Run::margin), epsilon);
+    Run fine = run(start, fine_tolerance);
+    rough.account(report);
+    fine.account(report);
+    report.error_estimate = stated_error<Run>(
+        {fine.difference(rough, least_L), epsilon, fine_tolerance, fine.steps(), fine.radians()},
+        lost);
+    if (report.reached() || epsilon == lowest) {
+      report.method = "Taylor series of order " + std::to_string(fine.order());
+      return trajectory_of(std::move(fine), task, report);
+    }
+    epsilon = next_epsilon(epsilon, task.tolerance, report.error_estimate, lowest);
+  }
+}
 
 }  // namespace tumble::detail

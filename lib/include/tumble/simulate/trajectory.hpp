@@ -2,8 +2,9 @@
 /// @file
 /// What a simulation gives: the state at any time of the span, and an account of how it was made.
 
-#include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tumble/body/model.hpp"
@@ -31,31 +32,44 @@ struct SimulationReport {
   bool reached() const { return error_estimate <= tolerance; }
 };
 
-/// The motion of a body from t0 to t1.
+namespace detail {
+
+/// A motion of a span of time, however it is known.
+class MotionOverTime {
+ public:
+  virtual ~MotionOverTime() = default;
+  virtual RigidBodyState<> at(double t) const = 0;
+  /// t0 … t1, ascending, so close that the motion between two of them is simple.
+  virtual std::vector<double> times() const = 0;
+};
+
+}  // namespace detail
+
+/// The motion of a body from t0 to t1. Copies share what was computed; any number of threads may
+/// ask at the same time.
 class Trajectory {
  public:
-  /// @param at    the state at any time of the span
-  /// @param times t0 … t1, ascending, so close that the motion between two of them is simple
-  Trajectory(std::function<RigidBodyState<>(double)> at, std::vector<double> times,
+  Trajectory(std::shared_ptr<const detail::MotionOverTime> motion, double t0, double t1,
              SimulationReport report)
-      : at_(std::move(at)), times_(std::move(times)), report_(std::move(report)) {}
+      : motion_(std::move(motion)), t0_(t0), t1_(t1), report_(std::move(report)) {}
 
-  double t0() const { return times_.front(); }                 ///< [s]
-  double t1() const { return times_.back(); }                  ///< [s]
-  const std::vector<double>& times() const { return times_; }  ///< [s]
+  double t0() const { return t0_; }  ///< [s]
+  double t1() const { return t1_; }  ///< [s]
+  /// t0 … t1, ascending, so close that the motion between two of them is simple [s].
+  std::vector<double> times() const { return motion_->times(); }
   const SimulationReport& report() const { return report_; }
-  RigidBodyState<> end() const { return at_(t1()); }
+  RigidBodyState<> end() const { return motion_->at(t1_); }
 
   /// The state at time t [s].
   /// @throws std::invalid_argument if t is not between t0 and t1
   RigidBodyState<> at(double t) const {
-    require(t >= t0() && t <= t1(), "Trajectory: t = ", t, " is not in ", t0(), " … ", t1());
-    return at_(t);
+    require(t >= t0_ && t <= t1_, "Trajectory: t = ", t, " is not in ", t0_, " … ", t1_);
+    return motion_->at(t);
   }
 
  private:
-  std::function<RigidBodyState<>(double)> at_;
-  std::vector<double> times_;
+  std::shared_ptr<const detail::MotionOverTime> motion_;
+  double t0_, t1_;
   SimulationReport report_;
 };
 

@@ -11,6 +11,7 @@
 #include "tumble/body/rigid_body.hpp"
 #include "tumble/body/state.hpp"
 #include "tumble/body/steady_forces.hpp"
+#include "tumble/free_body/polhode.hpp"
 #include "tumble/mass/principal_axes.hpp"
 
 namespace tumble::steady {
@@ -56,10 +57,11 @@ class SteadyTorque {
     return idle;
   }
 
+  /// @param q of any length but zero
   TurningState turning(const Quat& q, const Vec3& L) const {
-    const Quat into_world = q * frame();
-    const Vec3 L_principal = into_world.conjugate() * L / into_world.squaredNorm();
-    return {into_world, L_principal.cwiseQuotient(axes_.moments)};
+    const detail::Vec3dd L_principal = detail::principal_momentum(axes_, q, L);
+    const Vec3 rounded(L_principal[0].hi, L_principal[1].hi, L_principal[2].hi);
+    return {q.normalized() * frame(), rounded.cwiseQuotient(axes_.moments)};
   }
   /// The body's own axes → world.
   Quat orientation(const TurningState& s) const { return s.q.normalized() * frame().conjugate(); }

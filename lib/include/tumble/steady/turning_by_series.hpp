@@ -12,7 +12,10 @@
 #include <vector>
 
 #include "tumble/core/require.hpp"
+#include "tumble/core/step_at.hpp"
+#include "tumble/core/step_budget.hpp"
 #include "tumble/steady/turning_series.hpp"
+#include "tumble/steady/turning_term.hpp"
 
 namespace tumble::detail {
 
@@ -35,35 +38,45 @@ class TurningBySeries {
  public:
   /// @param t0, t1    [s], t1 ≥ t0
   /// @param tolerance of a step: of q in radians, of ω relative to it
-  /// @throws std::runtime_error if the body turns so fast that steps no longer advance t, or after
-  ///         max_steps
+  /// @throws std::runtime_error if the body turns so fast that steps no longer advance t, or if it
+  ///         would take more than max_steps, which is said soon
   TurningBySeries(const SteadyTorque& torque, const TurningState& start, double t0, double t1,
                   double tolerance)
       : series_(torque, detail::order_for(tolerance)) {
+    detail::StepBudget budget(t0, t1, max_steps);
     double t = t0;
     steps_.push_back({t, start});
     while (t < t1) {
       series_.expand(steps_.back().state);
       const double next = std::min(t + series_.step(tolerance), t1);
-      check(t, next);
+      if (!(next > t)) stop(t, next);
+      if (steps_.size() <= max_kept) series_.keep(kept_);
       steps_.push_back({next, series_.at(next - t)});
+      budget.count(next);
+      if (budget.hopeless())
+        detail::refuse_hopeless("turning by series", budget, max_steps, next,
+                                "the body turns by too many radians; ask for a shorter time");
       t = next;
     }
   }
 
-  static constexpr int max_steps = 10'000'000;
+  static constexpr int max_steps = 2'000'000;
 
   int order() const { return series_.order(); }
   int steps() const { return static_cast<int>(steps_.size()) - 1; }
   double time(int i) const { return steps_[static_cast<std::size_t>(i)].t; }
+  const TurningState& state(int i) const { return steps_[static_cast<std::size_t>(i)].state; }
   const TurningState& end() const { return steps_.back().state; }
 
   /// Any t between t0 and t1: a part of the step that it is in.
   TurningState at(double t) const {
-    const auto later = [](double time, const Step& step) { return time < step.t; };
-    const auto after = std::upper_bound(steps_.begin() + 1, steps_.end(), t, later);
-    const Step& step = *(after - 1);
+    if (t >= steps_.back().t) return steps_.back().state;
+    const std::size_t i = detail::step_at(steps_, t, [](const Step& step) { return step.t; });
+    const Step& step = steps_[i];
     if (t == step.t) return step.state;
+    const auto terms = static_cast<std::size_t>(order()) + 1;
+    if (i * terms < kept_.size())
+      return detail::turning_at(kept_.data() + i * terms, series_.order(), t - step.t);
     detail::TurningSeries<rank> series = series_;
     series.expand(step.state);
     return series.at(t - step.t);
@@ -75,18 +88,21 @@ class TurningBySeries {
     TurningState state;
   };
 
-  void check(double t, double next) const {
-    if (next > t && steps() < max_steps) return;
+  /// Steps whose series are kept (20 MB); later ones are expanded anew.
+  static constexpr std::size_t max_kept = 10'000;
+
+  [[noreturn]] static void stop(double t, double next) {
     std::ostringstream text;
     text.precision(17);
-    text << "turning by series: " << (next > t ? "too many steps" : "the step became too small")
-         << " at t = " << t << " with a step of h = " << next - t
+    text << "turning by series: the step became too small at t = " << t
+         << " with a step of h = " << next - t
          << ": the body turns by too many radians; ask for a shorter time";
     detail::throw_error<std::runtime_error>(text.str());
   }
 
   detail::TurningSeries<rank> series_;
   std::vector<Step> steps_;
+  std::vector<detail::TurningTerm> kept_;
 };
 
 /// @}

@@ -16,11 +16,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "tumble/simd/instruction_set.hpp"
 #include "tumble/simd/pair.hpp"
-#include "tumble/steady/four_lanes.hpp"
 #include "tumble/steady/steady_torque.hpp"
+#include "tumble/steady/turning_lanes.hpp"
+#include "tumble/steady/turning_term.hpp"
 
 namespace tumble::detail {
 
@@ -85,6 +87,11 @@ class TurningSeries {
     return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2])};
   }
 
+  /// Appends the series' terms to others.
+  void keep(std::vector<TurningTerm>& terms) const {
+    for (int k = 0; k <= order_; ++k) terms.push_back({q_[k].q, w_[k].xyz});
+  }
+
  private:
   struct Expansion {
     TurningSeries& series;
@@ -95,18 +102,10 @@ class TurningSeries {
     }
   };
 
-  /// Coefficient k of ω in the orders in which products need it.
-  struct Omega {
-    FourDoubles xyz{}, yzx{}, zxy{}, x{}, y{}, z{};
-  };
-  /// Coefficient k of q, so that q ⟨0, ω⟩ = i ω_x + j ω_y + k ω_z.
-  struct Orientation {
-    FourDoubles q{}, i{}, j{}, k{};
-  };
-  /// Coefficient k of the u of each torque.
-  struct Direction {
-    FourDoubles xyz{}, yzx{}, zxy{};
-  };
+  using Omega = TurningOmega;
+  using Orientation = TurningOrientation;
+  using Direction = TurningDirection;
+
   /// Sums of products that make one coefficient.
   struct Sums {
     FourDoubles w{}, q{}, qz{};
@@ -133,8 +132,8 @@ class TurningSeries {
       Sums first{}, second{};
       Omega next{};
       for (int j = 0; j <= k; ++j) {
-        const Omega& stored =
-            w_[k - j];  // number by number: gcc copies a whole one by way of memory
+        // Number by number: gcc copies a whole one by way of memory.
+        const Omega& stored = w_[k - j];
         const Omega w{stored.xyz, stored.yzx, stored.zxy, stored.x, stored.y, stored.z};
         add<fma>(first, j, w);
         add<fma>(second, j, next);
@@ -161,23 +160,6 @@ class TurningSeries {
     }
     w_[k + 1] = arranged_omega(share * w);
     q_[k + 1] = arranged_orientation((share / 2) * (sums.q + sums.qz));
-  }
-
-  TUMBLE_INLINE static Omega arranged_omega(const FourDoubles& w) {
-    return {w,
-            yzx(w),
-            zxy(w),
-            __builtin_shufflevector(w, w, 0, 0, 0, 0),
-            __builtin_shufflevector(w, w, 1, 1, 1, 1),
-            __builtin_shufflevector(w, w, 2, 2, 2, 2)};
-  }
-  TUMBLE_INLINE static Orientation arranged_orientation(const FourDoubles& q) {
-    return {q, __builtin_shufflevector(q, q, 1, 0, 3, 2) * FourDoubles{-1, 1, 1, -1},
-            __builtin_shufflevector(q, q, 2, 3, 0, 1) * FourDoubles{-1, -1, 1, 1},
-            __builtin_shufflevector(q, q, 3, 2, 1, 0) * FourDoubles{-1, 1, -1, 1}};
-  }
-  TUMBLE_INLINE static Direction arranged_direction(const FourDoubles& u) {
-    return {u, yzx(u), zxy(u)};
   }
 
   int order_;

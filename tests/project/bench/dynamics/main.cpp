@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "project/bench/dynamics/absent.hpp"
+#include "project/bench/dynamics/honesty.hpp"
 #include "project/bench/dynamics/long_run.hpp"
 #include "project/bench/dynamics/many_bodies.hpp"
 #include "project/bench/dynamics/problems.hpp"
@@ -17,6 +18,7 @@ struct Options {
   Budget budget{0.4, 0.4, 5, 0.002};
   int long_steps = 1'000'000;
   int bodies = 10'000;
+  int scenes = 2'000;
   bool with_peers = true;
   std::string only, svg_folder;
 
@@ -28,6 +30,7 @@ Options quick(Options options) {
   options.budget = {0.1, 0.01, 1, 0.0002};
   options.long_steps = 10'000;
   options.bodies = 500;
+  options.scenes = 60;
   return options;
 }
 
@@ -71,6 +74,15 @@ void show_absent(const Budget& budget) {
   require(all.broken.empty(), "absent", all.broken);
 }
 
+void show_honesty(int scenes) {
+  const Honesty all = honesty(scenes);
+  std::cout << "What simulate() states and what is true, on " << scenes
+            << " random scenes of which " << all.unknown
+            << " have no truth that is known well enough\n"
+            << all.table.text() << std::endl;
+  require(all.broken.empty(), "honesty", all.broken);
+}
+
 void run(const Options& options) {
   const auto [methods, steppers] = contestants(options.with_peers);
   std::vector<Method> all = methods;
@@ -81,6 +93,7 @@ void run(const Options& options) {
   if (options.wants("long")) show_long(three.front(), steppers, options.long_steps);
   if (options.wants("many")) show_many(steppers, options);
   if (options.wants("absent")) show_absent(options.budget);
+  if (options.wants("honesty")) show_honesty(options.scenes);
 }
 
 }  // namespace
@@ -91,7 +104,9 @@ int main(int argc, char** argv) {
   CLI::App app("Rigid-body dynamics: time to reach an error, of every method on the same problems.",
                "./tumble bench dynamics");
   app.add_option("--only", options.only, "one problem")
-      ->check(CLI::IsMember({"free", "top", "heavy", "long", "many", "absent"}));
+      ->check(CLI::IsMember({"free", "top", "heavy", "long", "many", "absent", "honesty"}));
+  app.add_option("--scenes", options.scenes, "how many random scenes for honesty")
+      ->check(CLI::PositiveNumber);
   app.add_option("--svg-dir", options.svg_folder, "draw error against time into this folder")
       ->check(CLI::ExistingDirectory);
   bool is_quick = false, no_peers = false;

@@ -2,6 +2,7 @@
 #include "project/bench/dynamics/as_rigid_body.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/ensemble/advance.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/geometric/lie_group_rk4.hpp"
 #include "tumble/geometric/splitting.hpp"
 #include "tumble/ode/dop853.hpp"

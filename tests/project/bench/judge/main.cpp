@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "judge/build/work_folder.hpp"
+#include "judge/class/shard.hpp"
+#include "project/bench/judge/class_cost.hpp"
 #include "project/bench/judge/handed_in.hpp"
 #include "project/bench/judge/program.hpp"
 #include "project/bench/judge/records.hpp"
@@ -59,6 +61,8 @@ class ClassBench {
     const Cost cost = run_to_end(grade_command("grades"), place_ / "log");
     whole_ = verdicts_of_class(place_ / "grades");
     report(cost);
+    report_cost_by_cores();
+    merge_shards();
     if (options_.killed_too) kill_and_resume();
     judge_alone();
     return right_;
@@ -68,6 +72,12 @@ class ClassBench {
   std::vector<std::string> grade_command(const std::string& out) const {
     return {TUMBLE_JUDGE, "grade",    class_.submissions,    "--out",
             place_ / out, "--course", place_ / "course.json"};
+  }
+
+  std::vector<std::string> shard_command(const std::string& out, const judge::Shard& shard) const {
+    std::vector<std::string> command = grade_command(out);
+    command.insert(command.end(), {"--shard", judge::name_of(shard)});
+    return command;
   }
 
   void expect(bool holds, const std::string& what) {
@@ -143,6 +153,51 @@ class ClassBench {
                    std::to_string(sums[k].passed),
                    number(1e3 * sums[k].seconds / static_cast<double>(sums[k].files)) + " ms"});
     return table;
+  }
+
+  /// Grades a shard of about twenty students on one core, and on two.
+  void report_cost_by_cores() {
+    if (cores_to_choose_from() < 2) {
+      std::cout << "cost by cores: needs two of them, and a system that can take one away\n\n";
+      return;
+    }
+    const judge::Shard shard{1, std::max<std::size_t>(1, options_.students / 20)};
+    MeasuredCost measured;
+    for (const Student& student : class_.students)
+      measured.students += judge::holds(shard, student.name) ? 1u : 0u;
+    if (measured.students == 0) return;
+    const auto grade_on = [&](std::size_t cores) {
+      const std::string out = "on" + std::to_string(cores);
+      std::cerr << "tumble: grading shard " << judge::name_of(shard) << " on " << cores
+                << (cores == 1 ? " core\n" : " cores\n");
+      return run_to_end(shard_command(out, shard), place_ / "log", {0}, cores);
+    };
+    const Cost one = grade_on(1), two = grade_on(2);
+    measured.one_core = one.wall, measured.two_cores = two.wall, measured.processor = one.processor;
+    std::cout
+        << cost_by_cores(measured).text() << "\n"
+        << "1 and 2 cores: measured with " << measured.students
+        << " of these students, in proportion. More: computed, as if each core did what those "
+           "two did\nbeside each other ("
+        << number(100 * measured.share_of_two(), 3)
+        << " % of twice one); the machines have one shard each, all of the same size.\n\n";
+  }
+
+  /// Of the verdicts that are there: three shards, merged, are the same class.
+  void merge_shards() {
+    std::vector<std::string> merge = {TUMBLE_JUDGE, "grade", "--out", place_ / "merged", "--merge"};
+    for (std::size_t k = 1; k <= 3; ++k) {
+      const std::string out = "shard" + std::to_string(k);
+      fs::create_directories(place_ / out);
+      fs::copy(place_ / "grades/students", place_ / out / "students", fs::copy_options::recursive);
+      run_to_end(shard_command(out, {k, 3}), place_ / "log");
+      merge.push_back(place_ / out);
+    }
+    run_to_end(merge, place_ / "log");
+    for (const char* table : {"grades.csv", "junit.xml", "identical.csv"})
+      expect(support::read_text(place_ / "merged" / table) ==
+                 support::read_text(place_ / "grades" / table),
+             std::string("of three shards, ") + table + " is the same, byte for byte");
   }
 
   /// Grades until a third is done, and kills. @return what was on disk then

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __linux__
+#include <sched.h>
 #include <sys/prctl.h>
 #endif
 
@@ -31,7 +32,23 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-[[noreturn]] void become(const std::vector<char*>& command, const char* log) {
+/// Leaves this process the first of its cores, as many as that.
+void restrict_to([[maybe_unused]] std::size_t cores) {
+#ifdef __linux__
+  cpu_set_t all, some;
+  if (cores == 0 || sched_getaffinity(0, sizeof all, &all) != 0) return;
+  CPU_ZERO(&some);
+  for (std::size_t cpu = 0; cpu < CPU_SETSIZE && cores > 0; ++cpu)
+    if (CPU_ISSET(cpu, &all)) {
+      CPU_SET(cpu, &some);
+      --cores;
+    }
+  sched_setaffinity(0, sizeof some, &some);
+#endif
+}
+
+[[noreturn]] void become(const std::vector<char*>& command, const char* log, std::size_t cores) {
+  restrict_to(cores);
   const int file = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   dup2(file, STDOUT_FILENO);
   dup2(file, STDERR_FILENO);
@@ -41,14 +58,15 @@ double seconds_of(const timeval& time) {
 
 }  // namespace
 
-Program::Program(const std::vector<std::string>& command, const std::filesystem::path& log)
+Program::Program(const std::vector<std::string>& command, const std::filesystem::path& log,
+                 std::size_t cores)
     : start_(now()) {
   std::vector<char*> pointers;
   for (const std::string& word : command) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("cannot start " + command.at(0));
-  if (pid_ == 0) become(pointers, log.c_str());
+  if (pid_ == 0) become(pointers, log.c_str(), cores);
 }
 
 Program::~Program() {
@@ -81,8 +99,8 @@ int Program::wait() {
 }
 
 Cost run_to_end(const std::vector<std::string>& command, const std::filesystem::path& log,
-                const std::vector<int>& statuses) {
-  Program program(command, log);
+                const std::vector<int>& statuses, std::size_t cores) {
+  Program program(command, log, cores);
   const int status = program.wait();
   if (std::find(statuses.begin(), statuses.end(), status) == statuses.end()) {
     const std::string said = support::read_text(log);
@@ -91,6 +109,14 @@ Cost run_to_end(const std::vector<std::string>& command, const std::filesystem::
                              said.substr(said.size() - std::min<std::size_t>(said.size(), 1000)));
   }
   return program.cost();
+}
+
+std::size_t cores_to_choose_from() {
+#ifdef __linux__
+  cpu_set_t all;
+  if (sched_getaffinity(0, sizeof all, &all) == 0) return static_cast<std::size_t>(CPU_COUNT(&all));
+#endif
+  return 0;
 }
 
 bool adopt_orphans() {

@@ -19,7 +19,9 @@ struct Cost {
 class Program {
  public:
   /// Starts it; what it says goes into `log`.
-  Program(const std::vector<std::string>& command, const std::filesystem::path& log);
+  /// @param cores that it may use, where the system can restrict it; 0: all
+  Program(const std::vector<std::string>& command, const std::filesystem::path& log,
+          std::size_t cores = 0);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   ~Program();
@@ -45,7 +47,10 @@ class Program {
 /// Runs a program to its end.
 /// @throws std::runtime_error with its last words unless it ends with one of these statuses
 Cost run_to_end(const std::vector<std::string>& command, const std::filesystem::path& log,
-                const std::vector<int>& statuses = {0});
+                const std::vector<int>& statuses = {0}, std::size_t cores = 0);
+
+/// How many cores this process may use; 0 if the system can't restrict a program to fewer.
+std::size_t cores_to_choose_from();
 
 /// From now on, this process is told of all that its children leave running when they die.
 /// @return whether this system can do that

@@ -26,6 +26,8 @@ std::vector<Body> bodies(int triangles) {
   std::vector<Body> all;
   const Mat3 askew = Quat(0.3, 0.5, -0.7, 0.2).normalized().toRotationMatrix();
   all.push_back(body("mug", mapped(objects::mug(4), askew, Vec3::Zero())));
+  // All its terms are equal: the worst that can happen to a sum.
+  all.push_back(body("regular cube", shapes::regular_cube(16, 0x1.a7e4ba3505ep+0)));
   const std::filesystem::path spot = std::filesystem::path(TUMBLE_MESHES) / "spot.obj";
   if (std::filesystem::exists(spot)) all.push_back(body("Spot", detail::read_obj(spot.string())));
   // Twice as many round the ring as round the tube, two triangles to a quad.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "project/bench/least_times.hpp"
 #include "tumble/mass/error_bound.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
@@ -47,6 +48,7 @@ struct Method {
   bool slow = false;       ///< left out for a million triangles
   std::string curve = {};  ///< methods with the same are points of one curve in the figure
   bool in_figure = true;
+  Clock clock = Clock::thread;  ///< where several threads work, that on the wall
 };
 
 /// Methods of other software, where it is installed. Each has a file of its own in peers/.
@@ -59,7 +61,8 @@ void add_libigl(std::vector<Method>& methods);
 std::vector<Method> own_methods();
 std::vector<Method> peers();
 
-/// A mug, Spot (if its file is there), a torus of `triangles`, the same far away, a needle.
+/// A mug, a regular cube, Spot (if its file is there), a torus of `triangles`, the same far away, a
+/// needle.
 std::vector<Body> bodies(int triangles);
 
 }  // namespace tumble::bench

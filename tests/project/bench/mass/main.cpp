@@ -10,6 +10,7 @@
 #include "support/plot.hpp"
 #include "support/table.hpp"
 #include "support/text_file.hpp"
+#include "tumble/simd/instruction_set.hpp"
 
 namespace tumble::bench {
 namespace {
@@ -75,8 +76,8 @@ void measure(std::vector<Result>& results, const Options& options) {
   std::vector<Timed> all;
   for (const Result& result : results) {
     const auto mass = [&result] { return result.run().mass; };
-    all.push_back(
-        {result.run ? mass : std::function<double()>(), options.repetitions, options.seconds});
+    all.push_back({result.run ? mass : std::function<double()>(), options.repetitions,
+                   options.seconds, result.method->clock});
   }
   const std::vector<double> seconds = least_times(all);
   for (std::size_t i = 0; i < results.size(); ++i) results[i].seconds = seconds[i];
@@ -132,6 +133,11 @@ void check_bounds(const std::vector<Result>& results) {
               error, ", above its bound of ", bound);
 }
 
+const char* name_of(simd::InstructionSet set) {
+  if (set == simd::InstructionSet::avx512) return "AVX-512";
+  return set == simd::InstructionSet::avx2 ? "AVX2" : "what any processor has";
+}
+
 void run(const Options& options) {
   std::vector<Method> methods = own_methods();
   if (options.with_peers)
@@ -141,6 +147,10 @@ void run(const Options& options) {
   check_bounds(results);
   std::cerr << "tumble: measuring\n";
   measure(results, options);
+  std::cout << "Processor time of the thread, of two threads that on the wall; least of "
+            << options.repetitions << ". Methods of ours without a name of instructions use "
+            << name_of(simd::best_instruction_set())
+            << "; all else is compiled for any processor.\n\n";
   for (const Body& body : all)
     std::cout << body.name << " (" << body.mesh.corners.size() / 3 << " triangles)\n"
               << table_for(body, results).text() << '\n';
@@ -166,6 +176,8 @@ int main(int argc, char** argv) {
   app.add_option("--triangles", options.triangles, "of the torus, also of that in the files")
       ->check(CLI::Range(100, 100'000'000));
   app.add_option("--svg", options.svg, "draw error against time on the first body into this file");
+  app.add_option("--repetitions", options.repetitions, "of each method; the least time counts")
+      ->check(CLI::Range(1, 1000));
   bool quick = false, no_peers = false;
   app.add_flag("--quick", quick, "a small torus, each once: to see that everything works");
   app.add_flag("--no-peers", no_peers, "our own methods only");

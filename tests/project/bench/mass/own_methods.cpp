@@ -69,6 +69,13 @@ Method only_in_table(Method method) {
   return method;
 }
 
+/// With two threads.
+Method on_two_threads(const std::string& name, Accuracy accuracy) {
+  Method method = only_in_table(integrals(name, accuracy, {.threads = 2}));
+  method.clock = Clock::wall;
+  return method;
+}
+
 /// The same with less than this processor has: what others will get.
 void add_older_processors(std::vector<Method>& methods) {
   using simd::InstructionSet;
@@ -112,27 +119,28 @@ void add_columns(std::vector<Method>& methods) {
 }  // namespace
 
 std::vector<Method> own_methods() {
-  std::vector<Method> methods = {
-      only_in_table(on_mesh("read once", read_once)),
-      on_mesh(
-          "plain loop",
-          [](const PolygonMesh& mesh) { return plain_loop(mesh, detail::reference_point(mesh)); }),
-      only_in_table(
-          on_mesh("plain loop about the origin",
-                  [](const PolygonMesh& mesh) { return plain_loop(mesh, Vec3(0, 0, 0)); })),
-      integrals("fast", Accuracy::fast),
-      only_in_table(integrals("fast, 2 threads", Accuracy::fast, {.threads = 2})),
-      integrals("tight", Accuracy::tight),
-      only_in_table(integrals("tight, 2 threads", Accuracy::tight, {.threads = 2})),
-      integrals("textbook (Mirtich)", Accuracy::textbook),
-      only_in_table(diagnosed("fast, diagnosed", Accuracy::fast)),
-      diagnosed("tight, diagnosed", Accuracy::tight),
-      {"box of the true mass", [](const Body& body) -> Run {
-         return [&body]() -> Answer {
-           return boxes::box_mass_properties(boxes::aligned_box(body.mesh.vertices),
-                                             body.truth.mass);
-         };
-       }}};
+  std::vector<Method> methods = {only_in_table(on_mesh("read once", read_once)),
+                                 on_mesh("plain loop",
+                                         [](const PolygonMesh& mesh) {
+                                           return plain_loop(mesh, detail::reference_point(mesh));
+                                         }),
+                                 only_in_table(on_mesh("plain loop about the origin",
+                                                       [](const PolygonMesh& mesh) {
+                                                         return plain_loop(mesh, Vec3(0, 0, 0));
+                                                       })),
+                                 integrals("fast", Accuracy::fast),
+                                 on_two_threads("fast, 2 threads", Accuracy::fast),
+                                 integrals("tight", Accuracy::tight),
+                                 on_two_threads("tight, 2 threads", Accuracy::tight),
+                                 integrals("textbook (Mirtich)", Accuracy::textbook),
+                                 only_in_table(diagnosed("fast, diagnosed", Accuracy::fast)),
+                                 diagnosed("tight, diagnosed", Accuracy::tight),
+                                 {"box of the true mass", [](const Body& body) -> Run {
+                                    return [&body]() -> Answer {
+                                      return boxes::box_mass_properties(
+                                          boxes::aligned_box(body.mesh.vertices), body.truth.mass);
+                                    };
+                                  }}};
   add_older_processors(methods);
   add_sampling<sampling::RandomPoints>(methods, "random points");
   add_sampling<sampling::R3Points>(methods, "R3 points");

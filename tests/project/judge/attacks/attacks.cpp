@@ -19,8 +19,7 @@ std::vector<Judgement> judge_all(const std::vector<Submission>& submissions) {
   };
   std::vector<std::thread> threads;
   // More than there are cores: some wait for the judge's limits of time, which costs nothing.
-  for (unsigned i = 0; i < std::thread::hardware_concurrency() + 2; ++i)
-    threads.emplace_back(work);
+  for (unsigned i = 0; i < std::thread::hardware_concurrency() + 2; ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   return judgements;
 }

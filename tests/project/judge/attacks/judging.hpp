@@ -147,13 +147,24 @@ inline bool passed(const nlohmann::json& unit) {
   return unit.is_object() && unit.value("passed", false);
 }
 
-inline Judgement judge(const Submission& submission) {
+inline Judgement judge_once(const Submission& submission) {
   const Place place;
   std::ofstream(place.files() / "product.cpp", std::ios::binary)
       << replaced(submission.text, "@OPEN@", place.open().string());
   hand_in_a_right_inverse(place);
   // Those that attack the second run, with sanitizers, have it; the others only cost its time.
   return judge(place, submission.name.starts_with("again_") ? "" : "--once");
+}
+
+/// On a busy machine the judge may say that a program did not get the processor: then it is asked
+/// again, as it asks people to.
+inline Judgement judge(const Submission& submission) {
+  Judgement judgement = judge_once(submission);
+  const auto is_machine = [&] {
+    return judgement.output.find("did not get the processor") != std::string::npos;
+  };
+  for (int again = 0; again < 3 && is_machine(); ++again) judgement = judge_once(submission);
+  return judgement;
 }
 
 }  // namespace tumble::test

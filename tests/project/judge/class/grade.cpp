@@ -4,6 +4,7 @@
 /// nothing.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <map>
@@ -111,6 +112,33 @@ TEST_CASE("grade: the same verdicts as each alone") {
     const json alone = json_in(file);
     for (const std::size_t i : {0u, 1u})
       CHECK(without_words(together.at("units")[i]) == without_words(alone.at("units")[i]));
+  }
+}
+
+TEST_CASE("grade: what several hand in alike is judged for each of them") {
+  const Class all;
+  const std::string stub = test::text_of(course / "exercises/01_crossing/twice.cpp");
+  const std::array<const char*, 3> students = {"xia", "yan", "zoe"};
+  for (const char* student : students) {
+    all.hand_in(student, "carry", "#include \"contract.hpp\"\nint x = ;\n");
+    all.hand_in(student, "twice", stub);
+  }
+  const CommandResult graded = test::run_command(all.command("--jobs 1"));
+  REQUIRE_MESSAGE(graded.status == 0, graded.output);
+  for (const char* student : students) {
+    const json units = all.record(student).at("units");
+    CHECK(units[0].at("summary") == "does not compile");
+    CHECK(units[1].at("tries") == 0);
+    CHECK(contains(units[1].at("explanation"), "Nothing is written yet."));
+    const fs::path file = all.work.path() / "alone.json";
+    test::run_command(program + "check all --from '" + (all.submissions / student).string() +
+                      "' --seed " + units[1].at("seed").dump() + " --json '" + file.string() + "'");
+    const json alone = json_in(file);
+    for (const std::size_t i : {0u, 1u}) {
+      json together = without_words(units[i]), by_itself = without_words(alone.at("units")[i]);
+      together["tries"] = by_itself.at("tries");  // `check` counts elsewhere
+      CHECK(together == by_itself);
+    }
   }
 }
 

@@ -175,7 +175,7 @@ TEST_CASE("check --student: what that student saw, word for word") {
   CHECK(two.run("check --student grades/students/ann.json").status == 0);
   CHECK(two.run("--needs check --student grades/students/ben.json").output ==
         "spec.01_crossing.carry\nspec.01_crossing.twice\n");
-  CHECK(tells(two.run("check --student nobody.json"), "is no file"));
+  CHECK(tells(two.run("check --student nobody.json"), "is not a file"));
 }
 
 TEST_CASE("report: the settings that were graded with, and nobody who is gone") {

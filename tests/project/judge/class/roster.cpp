@@ -87,8 +87,9 @@ TEST_CASE("rosters: each platform's own table") {
 TEST_CASE("rosters: whose submission it is") {
   const Roster roster = roster_in(
       "name,email,id\n\"Doe, Jane\",jane@x.edu,1\nAnn Lee,ann@x.edu,2\nAnn Lee,lee@x.edu,3\n");
+  const MemberFinder members(roster);
   const auto number_of = [&](Submission submission) {
-    const Member* member = roster.find(submission);
+    const Member* member = members.find(submission);
     return member ? member->who.id : "";
   };
   CHECK(number_of({"doejane_12345", "", false, {}, {"doejane", "12345", ""}}) == "1");
@@ -140,7 +141,7 @@ TEST_CASE("Gradescope: who is who") {
   CHECK(all.at("submission_1").submitters[0].id == "");
   CHECK(all.at("submission_1").created_at == "2026-11-12 22:43:59 Z");
   CHECK(all.at("submission_2").submitters.empty());
-  CHECK_REFUSED(read_gradescope_metadata("- a\n- b\n"), "it is no list of submissions");
+  CHECK_REFUSED(read_gradescope_metadata("- a\n- b\n"), "it is not a list of submissions");
   CHECK_REFUSED(read_gradescope_metadata(""), "it names no submission");
 }
 

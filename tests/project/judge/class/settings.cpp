@@ -63,7 +63,7 @@ TEST_CASE("settings: units, weights of chapters and of units, credit, hidden, du
 }
 
 TEST_CASE("settings: what means nothing is refused, and where it stands is said") {
-  CHECK_REFUSED(settings("{"), "is no JSON");
+  CHECK_REFUSED(settings("{"), "is not valid JSON");
   CHECK_REFUSED(settings(R"({"weight": {}})"), R"(has "weight", which means nothing here)");
   CHECK_REFUSED(settings(R"({"units": ["7"]})"),
                 "course.json.units[0]: there is no exercise or chapter");

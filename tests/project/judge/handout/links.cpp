@@ -36,7 +36,7 @@ TEST_CASE("hand-out: 1-2 and 4 are chapters, other texts are not") {
   CHECK_REFUSED(chapters_meant(small_course(), "1-4"), "no exercise or chapter '3'");
   CHECK_REFUSED(chapters_meant(small_course(), "2-1"), "ends before it begins");
   for (const char* text : {"", "a", "1-", "1,,2", "1-2-3", "all", "99999999999"})
-    CHECK_REFUSED(chapters_meant(small_course(), text), "is no chapter and no range");
+    CHECK_REFUSED(chapters_meant(small_course(), text), "is neither a chapter nor a range");
 }
 
 TEST_CASE("hand-out: links to what is not there leave their words behind") {
@@ -49,6 +49,7 @@ TEST_CASE("hand-out: links to what is not there leave their words behind") {
       "![A figure.](figures/a.svg) [lib](../../lib/) [ode](../../lib/include/tumble/ode)");
   CHECK(linked("[far](https://example.org/a) [near](b.md)") == "[far](https://example.org/a) near");
   CHECK(linked("```cpp\nf[i](x);\n```\n[i](x)") == "```cpp\nf[i](x);\n```\ni");
+  CHECK(linked("> ```cpp\n> f[i](x);\n> ```\n> [i](x)") == "> ```cpp\n> f[i](x);\n> ```\n> i");
 }
 
 TEST_CASE("hand-out: rows, items and parts of a line about what is not there are left out") {

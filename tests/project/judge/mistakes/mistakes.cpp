@@ -15,7 +15,7 @@ using namespace tumble::test;
 
 namespace {
 
-/// Right numbers from memory that is gone: the judge says so to whoever checks his own work.
+/// Right numbers from memory that is gone: `check` says so to the student.
 constexpr const char* by_luck = "passed by luck";
 
 /// The judge's verdict on one unit; null if it gave none.

@@ -17,9 +17,9 @@ TEST_CASE("image names: as registries take them") {
     CHECK_NOTHROW(require_image_name(name));
   for (const char* name : {"", "OWNER/", "owner//judge", "-judge", "judge-", "judge:", "a b",
                            "judge@latest", "owner/judge/", "jüdge", "a___b"})
-    CHECK_REFUSED(require_image_name(name), "is no name of an image");
+    CHECK_REFUSED(require_image_name(name), "is not the name of an image");
   CHECK_REFUSED(require_image_name("OWNER/Tumble"), "did you mean owner/tumble?");
-  CHECK_REFUSED(require_image_name(std::string(300, 'a')), "is no name of an image");
+  CHECK_REFUSED(require_image_name(std::string(300, 'a')), "is not the name of an image");
 }
 
 TEST_CASE("limits: the deadline leaves room for what has begun") {

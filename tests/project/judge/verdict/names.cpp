@@ -99,7 +99,8 @@ TEST_CASE("names: a float, where 7 digits are right and there is one") {
   CHECK(name_of_source(wrong(List{1.1, 2., 3.}, right), "float a = x;") == "");
 }
 
-TEST_CASE("names: an auto that keeps an expression, not a lambda, a reference or a loop's element") {
+TEST_CASE(
+    "names: an auto that keeps an expression, not a lambda, a reference or a loop's element") {
   CHECK(tumble::judge::keeps_an_expression("const auto torque = skew(arm) * force;"));
   CHECK(tumble::judge::keeps_an_expression("auto  x\n = a * b;"));
   for (const char* harmless :

@@ -49,9 +49,9 @@ void check_alone(const auto& scene, const simd::LoopOptions& loop) {
   }
 }
 
-/// Enough bodies for several chunks: turned about and by several threads.
+/// Enough bodies for several chunks, and to be worth three threads: turned about and by several.
 void check_places_and_threads(const auto& scene, simd::InstructionSet set) {
-  test::Bodies all = test::random_bodies(300, 3, 612);
+  test::Bodies all = test::random_bodies(1200, 3, 612);
   const Ensemble one = scene.after(all.ensemble(), {1, set});
   for (const int threads : {2, 3}) {
     const Ensemble several = scene.after(all.ensemble(), {threads, set});

@@ -90,4 +90,15 @@ TEST_CASE("require_volume: what the diagnosis may let through is refused after t
   CHECK_REFUSED(require_volume(test::tight(PolygonMesh{}, 1)), "no volume");
   const PolygonMesh speck = test::mapped(cube, 1e-80 * Mat3::Identity());
   CHECK_REFUSED(require_volume(test::tight(speck, 1)), "too small or too large");
+  for (const double size : {1e-64, 1e-62, 1e62, 1e70}) {
+    CAPTURE(size);
+    // A subnormal tensor, or a bound that is not a number.
+    CHECK_REFUSED(require_volume(test::tight(test::mapped(cube, size * askew()), 1)), "inertia");
+  }
+  for (const double size : {1e-55, 1e-30, 1e30, 1e45, 1e58}) {
+    const BoundedMassProperties body = test::tight(test::mapped(cube, size * askew()), 1);
+    CAPTURE(size);
+    CHECK_NOTHROW(require_volume(body));
+    CHECK(std::abs(body.inertia.trace() / (body.mass * size * size / 2) - 1) <= 1e-14);
+  }
 }

@@ -70,11 +70,13 @@ TEST_CASE("diagnose: names the part that is inside out or lies in another, and i
 TEST_CASE("diagnose: shows a line on which the surface crosses itself") {
   const std::vector<MeshDefect> findings =
       diagnose(test::together(test::cube(), test::moved(test::cube(), 1, Vec3(0.5, 0.5, 0.5))));
-  REQUIRE(findings.size() == MeshDefectsOfOneKind::max_shown);
-  CHECK(findings[0].face == 6);  // the bottom of the second cube
-  CHECK(findings[0].message.find(
-            "the body is entered at z = 0 (face #1) and again at z = 0.5 (face #7) "
-            "without having been left; what lies above counts 2 times") != std::string::npos);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].face >= 6);  // of the second cube
+  const std::string& message = findings[0].message;
+  for (const char* part : {"the body is entered at ", " = 0 (face #", " and again at ",
+                           " = 0.5 (face #", ") without having been left; what lies ",
+                           " counts 2 times; 0.062 ± 0.00", " of the volume count wrongly"})
+    CHECK_MESSAGE(message.find(part) != std::string::npos, message);
 }
 
 TEST_CASE(

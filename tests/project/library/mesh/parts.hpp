@@ -7,8 +7,8 @@
 namespace tumble::test {
 
 inline detail::Components parts_of(const PolygonMesh& mesh) {
-  const detail::LineLattice lattice(bounds(mesh), 16);
-  return components(mesh, survey(mesh, lattice.filter(), {}).enclosed);
+  const detail::LineLattices lattices(bounds(mesh), 16);
+  return components(mesh, survey(mesh, filters_of(lattices), {}).enclosed);
 }
 
 }  // namespace tumble::test

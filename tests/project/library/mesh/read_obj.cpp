@@ -68,7 +68,6 @@ TEST_CASE("read_obj: refuses a face, and says which one, where, and why") {
   check_refused(square + "f 1 2x 3\n", "'2x'");
   check_refused(square + "f 1 2.5 3\n", "'2.5'");
   check_refused(square + "f 1 2 4294967299\n", "'4294967299'");
-  check_refused(square + "f 1 2 \\\n3 4\n", "'\\'");
   check_refused(square + "f 1/2/3/4 2 3\n", "not an index");
   check_refused(square + std::string("f 1 2 3 \0\n", 11), "not an index");
 }
@@ -88,8 +87,10 @@ TEST_CASE("read_obj: refuses a vertex that is not three finite numbers") {
 }
 
 TEST_CASE("read_obj: shows what is refused, and says what may help") {
-  check_refused(square + "f 1 2 \\\n3 4\n", "a line that goes on in the next one has to be joined");
-  check_refused("v 1.0 \\\n2 3\n", "line 1: the coordinate '\\'");
+  check_refused(square + "f 1 2 \\ 3\n", "the vertex '\\', which is not an index");
+  check_refused("v 0 0 0 foo\n",
+                "line 1: 'foo' behind the coordinates of vertex #1 is not a number");
+  check_refused(square + "f 1/a 2 3\n", "the vertex '1/a'");
   check_refused(square + std::string("f 1 2 \0 3\n", 11),
                 "the vertex '\\x00', which is not an index");
   check_refused(square + std::string("f 1 2 3/\0\n", 11), "which is not an index");
@@ -108,9 +109,9 @@ TEST_CASE("read_obj: a line is counted once, however it ends") {
   check_refused("\r\r\n\n\r" + bad, "line 5:");
 }
 
-TEST_CASE("read_obj: what is after the numbers is passed over, a lone v or f is nothing") {
+TEST_CASE("read_obj: further numbers are passed over, a lone v or f is nothing") {
   const PolygonMesh mesh =
-      read(square + "v 1 2 3 0.5 0.5 nan\nv\nf\nf \nf 1/a 2/9999999999/ 5//\n");
+      read(square + "v 1 2 3 0.5 0.5 1e9\nv\nf\nf \nf 1/-1 2/9999999999/ 5//\n");
   CHECK(mesh.vertices.size() == 5);
   CHECK(mesh.corners == std::vector<int>{0, 1, 4});
   CHECK(read(square + "f 001 +2 -0002").corners == std::vector<int>{0, 1, 2});
@@ -192,4 +193,15 @@ TEST_CASE("write_obj, read_obj: give the same bits back") {
 TEST_CASE("write_obj: refuses a file that cannot be written") {
   CHECK_THROWS_WITH_AS(write_obj("/no/such/folder/x.obj", test::cube()),
                        doctest::Contains("cannot be written"), std::runtime_error);
+}
+
+TEST_CASE("read_obj: a line goes on in the next one behind a backslash") {
+  const PolygonMesh whole = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  for (const char* text : {"v 0 0 \\\n0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 \\\n 3 4\n",
+                           "v 0 0 0\nv 1 0\\\r\n 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1 2\\\r\n 3 4\r\n",
+                           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf \\\n1 \\\n2 \\\n3 \\\n4 \\\n"}) {
+    const PolygonMesh mesh = read(text);
+    CHECK(mesh.corners == whole.corners);
+    CHECK(mesh.vertices == whole.vertices);
+  }
 }

@@ -15,6 +15,7 @@ int& heap_uses();
 
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 #include "tumble/ode.hpp"
 
@@ -96,6 +97,18 @@ TEST_CASE("integrate_adaptive: a whole integration does not allocate either") {
   CHECK(uses_in_integration<Dop853>(fixed) == 0);
   CHECK(uses_in_integration<Radau5>(fixed) == 0);
   CHECK(uses_in_integration<Radau5>(Eigen::VectorXd(fixed)) > 0);
+}
+
+TEST_CASE("ode: on arrays of up to sixteen numbers, the answer alone is allocated") {
+  const auto decay = [](int n) {
+    return [n](double, const double y[], double ydot[]) {
+      for (int i = 0; i < n; ++i) ydot[i] = -y[i];
+    };
+  };
+  const std::vector<double> body(13, 1.0), sixteen(16, 1.0), longer(17, 1.0);
+  CHECK(heap_uses_of([&] { ode(body, 0.0, 3.0, decay(13)); }) == 1);
+  CHECK(heap_uses_of([&] { ode(sixteen, 0.0, 3.0, decay(16)); }) == 1);
+  CHECK(heap_uses_of([&] { ode(longer, 0.0, 3.0, decay(17)); }) > 10);
 }
 
 TEST_CASE("the counter sees what does not come from Eigen, too") {

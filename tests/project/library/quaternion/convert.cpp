@@ -80,7 +80,7 @@ TEST_CASE("from_axis_angle: is exp of θ u for an axis of any length") {
       CHECK((q.coeffs() - exp_quaternion<double>(angle * u).coeffs()).norm() <= 8 * eps);
     }
   }
-  CHECK_REFUSED(from_axis_angle(Vec3::Zero(), 1), "no axis");
-  CHECK_REFUSED(from_axis_angle(Vec3(NAN, 0, 1), 1), "no axis", "nan");
+  CHECK_REFUSED(from_axis_angle(Vec3::Zero(), 1), "the axis (0 0 0) has no direction");
+  CHECK_REFUSED(from_axis_angle(Vec3(NAN, 0, 1), 1), "has no direction", "nan");
   CHECK_REFUSED(from_axis_angle(Vec3::UnitX(), INFINITY), "angle", "inf");
 }

@@ -6,6 +6,7 @@
 
 #include "project/harness/inputs.hpp"
 #include "reference/double_double_motion.hpp"
+#include "tumble/ode/integrate_adaptive.hpp"
 #include "tumble/simulate/simulate.hpp"
 
 using namespace tumble;

@@ -5,6 +5,7 @@
 #include "project/harness/inputs.hpp"
 #include "project/harness/refusal.hpp"
 #include "reference/rigid_body.hpp"
+#include "tumble/ode/integrate_adaptive.hpp"
 
 using namespace tumble;
 

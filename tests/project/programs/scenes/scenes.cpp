@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -313,6 +315,114 @@ TEST_CASE("mass: a mesh that is not closed gives findings, no numbers, and exit 
   CHECK(mentions(scenes("mass open.obj").output, "open_edge", "--accept"));
   CHECK(scenes("mass open.obj --density -1").status == 2);
   CHECK(mentions(scenes("mass none.obj").output, "none.obj"));
+}
+
+TEST_CASE("mass: a weighed mass, a unit, a point, principal axes") {
+  write("tetrahedron.obj", tetrahedron);
+  const json mass =
+      json::parse(scenes("mass tetrahedron.obj --mass 5 --unit mm --about 0 0 0 --json").output);
+  CHECK(mass["mass"] == 5);
+  CHECK(std::abs(mass["volume"].get<double>() * 6e9 - 1) < 1e-15);
+  CHECK(std::abs(mass["density"].get<double>() / 3e10 - 1) < 1e-15);
+  CHECK(distance(mass["centre"], {0.25e-3, 0.25e-3, 0.25e-3}) < 1e-18);
+  // About the corner: I_xx = ∫ y² + z² = 2/60 · 6, I_xy = −6/120, in units of m · mm².
+  CHECK(distance(mass["about"]["inertia"], {1e-6, 1e-6, 1e-6, -0.25e-6, -0.25e-6, -0.25e-6}) <
+        1e-20);
+  CHECK(distance(mass["principal"]["moments"], {0.3125e-6, 0.3125e-6, 0.5e-6}) < 1e-20);
+  const double inch =
+      json::parse(scenes("mass tetrahedron.obj --unit in --json").output)["volume"].get<double>();
+  CHECK(std::abs(inch / (0.0254 * 0.0254 * 0.0254 / 6) - 1) < 1e-14);
+  CHECK(mentions(scenes("mass tetrahedron.obj --unit yd").output, "yd"));
+  CHECK(scenes("mass tetrahedron.obj --mass 5 --density 2").status == 2);
+  CHECK(mentions(scenes("mass tetrahedron.obj --density 0").output,
+                 "the density 0 kg/m³ is not positive and finite"));
+}
+
+TEST_CASE("mass: blocks for URDF, SDF and MJCF, with the centre and the products as they mean") {
+  write("box.obj",  // [0, 1] × [0, 2] × [0, 3], and a small one at the far corner: no product is 0
+        "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 2 0\nv 0 0 3\nv 1 0 3\nv 0 2 3\nv 1 2 3\n"
+        "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+        "v 1 2 3\nv 2 2 3\nv 1 3 3\nv 1 2 5\nf 9 11 10\nf 9 10 12\nf 9 12 11\nf 10 11 12\n");
+  const json mass = json::parse(scenes("mass box.obj --mass 4 --json").output);
+  const json &I = mass["inertia"], &c = mass["centre"];
+  const auto numbers_in = [](const std::string& text) {
+    std::vector<double> list;
+    for (const char* at = text.c_str(); *at != 0;) {
+      char* end = nullptr;
+      const double x = std::strtod(at, &end);
+      const bool is_number = end != at && (at == text.c_str() || std::strchr("\"> ", at[-1]));
+      if (is_number) list.push_back(x);
+      at = is_number ? end : at + 1;
+    }
+    return list;
+  };
+  const auto same = [](const std::vector<double>& list, const std::vector<json>& expected) {
+    REQUIRE(list.size() == expected.size());
+    for (std::size_t i = 0; i < list.size(); ++i) CHECK(list[i] == expected[i].get<double>());
+  };
+  same(numbers_in(scenes("mass box.obj --mass 4 --urdf").output),
+       {c[0], c[1], c[2], 0, 0, 0, 4, I[0], I[3], I[5], I[1], I[4], I[2]});
+  same(numbers_in(scenes("mass box.obj --mass 4 --sdf").output),
+       {c[0], c[1], c[2], 0, 0, 0, 4, I[0], I[3], I[5], I[1], I[4], I[2]});
+  same(numbers_in(scenes("mass box.obj --mass 4 --mjcf").output),
+       {c[0], c[1], c[2], 4, I[0], I[1], I[2], I[3], I[5], I[4]});
+  CHECK(I[3].get<double>() < 0);
+}
+
+TEST_CASE("mass: several files and folders are one table, or a list of JSON") {
+  std::filesystem::create_directories(folder / "meshes");
+  write("meshes/b.obj", tetrahedron);
+  write("meshes/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n");
+  write("meshes/notes.txt", "no mesh");
+  write("tetrahedron.obj", tetrahedron);
+  const CommandResult table = scenes("mass meshes tetrahedron.obj");
+  CHECK(table.status == 1);
+  CHECK(mentions(table.output, "refused: open_edge", "0.166667"));
+  CHECK(table.output.find("a.obj") < table.output.find("b.obj"));
+  const CommandResult both = scenes("mass meshes/b.obj tetrahedron.obj --json");
+  REQUIRE(both.status == 0);
+  CHECK(json::parse(both.output).size() == 2);
+  std::filesystem::create_directories(folder / "empty");
+  CHECK(mentions(scenes("mass empty").output, "empty: no .obj, .stl or .ply file"));
+}
+
+TEST_CASE("mass: a crossing is refused above a tolerance, and is a note below") {
+  const std::string second = "v 0.98 0.98 0.98\nv 2 1 1\nv 1 2 1\nv 1 1 2\n";
+  write("crossing.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+        "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n" +
+            second + "f 9 11 10\nf 9 10 12\nf 9 12 11\nf 10 11 12\n");
+  const CommandResult refused = scenes("mass crossing.obj");
+  CHECK(refused.status == 1);
+  CHECK(mentions(refused.output, "self_crossing", "of the volume count wrongly"));
+  for (const std::string option : {"", " --thorough"}) {
+    const json noted =
+        json::parse(scenes("mass crossing.obj --tolerance 1e-3 --json" + option).output);
+    CHECK(noted["mass"].is_number());
+    REQUIRE(noted["findings"].size() == 1);
+    CHECK(noted["findings"][0]["refused"] == false);
+    CHECK(noted["findings"][0]["share"].get<double>() < 1e-5);
+    CHECK(noted["findings"][0]["share"].get<double>() > 1e-6);
+  }
+}
+
+TEST_CASE("mass: what is accepted has no nan and no negative error") {
+  write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n");
+  const CommandResult flat = scenes("mass flat.obj --accept");
+  CHECK(flat.status == 0);
+  CHECK(flat.output.find("nan") == std::string::npos);
+  write("inverted.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 2 3 1\nf 4 2 1\nf 3 4 1\nf 4 3 2\n");
+  const CommandResult inverted = scenes("mass inverted.obj --accept");
+  CHECK(mentions(inverted.output, "inverted", "-0.16666"));
+  CHECK(inverted.output.find(" -2.") == std::string::npos);
+}
+
+TEST_CASE("mass: a shell has area and mass, open or not") {
+  write("sheet.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  const json sheet = json::parse(scenes("mass sheet.obj --shell 3 --json").output);
+  CHECK(sheet["area"] == 2);
+  CHECK(sheet["mass"] == 6);
+  CHECK(distance(sheet["inertia"], {6 / 12.0, 6 * 4 / 12.0, 6 * 5 / 12.0, 0, 0, 0}) < 1e-15);
 }
 
 TEST_CASE("mass and simulate: wrong usage, a missing file and a full disk are status 2") {

@@ -44,8 +44,8 @@ TEST_CASE("chapter: prints its tables, and leaves them and its figures") {
   const CommandResult result = chapter("--out '" + folder.string() + "'");
   CHECK(result.status == 0);
   CHECK(mentions(result.output, "A steady turn of 2 rad/s", "times of this machine", "Figures"));
-  CHECK(files_with(".csv").size() == 5);
-  CHECK(files_with(".svg").size() == 4);
+  CHECK(files_with(".csv").size() == 11);
+  CHECK(files_with(".svg").size() == 9);
 }
 
 TEST_CASE("chapter: one table and nothing else, or the figures and nothing else") {
@@ -55,14 +55,14 @@ TEST_CASE("chapter: one table and nothing else, or the figures and nothing else"
   CHECK_FALSE(mentions(result.output, "Figures"));
   result = chapter("--figures '" + folder.string() + "'");
   CHECK(result.output == "");
-  CHECK(files_with(".svg").size() == 4);
+  CHECK(files_with(".svg").size() == 9);
   CHECK(files_with(".csv").empty());
 }
 
 TEST_CASE("chapter: says what it cannot do") {
   CommandResult result = chapter("--only disorder");
   CHECK(result.status == 2);
-  CHECK(mentions(result.output, "03_rotation_matrices", "disorder", "order drift repair"));
+  CHECK(mentions(result.output, "03_rotation_matrices", "disorder", "order lock turning_point"));
   result = chapter("--out /dev/null/nowhere");
   CHECK(result.status == 2);
   CHECK(mentions(result.output, "/dev/null/nowhere"));

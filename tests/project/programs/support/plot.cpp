@@ -71,9 +71,9 @@ TEST_CASE("plot: draws each curve once, with its name; breaks it where a point c
             {"y", Scale::log},
             {{"good & bad", {1, 2, 3, 4}, {1, 0, 10, 100}}, {"b", {1}, {1}}}};
   const std::string svg = to_svg(plot);
-  CHECK(count(svg, "<path") == 2);
+  CHECK(count(svg, "<path") == 4);  // two lines, and the markers on each
+  CHECK(count(svg, "class=\"marks\"") == 2);
   CHECK(count(svg, "good &amp; bad") == 1);
-  CHECK(count(svg, "<circle") == 4);
   const std::string path = svg.substr(svg.find("<path d=\"") + 9);
   CHECK(count(path.substr(0, path.find('"')), "M") == 2);
   CHECK(svg.rfind("</svg>\n") == svg.size() - 7);
@@ -83,18 +83,50 @@ TEST_CASE("plot: names at the ends do not overlap and stay in the figure") {
   Plot plot{"title", {"x"}, {"y"}, {}};
   for (int i = 0; i < 12; ++i)
     plot.series.push_back({"curve " + std::to_string(i), {0, 1}, {i / 100.0, 0}});
-  const plot_detail::Frame frame = plot_detail::fitted_frame(plot);
-  const std::vector<plot_detail::EndLabel> labels = plot_detail::end_labels(plot, frame);
+  const std::vector<plot_detail::Label> labels = plot_detail::layout(plot).labels;
   REQUIRE(labels.size() == 12);
-  for (std::size_t i = 1; i < labels.size(); ++i)
-    CHECK(labels[i].y - labels[i - 1].y >= plot_detail::text_height - 1e-9);
-  CHECK(labels.front().y > 0);
-  CHECK(labels.back().y < frame.floor() + plot_detail::bottom);
+  for (const plot_detail::Label& a : labels) {
+    CHECK(a.box.x > 0);
+    CHECK(a.box.x + a.box.width < plot_detail::width);
+    CHECK(a.box.y > 0);
+    for (const plot_detail::Label& b : labels)
+      CHECK_FALSE((a.series != b.series && a.box.meets(b.box)));
+  }
+}
+
+TEST_CASE(
+    "plot: a name stands beside its curve's end where there is room, else at a leader's end") {
+  Plot plot{"", {"x"}, {"y"}, {{"early", {0, 1}, {0, 1}}, {"late", {0, 4}, {0, 0}}}};
+  for (const plot_detail::Label& label : plot_detail::layout(plot).labels)
+    CHECK_FALSE(label.has_leader());
+  CHECK(count(to_svg(plot), "stroke-width=\"0.8\"") == 0);
+
+  for (int i = 0; i < 8; ++i) plot.series.push_back({"crowd " + std::to_string(i), {0, 4}, {0, 0}});
+  CHECK(count(to_svg(plot), "stroke-width=\"0.8\"") > 0);
+}
+
+TEST_CASE("plot: a single dot has its name beside it") {
+  const Plot plot{"", {"x"}, {"y"}, {{"a", {0}, {0}}, {"b", {4}, {4}}, {"c", {9}, {1}}}};
+  for (const plot_detail::Label& label : plot_detail::layout(plot).labels)
+    CHECK(plot_detail::distance(label.anchor, label.box.nearest(label.anchor)) < 10);
 }
 
 TEST_CASE("plot: a curve with a coordinate missing is refused") {
   CHECK_REFUSED(to_svg(Plot{"drift", {"x"}, {"y"}, {{"RK4", {1, 2}, {1}}}}), "drift", "RK4", "2 x",
                 "1 y");
+}
+
+TEST_CASE("plot: a long curve has a few markers, at other places than its neighbour") {
+  Plot plot{"", {"x"}, {"y"}, {{"a", {}, {}}, {"b", {}, {}}}};
+  for (Series& series : plot.series)
+    for (int i = 0; i <= 1000; ++i) series.x.push_back(i), series.y.push_back(i);
+  const plot_detail::Frame frame = plot_detail::fitted_frame(plot);
+  const auto curve = plot_detail::pieces(plot.series[0], frame);
+  const auto a = plot_detail::places_along(curve, 0.25), b = plot_detail::places_along(curve, 0.75);
+  CHECK(a.size() >= 3);
+  CHECK(a.size() <= 7);
+  for (const plot_detail::Pixel& p : a)
+    for (const plot_detail::Pixel& q : b) CHECK(plot_detail::distance(p, q) > 20);
 }
 
 TEST_CASE("table: columns line up, also with letters of several bytes; CSV quotes what it must") {
@@ -147,15 +179,15 @@ TEST_CASE("plot: with equal scales a unit is as long on both axes") {
 
 TEST_CASE("plot: dots alone have no line") {
   const Plot plot{"dots", {"x"}, {"y"}, {{"a", {0, 1}, {0, 1}, Look::dots}}};
-  CHECK(count(to_svg(plot), "<path") == 0);
-  CHECK(count(to_svg(plot), "<circle") == 2);
+  CHECK(count(to_svg(plot), "<path") == 1);
+  CHECK(count(to_svg(plot), "stroke-width=\"1.8\"") == 0);
 }
 
 TEST_CASE("plot: a dashed line is one, with its markers") {
   const Plot plot{"", {"x"}, {"y"}, {{"there", {1, 2}, {1, 2}, Look::dashed}}};
   const std::string svg = to_svg(plot);
   CHECK(count(svg, "stroke-dasharray") == 1);
-  CHECK(count(svg, "<circle") == 2);
+  CHECK(count(svg, "class=\"marks\"") == 1);
 }
 
 TEST_CASE("plots below each other are one document, and so are the notes below them") {

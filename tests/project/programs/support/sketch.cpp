@@ -11,8 +11,8 @@ TEST_CASE("sketch: a unit to the right and a unit up are as long, from where the
   Sketch sketch(100, 100, "a title");
   sketch.look({50, 60, 10});
   sketch.curve({{0, 0}, {1, 0}, {1, 2}}, {"c3"});
-  CHECK(mentions(sketch.svg(), "<title>a title</title>", "d=\"M50 60L60 60L60 40\"", "var(--c3)",
-                 "fill=\"none\"", "</svg>"));
+  CHECK(mentions(sketch.svg(), "<title>a title</title>", "d=\"M50 60L60 60L60 40\"",
+                 stroke_of("c3"), "fill=\"none\"", "</svg>"));
 }
 
 TEST_CASE("sketch: a frame is closed, and filled only if asked") {
@@ -28,9 +28,9 @@ TEST_CASE("sketch: discs grow with the window, dots do not") {
   sketch.disc({1, 0}, 2, "c0");
   sketch.dot({1, 0}, "c1", 3);
   sketch.dots({{2, 0}, {3, 0}}, "c2", 2);
-  CHECK(mentions(sketch.svg(), "cx=\"4\" cy=\"0\" r=\"8\" fill=\"var(--c0)\"",
-                 "cx=\"4\" cy=\"0\" r=\"3\" fill=\"var(--c1)\"",
-                 "<g fill=\"var(--c2)\">\n<circle cx=\"8\" cy=\"0\" r=\"2\"/>"));
+  CHECK(mentions(sketch.svg(), "cx=\"4\" cy=\"0\" r=\"8\" " + fill_of("c0"),
+                 "cx=\"4\" cy=\"0\" r=\"3\" " + fill_of("c1"),
+                 "<g " + fill_of("c2") + ">\n<circle cx=\"8\" cy=\"0\" r=\"2\"/>"));
 }
 
 TEST_CASE("sketch: words may have what XML reserves") {

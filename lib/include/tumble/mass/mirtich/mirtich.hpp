@@ -12,13 +12,13 @@
 
 namespace tumble::detail {
 
-/// The sums that bound the rounding errors of volume_integrals(). An integral over a shadow is a
+/// Bounds of the rounding errors of volume_integrals(). An integral over a shadow is a
 /// sum over edges of terms up to |edge| |x|ᵏ, whose difference is as small as the shadow: with the
 /// perimeter l and the farthest corner R of a face, a few eps l R² of its part of the volume are
 /// lost, l R³ of the first and l R⁴ of the second moments. (Tetrahedra lose eps |e| |f| R: less,
 /// the smaller the faces are.)
-inline RoundingSums<double> mirtich_rounding(const PolygonMesh& mesh, const Vec3& reference) {
-  RoundingSums<double> sums;
+inline IntegralErrors mirtich_errors(const PolygonMesh& mesh, const Vec3& reference) {
+  IntegralErrors errors{};
   for (int f = 0; f < mesh.face_count(); ++f) {
     const std::span<const int> face = mesh.face(f);
     double l = 0, R = 0;
@@ -28,18 +28,19 @@ inline RoundingSums<double> mirtich_rounding(const PolygonMesh& mesh, const Vec3
       l += (next - x).lpNorm<1>();
       R = std::max(R, (x - reference).lpNorm<1>());
     }
-    // In the units of RoundingSums, 6 V, 24 ∫ r dV, 120 ∫ r rᵀ dV; ⅛: ten times the largest seen.
-    sums += {6 / 8.0 * l * R * R, 24 / 8.0 * l * R * R * R, 120 / 8.0 * l * R * R * R * R};
+    const double lost = unit_roundoff / 2 * l * R * R;  // ten times the largest seen
+    errors.volume += lost;
+    errors.first += lost * R;
+    errors.second += lost * R * R;
   }
-  return sums;
+  return errors;
 }
 
 /// Mass properties of a mesh that is known to be closed; nothing is checked.
 /// @param density [kg/m³]
 inline BoundedMassProperties unchecked_mirtich(const PolygonMesh& mesh, double density) {
   const Vec3 p = reference_point(mesh);
-  return bounded(mirtich::volume_integrals(mesh, p), p, density, 0x1p-53,
-                 mirtich_rounding(mesh, p));
+  return bounded(mirtich::volume_integrals(mesh, p), p, density, mirtich_errors(mesh, p));
 }
 
 }  // namespace tumble::detail

@@ -3,7 +3,7 @@
 namespace crossing {
 
 // 1.1 carry: luggage comes back as it went.
-// What is demanded stands in contract.hpp. Ask: ./tumble hint 1.1 · Be judged: ./tumble check 1.1
+// contract.hpp says what to write. Stuck? ./tumble hint 1.1 · Done? ./tumble check 1.1
 Luggage carry(const Luggage& luggage) { throw NotImplemented{}; }
 
 }  // namespace crossing

@@ -1,0 +1,46 @@
+#pragma once
+/// @file
+/// What the chapter's programs share: how numbers are written, and the one rotation that goes
+/// through the whole chapter.
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "support/space_sketch.hpp"
+#include "support/table.hpp"
+#include "tumble/quaternion/exp_log.hpp"
+#include "tumble/rotation.hpp"
+
+namespace rotation_matrices_chapter {
+
+using namespace tumble;
+using support::error_number;
+using support::number;
+using support::Table;
+
+inline constexpr double degree = std::numbers::pi / 180;
+
+/// How far apart two orientations are [rad].
+inline double angle_apart(const Mat3& A, const Mat3& B) {
+  return log_rotation(A.transpose() * B).norm();
+}
+
+/// (0.492, 0.87, 0.025), with three digits behind the point.
+inline std::string in_brackets(const Vec3& v) {
+  std::string text;
+  for (const double x : v) text += (text.empty() ? "" : ", ") + support::svg_number(x, 3);
+  return "(" + text + ")";
+}
+
+/// A rotation that fits on paper.
+inline Mat3 paper_rotation() {
+  Mat3 R;
+  R << 0.6, -0.64, 0.48, 0.8, 0.48, -0.36, 0, 0.6, 0.8;
+  return R;
+}
+
+/// From the front, a little to the right and above: x to the right, y away, z up.
+inline Mat3 front_view() { return support::view_from(-72 * degree, 20 * degree); }
+
+}  // namespace rotation_matrices_chapter

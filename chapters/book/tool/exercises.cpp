@@ -1,0 +1,150 @@
+#include "book/tool/exercises.hpp"
+
+#include <cctype>
+#include <sstream>
+
+#include "book/tool/snippet.hpp"
+
+namespace tumble::book {
+
+namespace {
+
+const std::string announcement = "<!-- exercise: ", contract_heading = "// == ";
+
+/// "9.1 pack: a state becomes thirteen numbers", as the contract says it.
+struct ContractHeading {
+  std::string number, name, title;
+};
+
+std::vector<ContractHeading> headings_of(const fs::path& contract) {
+  std::vector<ContractHeading> headings;
+  for (const std::string& line : read_page(contract).lines) {
+    const auto space = line.find(' ', contract_heading.size());
+    const auto colon = line.find(": ", contract_heading.size());
+    if (!line.starts_with(contract_heading) || colon == std::string::npos || space > colon)
+      continue;
+    headings.push_back({line.substr(contract_heading.size(), space - contract_heading.size()),
+                        line.substr(space + 1, colon - space - 1), line.substr(colon + 2)});
+  }
+  return headings;
+}
+
+ContractHeading heading_of(const Page& page, const ExerciseBlock& block, const fs::path& contract) {
+  for (const ContractHeading& heading : headings_of(contract))
+    if (heading.number == block.number) return heading;
+  fail(page, block.comment, contract.string() + " has no exercise " + block.number);
+}
+
+/// The first of an exercise's hints, line by line.
+std::vector<std::string> first_hint(const Page& page, const ExerciseBlock& block,
+                                    const fs::path& hints) {
+  const std::string first = "1. ", next = "2. ";
+  std::vector<std::string> hint;
+  bool inside = false;
+  for (const std::string& line : read_page(hints).lines) {
+    if (line.starts_with("## ")) inside = line.starts_with("## " + block.number + " ");
+    if (!inside) continue;
+    if (line.starts_with(next)) break;
+    if (line.starts_with(first) || !hint.empty()) hint.push_back(line.substr(first.size()));
+  }
+  if (hint.empty()) fail(page, block.comment, hints.string() + " has no hint to " + block.number);
+  return hint;
+}
+
+/// "a state becomes …" → "A state becomes …."
+std::string as_sentence(std::string title) {
+  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title + (title.ends_with("?") ? "" : ".");
+}
+
+/// The block, not quoted yet.
+std::string text_of(const fs::path& root, const Page& page, const ExerciseBlock& block) {
+  const fs::path contract = contract_of(root, page);
+  const ContractHeading heading = heading_of(page, block, contract);
+  const std::string place = contract.lexically_relative(root).string();
+  std::ostringstream text;
+  text << "**Now write " << block.number << ": `" << heading.name << "`.** "
+       << as_sentence(heading.title) << "\n\n<!-- signature: " << place << "#" << heading.name
+       << " -->\n```cpp\n"
+       << signature(contract, heading.name) << "```\n\n[The contract]("
+       << contract.lexically_relative(page.file.parent_path()).string()
+       << ") says exactly what it takes and gives. Ask the judge:\n\n```sh\n./tumble check "
+       << block.number << "\n```\n\n<details><summary>A hint</summary>\n\n";
+  for (const std::string& line : first_hint(page, block, contract.parent_path() / "hints.md"))
+    text << line << "\n";
+  text << "\n</details>\n";
+  return text.str();
+}
+
+std::vector<std::string> wanted_lines(const fs::path& root, const Page& page,
+                                      const ExerciseBlock& block) {
+  std::istringstream text(text_of(root, page, block));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(line.empty() ? ">" : "> " + line);
+  return lines;
+}
+
+bool is_fresh(const Page& page, const ExerciseBlock& block,
+              const std::vector<std::string>& wanted) {
+  const auto begin = page.lines.begin() + static_cast<std::ptrdiff_t>(block.comment) + 1;
+  const auto end = page.lines.begin() + static_cast<std::ptrdiff_t>(block.end);
+  return std::vector<std::string>(begin, end) == wanted;
+}
+
+}  // namespace
+
+fs::path contract_of(const fs::path& root, const Page& page) {
+  return root / "exercises" / page.file.parent_path().filename() / "contract.hpp";
+}
+
+std::vector<std::string> exercises_in(const fs::path& contract) {
+  std::vector<std::string> numbers;
+  for (const ContractHeading& heading : headings_of(contract)) numbers.push_back(heading.number);
+  return numbers;
+}
+
+std::vector<ExerciseBlock> exercise_blocks(const Page& page) {
+  std::vector<ExerciseBlock> blocks;
+  for (std::size_t i = 0; i < page.lines.size(); ++i) {
+    const std::string& line = page.lines[i];
+    if (!line.starts_with(announcement) || !line.ends_with(" -->")) continue;
+    ExerciseBlock block;
+    block.number = line.substr(announcement.size(), line.size() - announcement.size() - 4);
+    block.comment = i;
+    for (block.end = i + 1; block.end < page.lines.size() && is_quoted(page.lines[block.end]);)
+      ++block.end;
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+std::vector<std::string> stale_exercises(const fs::path& root, const Page& page) {
+  std::vector<std::string> stale;
+  for (const ExerciseBlock& block : exercise_blocks(page)) {
+    try {
+      if (!is_fresh(page, block, wanted_lines(root, page, block)))
+        stale.push_back(at(page, block.comment) + "exercise " + block.number +
+                        " is not what contract and hints say; ./tumble book --write takes it over");
+    } catch (const std::exception& error) {
+      const std::string what = error.what();
+      stale.push_back(what.starts_with(page.file.string()) ? what : at(page, block.comment) + what);
+    }
+  }
+  return stale;
+}
+
+Page with_fresh_exercises(const fs::path& root, const Page& page) {
+  Page result{page.file, {}};
+  std::size_t next = 0;
+  for (const ExerciseBlock& block : exercise_blocks(page)) {
+    for (; next <= block.comment; ++next) result.lines.push_back(page.lines[next]);
+    for (std::string& line : wanted_lines(root, page, block))
+      result.lines.push_back(std::move(line));
+    next = block.end;
+  }
+  for (; next < page.lines.size(); ++next) result.lines.push_back(page.lines[next]);
+  return result;
+}
+
+}  // namespace tumble::book

@@ -1,0 +1,102 @@
+#include "book/tool/terms.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "book/tool/links.hpp"
+#include "book/tool/prose.hpp"
+
+namespace tumble::book {
+
+namespace {
+
+/// Whether a sentence begins here: at the start, or behind ". ", "? ", "! " or ".) ".
+bool begins_sentence(const std::string& text, std::size_t i) {
+  if (i < 3) return i == 0;
+  const char last = text[text[i - 2] == ')' ? i - 3 : i - 2];
+  return text[i - 1] == ' ' && std::string(".?!").find(last) != std::string::npos;
+}
+
+/// The sentence around a place of a paragraph, with the words of its links and without bold.
+std::string sentence_around(const std::string& text, std::size_t place) {
+  std::size_t begin = place, end = place + 1;
+  while (!begins_sentence(text, begin)) --begin;
+  while (end < text.size() && !begins_sentence(text, end)) ++end;
+  if (begin == 0 && text.starts_with("- ")) begin = 2;
+  std::string sentence = text.substr(begin, end - begin), plain;
+  std::size_t at = 0;
+  for (const Link& link : links_in(sentence)) {
+    plain += sentence.substr(at, link.begin - at) + link.text;
+    at = link.end;
+  }
+  plain += sentence.substr(at);
+  for (auto bold = plain.find("**"); bold != std::string::npos; bold = plain.find("**"))
+    plain.erase(bold, 2);
+  while (plain.ends_with(" ")) plain.pop_back();
+  return plain;
+}
+
+bool is_run_in_heading(const std::string& bold) {
+  return std::string(".:?!").find(bold.back()) != std::string::npos;
+}
+
+}  // namespace
+
+std::vector<Term> terms_of(const Page& page) {
+  std::vector<Term> terms;
+  for (const Paragraph& paragraph : paragraphs_of(page)) {
+    const std::string& text = paragraph.text;
+    const std::string visible = without_code_spans(text);
+    for (auto begin = visible.find("**"); begin != std::string::npos;) {
+      const auto end = visible.find("**", begin + 2);
+      if (end == std::string::npos || end == begin + 2)
+        fail(page, paragraph.line, "this ** has no partner in its paragraph");
+      const std::string bold = text.substr(begin + 2, end - begin - 2);
+      if (bold.find('$') != std::string::npos)
+        fail(page, paragraph.line, "a formula in bold: the site shows the asterisks");
+      if (!is_run_in_heading(bold))
+        terms.push_back(
+            {bold, sentence_around(text, begin), page.file, paragraph.section, paragraph.line});
+      begin = visible.find("**", end + 2);
+    }
+  }
+  return terms;
+}
+
+std::vector<std::string> repeated(const std::vector<Term>& terms) {
+  std::map<std::string, const Term*> first;
+  std::vector<std::string> mistakes;
+  for (const Term& term : terms) {
+    const auto [it, fresh] = first.try_emplace(lower_case(term.name), &term);
+    if (!fresh)
+      mistakes.push_back(term.page.string() + ":" + std::to_string(term.line + 1) + ": “" +
+                         term.name + "” is in bold already at " + it->second->page.string() + ":" +
+                         std::to_string(it->second->line + 1) +
+                         "; a term is in bold once, where it is introduced");
+  }
+  return mistakes;
+}
+
+fs::path place_of_terms(const fs::path& root) { return root / "chapters/terms/README.md"; }
+
+Page page_of_terms(const fs::path& root, std::vector<Term> terms) {
+  std::stable_sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) {
+    return lower_case(a.name) < lower_case(b.name);
+  });
+  const fs::path place = place_of_terms(root);
+  const std::string greeting =
+      "You met a word and want it again? Here are the terms of the book, each with the "
+      "sentence that introduces it, and a link to where it stands.";
+  const std::string origin =
+      "<!-- This page is written by `./tumble book --write`, from what stands in bold in "
+      "the chapters. -->";
+  Page page{place, {"# Terms", "", greeting, "", origin, ""}};
+  for (const Term& term : terms) {
+    const std::string link =
+        term.page.lexically_relative(place.parent_path()).string() + "#" + anchor_of(term.section);
+    page.lines.push_back("- [" + term.name + "](" + link + "): " + term.sentence);
+  }
+  return page;
+}
+
+}  // namespace tumble::book

@@ -1,0 +1,36 @@
+#pragma once
+/// @file
+/// The field's terms: each stands once in bold, where it is introduced, and the page of terms leads
+/// there.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "book/tool/page.hpp"
+
+namespace tumble::book {
+
+struct Term {
+  std::string name;
+  std::string sentence;  ///< the one that introduces it
+  fs::path page;
+  std::string section;  ///< the heading above
+  std::size_t line = 0;
+};
+
+/// What stands in bold on a page. Bold that ends a sentence (**Try it.**) or with a colon begins a
+/// paragraph; it is no term.
+/// @throws PageError if a formula stands in bold, which the site cannot show
+std::vector<Term> terms_of(const Page& page);
+
+/// Terms that stand in bold twice: "file:line: …" each.
+std::vector<std::string> repeated(const std::vector<Term>& terms);
+
+/// The page that lists all terms, in alphabetical order, each with its sentence and a link.
+Page page_of_terms(const fs::path& root, std::vector<Term> terms);
+
+/// Where that page is.
+fs::path place_of_terms(const fs::path& root);
+
+}  // namespace tumble::book

@@ -1,0 +1,72 @@
+#pragma once
+/// @file
+/// How coarsely the coordinates of a mesh were written: half a unit of a file's last decimal is
+/// rounding, not shape.
+///
+/// A file says `0.123457`; the double that is read is the nearest one to it, and of all decimals
+/// with so few digits it is the nearest to one only. So the digits can be counted afterwards.
+
+#include <algorithm>
+#include <cmath>
+
+#include "tumble/mesh/polygon_mesh.hpp"
+
+namespace tumble::detail {
+
+/// 10^n, rounded once for |n| ≤ 22.
+inline double power_of_ten(int n) {
+  double power = 1;
+  for (int i = 0; i < std::abs(n); ++i) power *= 10;
+  return n < 0 ? 1 / power : power;
+}
+
+/// The power of ten of the first digit of x ≠ 0: 0 for 1.5.
+inline int first_place(double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))); }
+
+/// Whether x is the double nearest to a decimal number whose last digit stands at 10^−places.
+inline bool is_decimal(double x, int places) {
+  constexpr double whole = 0x1p53;  // above it all doubles are
+  const double power = power_of_ten(std::abs(places));
+  const double scaled = std::nearbyint(places >= 0 ? x * power : x / power);
+  return std::abs(scaled) < whole && (places >= 0 ? scaled / power : scaled * power) == x;
+}
+
+/// Decimals that all coordinates of a mesh are written with.
+struct WrittenDigits {
+  int places = -20;          ///< behind the point, the most of any
+  int significant = 0;       ///< from the first digit on, the most of any
+  int largest_place = -400;  ///< the power of ten of the largest coordinate's first digit
+
+  static constexpr int most = 16;  ///< with so many, a decimal is a double like any other
+
+  void add(double x) {
+    if (x == 0 || significant >= most) return;
+    const int first = first_place(x);
+    largest_place = std::max(largest_place, first);
+    int last = std::max(1, significant) - 1 - first;  // place of the last digit
+    // Beside coordinates that are 10²² times as large, this one says nothing.
+    while (last <= 22 && last + first < most && !is_decimal(x, last)) ++last;
+    if (last > 22) return;
+    significant = std::max(significant, last + first + 1);
+    while (last > places && is_decimal(x, last - 1)) --last;
+    places = std::max(places, last);
+  }
+};
+
+/// How far a coordinate may be from what it was before it was written: half a unit of the last
+/// decimal [m]; 0 if the coordinates are doubles like any others, or were chosen with so few digits
+/// (less than six) that they may well be exact.
+inline double coordinate_rounding(const PolygonMesh& mesh) {
+  constexpr int fewest = 6;
+  WrittenDigits digits;
+  for (const Vec3& p : mesh.vertices)
+    for (const double x : {p.x(), p.y(), p.z()}) digits.add(x);
+  if (digits.significant < fewest || digits.significant >= WrittenDigits::most) return 0;
+  // A fixed number of places, as in `%.6f`, or of digits, as in `%g`? Then small coordinates have
+  // more places.
+  const int places_of_largest = digits.significant - 1 - digits.largest_place;
+  const bool is_fixed = digits.places <= places_of_largest + 1;
+  return power_of_ten(-(is_fixed ? digits.places : places_of_largest)) / 2;
+}
+
+}  // namespace tumble::detail

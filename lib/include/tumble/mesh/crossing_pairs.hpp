@@ -1,0 +1,112 @@
+#pragma once
+/// @file
+/// All pairs of triangles of a mesh that pass through each other, and places where some touch: the
+/// thorough search for crossings.
+///
+/// Triangles are sorted into the cells of a grid in space; those that share a cell, and whose boxes
+/// meet, are looked at exactly. Source: e.g. Ericson, "Real-Time Collision Detection" (2005), §7.1
+/// (uniform grids), §7.7.1 (a pair belongs to one cell).
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "tumble/mesh/space_grid.hpp"
+#include "tumble/mesh/triangles_meet.hpp"
+
+namespace tumble::detail {
+
+/// Where two triangles meet.
+struct TriangleMeeting {
+  std::array<int, 2> faces;
+  TriangleCrossing crossing;  ///< about where, and how deep; 0 if they only touch
+};
+
+/// The triangles of a mesh with their boxes; without those of no area.
+inline std::vector<BoxedTriangle> boxed_triangles(const PolygonMesh& mesh) {
+  std::vector<BoxedTriangle> list;
+  list.reserve(mesh.corners.size() / 3);
+  for_each_triangle(mesh, [&](int f, const std::array<int, 3>& t) {
+    if (collinear(mesh.vertex(t[0]), mesh.vertex(t[1]), mesh.vertex(t[2]))) return;
+    Eigen::AlignedBox3d box;
+    for (const int v : t) box.extend(mesh.vertex(v));
+    list.push_back({f, t, box});
+  });
+  return list;
+}
+
+/// How many corners two triangles have in common, by number or by place.
+inline int common_corners(const PolygonMesh& mesh, const std::array<int, 3>& s,
+                          const std::array<int, 3>& t) {
+  int common = 0;
+  for (const int v : s)
+    for (const int w : t) common += v == w || mesh.vertex(v) == mesh.vertex(w);
+  return common;
+}
+
+/// The corners of a triangle of a mesh.
+inline Triangle corners_of(const PolygonMesh& mesh, const BoxedTriangle& t) {
+  return {mesh.vertex(t.vertices[0]), mesh.vertex(t.vertices[1]), mesh.vertex(t.vertices[2])};
+}
+
+/// How two triangles of a mesh lie to each other. Those with a corner in common touch there, which
+/// says nothing: they cross only if an edge goes through.
+inline Meeting meeting_of(const PolygonMesh& mesh, const BoxedTriangle& s, const BoxedTriangle& t) {
+  const int common = common_corners(mesh, s.vertices, t.vertices);
+  if (common > 1) return Meeting::apart;
+  const Triangle a = corners_of(mesh, s), b = corners_of(mesh, t);
+  if (common == 0) return triangles_meet(a, b);
+  const bool cross = triangles_meet_beside(a, b) == Meeting::through;
+  return cross ? Meeting::through : Meeting::apart;
+}
+
+/// Where triangles meet that have no edge in common.
+struct TriangleMeetings {
+  std::vector<TriangleMeeting> through, touching;
+
+  static constexpr std::size_t most = 100'000;  ///< of each kind: these are places to look at
+
+  void add(const PolygonMesh& mesh, const BoxedTriangle& s, const BoxedTriangle& t) {
+    const Meeting meeting = meeting_of(mesh, s, t);
+    if (meeting == Meeting::apart) return;
+    const bool cross = meeting == Meeting::through;
+    std::vector<TriangleMeeting>& list = cross ? through : touching;
+    if (list.size() >= most) return;
+    const TriangleCrossing crossing =
+        cross ? measure_crossing(corners_of(mesh, s), corners_of(mesh, t))
+              : TriangleCrossing{s.box.intersection(t.box).center(), 0};
+    list.push_back({{s.face, t.face}, crossing});
+  }
+
+  /// Takes those for touching that are no deeper than rounding may have made them.
+  /// @param blur how far it may have moved a coordinate of a vertex [m]
+  void forgive(double blur) {
+    const auto shallow = std::partition(
+        through.begin(), through.end(),
+        [=](const TriangleMeeting& meeting) { return meeting.crossing.depth > 4 * blur; });
+    touching.insert(touching.end(), shallow, through.end());
+    through.erase(shallow, through.end());
+  }
+};
+
+/// Finds them.
+inline TriangleMeetings find_meetings(const PolygonMesh& mesh) {
+  TriangleMeetings found;
+  const std::vector<BoxedTriangle> triangles = boxed_triangles(mesh);
+  if (triangles.empty()) return found;
+  const SpaceGrid grid(triangles);
+  grid.for_each_cell([&](const SpaceGrid::Cell& cell, std::span<const int> items) {
+    for (std::size_t i = 0; i < items.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const BoxedTriangle &s = triangles[static_cast<std::size_t>(items[i])],
+                            &t = triangles[static_cast<std::size_t>(items[j])];
+        if (!s.box.intersects(t.box)) continue;
+        // Of the cells that have this pair, one looks at it.
+        if (grid.cell_of(s.box.min().cwiseMax(t.box.min())) == cell) found.add(mesh, s, t);
+      }
+  });
+  return found;
+}
+
+}  // namespace tumble::detail

@@ -1,0 +1,136 @@
+#pragma once
+/// @file
+/// A body under any forces, to an error over the whole span: two runs and more, see
+/// stated_error.hpp, and a witness.
+///
+/// What acts for a short time only may lie between all moments at which a run looks at it. So no
+/// step is longer than a part of the span, another one for each of the two runs, and none is much
+/// longer than those of the run before; and between the moments of the better run a witness
+/// compares the forces with what the run thinks they are. What it finds is a break for new runs.
+
+#include <algorithm>
+#include <vector>
+
+#include "tumble/simulate/general_trajectory.hpp"
+#include "tumble/simulate/simulation_task.hpp"
+#include "tumble/simulate/stated_error.hpp"
+#include "tumble/simulate/steady_trajectory.hpp"
+
+namespace tumble::detail {
+
+/// The breaks inside the span, ascending [s after t0].
+inline std::vector<double> breaks_within(const SimulationTask& task) {
+  std::vector<double> inside;
+  for (const double t : task.breaks)
+    if (t > task.t0 && t < task.t1) inside.push_back(t - task.t0);
+  std::sort(inside.begin(), inside.end());
+  return inside;
+}
+
+/// Runs under any forces, rougher and finer.
+template <class Rhs>
+class AnyForces {
+ public:
+  using Run = GeneralTrajectory<Rhs>;
+
+  AnyForces(const Rhs& rhs, const RigidBodyState<>& start, const SimulationTask& task)
+      : rhs_(rhs, units_of(rhs, start, task.t0, task.t1 - task.t0)),
+        start_(start),
+        task_(task),
+        span_(task.t1 - task.t0),
+        lost_(rounding_of_moments(rhs.body().I_body(), rhs_.smallest_moment())),
+        breaks_(breaks_within(task)) {}
+
+  /// The fine run that keeps the tolerance, or the best that there is.
+  Trajectory trajectory() {
+    while (true) {
+      const double fine_tolerance = 0.1 * epsilon_;
+      const Run rough = run(epsilon_, true);
+      if (ends_early(rough)) continue;
+      guide_ = rough.ends();
+      Run fine = run(fine_tolerance, false);
+      if (ends_early(fine)) continue;
+      guide_ = fine.ends();
+      rough.account(report_);
+      fine.account(report_);
+      if (is_surprised(fine)) continue;
+      report_.error_estimate = stated_error<Run>(
+          {fine.difference(rough), epsilon_, fine_tolerance, fine.steps(), fine.radians()}, lost_);
+      if (report_.reached() || epsilon_ <= lowest_) {
+        report_.method = stiff_ ? "Radau IIA 5" : "Dormand–Prince 8(5,3)";
+        return trajectory_of(std::move(fine), task_, report_);
+      }
+      epsilon_ = next_epsilon(epsilon_, task_.tolerance, report_.error_estimate, lowest_);
+    }
+  }
+
+ private:
+  Run run(double tolerance, bool is_rough) const {
+    const double part = is_rough ? 16 : 23;
+    RunSettings settings{.tolerance = tolerance,
+                         .longest = std::min(task_.longest_step, span_ / part),
+                         .breaks = breaks_,
+                         .guide = guide_,
+                         .moved = is_rough,
+                         .stiff = stiff_,
+                         .watched = !stiff_ && !stiff_in_vain_};
+    // A step of Radau5 costs as much as ten.
+    if (stiff_) settings.most_steps = explicit_steps_ / 10;
+    return Run(rhs_, start_, task_.t0, span_, settings);
+  }
+
+  /// Whether a run ended before the span did; then the next goes another way.
+  bool ends_early(const Run& run) {
+    if (run.end() == RunEnd::complete) return false;
+    run.account(report_);
+    guide_.clear();
+    if (run.end() == RunEnd::stiff) {
+      stiff_ = true;
+      explicit_steps_ = run.predicted_steps();
+    } else if (stiff_) {
+      stiff_ = false;
+      stiff_in_vain_ = true;
+    } else {
+      be_content_with_less(run);
+    }
+    return true;
+  }
+
+  /// Where rounding alone makes steps short, longer ones give the best that there is.
+  void be_content_with_less(const Run& run) {
+    constexpr double coarsest = 1e-7, coarser = 100;
+    if (epsilon_ >= coarsest) run.refuse();
+    epsilon_ = lowest_ = std::min(coarsest, coarser * epsilon_);
+  }
+
+  /// Whether there are forces that the run has not seen. Their moments become breaks.
+  bool is_surprised(const Run& run) {
+    constexpr int enough = 8;
+    if (rounds_ == enough) return false;
+    constexpr double least = 1e-11;  // below it, rounding surprises
+    const std::vector<double> found = run.surprises(std::max(task_.tolerance, least));
+    if (found.empty()) return false;
+    ++rounds_;
+    breaks_.insert(breaks_.end(), found.begin(), found.end());
+    std::sort(breaks_.begin(), breaks_.end());
+    return true;
+  }
+
+  ScaledRhs<Rhs> rhs_;
+  RigidBodyState<> start_;
+  SimulationTask task_;
+  double span_, lost_;
+  std::vector<double> breaks_, guide_;
+  bool stiff_ = false, stiff_in_vain_ = false;
+  double explicit_steps_ = 0;
+  // Measured on random scenes: seldom is ε to be made smaller, and the error that is left is about
+  // a thirtieth of what was asked.
+  double lowest_ = 2e-15;
+  double epsilon_ = std::clamp(1e-2 * task_.tolerance, lowest_, 1e-3);
+  int rounds_ = 0;
+  SimulationReport report_{.model = Model::full_body,
+                           .why = "a force depends on where the body is or how it is turned",
+                           .tolerance = task_.tolerance};
+};
+
+}  // namespace tumble::detail

@@ -1,0 +1,131 @@
+#pragma once
+/// @file
+/// Motions in closed form, over a span: they cost the same for any span.
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "tumble/free_body/free_flow.hpp"
+#include "tumble/simulate/motion_tolerance.hpp"
+#include "tumble/simulate/simulation_task.hpp"
+#include "tumble/simulate/trajectory.hpp"
+#include "tumble/steady/lagrange_top.hpp"
+#include "tumble/steady/steady_path.hpp"
+
+namespace tumble::detail {
+
+/// A path in closed form, and a turning that goes with it.
+/// @tparam Turning has at(time since t0) → {q, L}
+template <class Turning>
+class ClosedMotion final : public MotionOverTime {
+ public:
+  /// @param omega about how fast it turns [rad/s]
+  ClosedMotion(const Turning& turning, const steady::SteadyPath& path, double t0, double t1,
+               double omega)
+      : turning_(turning), path_(path), t0_(t0), t1_(t1), omega_(omega) {}
+
+  RigidBodyState<> at(double t) const override {
+    const auto turned = turning_.at(t - t0_);
+    return {path_.x(t - t0_), turned.q, path_.P(t - t0_), turned.L};
+  }
+
+  /// Moments between which it does not turn by more than a quarter of a radian.
+  std::vector<double> times() const override {
+    constexpr double max_parts = 1e6;
+    const double parts = std::clamp(std::ceil(4 * omega_ * (t1_ - t0_)), 8.0, max_parts);
+    std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(parts) + 1);
+    for (int i = 0; i < static_cast<int>(parts); ++i)
+      times.push_back(t0_ + i * ((t1_ - t0_) / parts));
+    times.push_back(t1_);
+    return times;
+  }
+
+ private:
+  Turning turning_;
+  steady::SteadyPath path_;
+  double t0_, t1_, omega_;
+};
+
+/// A closed form of the turning, put over the path.
+/// @throws std::runtime_error if the path leaves the range of doubles on the way
+template <class Turning>
+Trajectory closed_trajectory(const Turning& turning, const steady::SteadyPath& path, double omega,
+                             const SimulationTask& task, const SimulationReport& report) {
+  const double span = task.t1 - task.t0;
+  if (!path.x(span).allFinite() || !path.P(span).allFinite() ||
+      !std::isfinite(report.error_estimate)) {
+    std::ostringstream text;
+    text << "simulate: the motion leaves the range of numbers before t = " << task.t1;
+    throw_error<std::runtime_error>(text.str());
+  }
+  return {std::make_shared<const ClosedMotion<Turning>>(turning, path, task.t0, task.t1, omega),
+          task.t0, task.t1, report};
+}
+
+/// What nothing turns.
+struct FreeTurning {
+  FreeRotation rotation;
+  Vec3 L;
+
+  steady::LagrangeTop::State at(double t) const { return {orientation_at(rotation, t), L}; }
+
+  const char* name() const {
+    constexpr const char* names[] = {"closed form: uniform rotation",
+                                     "closed form: free symmetric top",
+                                     "closed form: free asymmetric top (elliptic functions)"};
+    return names[rotation.index()];
+  }
+};
+
+/// What nobody asks the turning of.
+struct NoTurning {
+  steady::LagrangeTop::State start;
+
+  const steady::LagrangeTop::State& at(double) const { return start; }
+};
+
+/// @param torque of the body, which is not turned by it
+inline Trajectory free_trajectory(const RigidBody<>& body, const PrincipalAxes& axes,
+                                  const RigidBodyState<>& start, const steady::SteadyPath& path,
+                                  const SimulationTask& task) {
+  const FreeTurning turning{FreeFlow(axes).from(start.q, start.L), start.L};
+  const double omega = derived(body, start).omega.norm(), radians = omega * (task.t1 - task.t0);
+  const ModelChoice choice = choose_model(axes);
+  const double lost = rounding_of_moments(body.I_body(), axes.moments[0]);
+  return closed_trajectory(turning, path, omega, task,
+                           {.model = choice.model,
+                            .method = turning.name(),
+                            .why = "no torque; " + choice.why,
+                            .tolerance = task.tolerance,
+                            .error_estimate = 1e-14 * std::max(1.0, radians) + lost * radians});
+}
+
+inline Trajectory particle_trajectory(const RigidBodyState<>& start, const steady::SteadyPath& path,
+                                      const SimulationTask& task) {
+  return closed_trajectory(
+      NoTurning{{start.q.normalized(), start.L}}, path, 0, task,
+      {.model = Model::particle,
+       .method = "closed form: path under steady forces",
+       .why = "nobody asks for the turning, and the path does not depend on it",
+       .tolerance = task.tolerance,
+       .error_estimate = 1e-15});
+}
+
+inline Trajectory top_trajectory(const steady::LagrangeTop& top, const RigidBody<>& body,
+                                 const PrincipalAxes& axes, const RigidBodyState<>& start,
+                                 const steady::SteadyPath& path, const SimulationTask& task) {
+  const double omega = derived(body, start).omega.norm() + top.rate();
+  const double lost = rounding_of_moments(body.I_body(), axes.moments[0]);
+  const double span = task.t1 - task.t0;
+  return closed_trajectory(
+      top, path, omega, task,
+      {.model = Model::symmetric_top,
+       .method = "closed form: Lagrange top (elliptic functions)",
+       .why = "two principal moments are equal, and the force acts on the axis",
+       .tolerance = task.tolerance,
+       .error_estimate = top.error_bound(span) + lost * omega * span});
+}
+
+}  // namespace tumble::detail

@@ -1,0 +1,159 @@
+#pragma once
+/// @file
+/// What a run has found: states at the ends of its steps, and what is between them.
+///
+/// Time is counted from the start of the span: a late start costs no digits.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tumble/core/largest.hpp"
+#include "tumble/core/step_at.hpp"
+#include "tumble/ode/dop853_dense.hpp"
+#include "tumble/ode/radau5.hpp"
+#include "tumble/simulate/run_settings.hpp"
+#include "tumble/simulate/scaled_rhs.hpp"
+
+namespace tumble::detail {
+
+/// The steps of a run.
+/// @tparam Rhs a RigidBodyRhs<double, …>
+template <class Rhs>
+class MotionRecord {
+ public:
+  using Numbers = PackedState<double>;
+
+  int steps() const { return static_cast<int>(steps_.size()) - 1; }
+
+  /// The ends of the steps [s after t0].
+  std::vector<double> ends() const {
+    std::vector<double> ends;
+    for (const Step& step : steps_) ends.push_back(step.s);
+    return ends;
+  }
+
+  std::vector<double> times(double t1) const {
+    std::vector<double> times;
+    for (const Step& step : steps_) times.push_back(t0_ + step.s);
+    times.back() = t1;
+    return times;
+  }
+
+  RigidBodyState<> at(double t) const { return rhs_.state(numbers_at(t - t0_)); }
+
+  /// The largest difference at the ends of another run's steps: the angle between orientations
+  /// [rad], and all else a part of its largest size on the way.
+  double difference(const MotionRecord& other) const {
+    const Eigen::Vector4d per_size =
+        tolerance_.squares.cwiseMax(other.tolerance_.squares).cwiseSqrt().cwiseInverse();
+    double most = 0;
+    for (const Step& step : other.steps_)
+      most = largest({most, difference(numbers_at(step.s), step.y, per_size)});
+    return most;
+  }
+
+  /// Moments [s after t0] at which forces are not what the run thinks they are, by more than a part
+  /// of its sizes. Wherever nobody has looked for a while, it is looked whether forces depend on
+  /// the time; where they do, and now and then, whether the way between the steps' ends obeys them.
+  std::vector<double> surprises(double part) const {
+    constexpr double looks = 2048;
+    constexpr int now_and_then = 16;
+    const double per_second = looks / breaks_.back();
+    std::vector<double> moments;
+    int all = 0;
+    for (std::size_t i = 0; i < dense_.size(); ++i) {
+      const double begin = steps_[i].s, h = steps_[i + 1].s - begin;
+      const int count = static_cast<int>(h * per_second);
+      if (count == 0) continue;
+      const Timed f = timed(begin);
+      const Derived<> there = rhs_.motion(steps_[i].y);
+      const Wrench<> then = rhs_.net(f.time(begin), there);
+      for (int k = 0; k < count; ++k) {
+        // Nearly even, but in step with nothing.
+        const double theta = (k + 0.45 + 0.1 * golden_fraction(++all)) / count;
+        const double s = begin + theta * h;
+        const Wrench<> now = rhs_.net(f.time(s), there);
+        const bool same = now.force == then.force && now.torque == then.torque;
+        if (same && all % now_and_then != 0) continue;
+        const Numbers gap = h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta);
+        if (!(MotionTolerance::part(gap, tolerance_.squares) <= part)) moments.push_back(s);
+      }
+    }
+    return moments;
+  }
+
+ protected:
+  struct Step {
+    double s;  ///< [s] after t0
+    Numbers y;
+  };
+
+  /// f(s, y), which before a break does not look behind it.
+  struct Timed {
+    const ScaledRhs<Rhs>& rhs;
+    double t0, last;
+
+    double time(double s) const { return std::min(t0 + s, last); }
+    Numbers operator()(double s, const Numbers& y) const { return rhs(time(s), y); }
+  };
+  Timed timed(double s) const {
+    const auto next = std::upper_bound(breaks_.begin(), breaks_.end() - 1, s);
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const bool ends = next == breaks_.end() - 1;
+    return {rhs_, t0_ + late_, ends ? never : std::nextafter(t0_ + *next, -never)};
+  }
+
+  /// @param late by how much all times are late, to see what that does [s]
+  MotionRecord(const ScaledRhs<Rhs>& rhs, double t0, double late, const Numbers& start, double span,
+               double tolerance, const std::vector<double>& breaks, bool stiff)
+      : rhs_(rhs),
+        t0_(t0),
+        late_(late),
+        breaks_(breaks),
+        stiff_(stiff),
+        tolerance_{tolerance, rhs.squares(least_sizes(rhs.body(), span))},
+        steps_{{0, start}} {
+    tolerance_.grow(start);
+    breaks_.push_back(span);
+  }
+
+  ScaledRhs<Rhs> rhs_;
+  double t0_, late_;
+  std::vector<double> breaks_;  ///< the end is the last [s after t0]
+  bool stiff_;
+  MotionTolerance tolerance_;
+  std::vector<Step> steps_;
+  std::vector<Dop853Dense<Numbers>> dense_;  ///< of the first steps
+
+ private:
+  static double golden_fraction(int i) {
+    const double x = 0.6180339887498949 * i;
+    return x - std::floor(x);
+  }
+
+  Numbers numbers_at(double s) const {
+    if (s >= steps_.back().s) return steps_.back().y;
+    const std::size_t i = step_at(steps_, s, [](const Step& step) { return step.s; });
+    const Step& step = steps_[i];
+    const double h = steps_[i + 1].s - step.s;
+    if (s == step.s) return step.y;
+    if (i < dense_.size()) return dense_[i].at((s - step.s) / h);
+    const Timed f = timed(step.s);
+    return stiff_ ? Radau5::step(f, step.s, step.y, s - step.s)
+                  : Dop853::step(f, step.s, step.y, s - step.s);
+  }
+
+  static double difference(const Numbers& a, const Numbers& b, const Eigen::Vector4d& per_size) {
+    const Eigen::Vector4d p = a.segment<4>(3).normalized(), q = b.segment<4>(3).normalized();
+    const double angle =
+        2 * (p.dot(q) < 0 ? Eigen::Vector4d(p + q) : Eigen::Vector4d(p - q)).norm();
+    const Numbers off = a - b;
+    return largest({angle, per_size[0] * off.head<3>().norm(),
+                    per_size[2] * off.segment<3>(7).norm(),
+                    per_size[3] * off.tail<3>().norm() + angle});
+  }
+};
+
+}  // namespace tumble::detail

@@ -1,0 +1,49 @@
+#pragma once
+/// @file
+/// How a run under any forces goes from one end of the span to the other.
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tumble::detail {
+
+/// How a run goes from one end of the span to the other.
+struct RunSettings {
+  double tolerance;                ///< of a step
+  double longest;                  ///< step [s]
+  std::vector<double> breaks;      ///< times after t0 that no step goes across, ascending [s]
+  std::vector<double> guide = {};  ///< the ends of another run's steps, see StepGuide
+  bool moved = false;              ///< whether start and time are some roundings beside
+  bool stiff = false;              ///< by Radau5
+  bool watched = false;            ///< whether to stop where the scene turns out to be stiff
+  double most_steps = 1e6;
+};
+
+/// Why a run ended.
+enum class RunEnd { complete, stiff, too_many_steps };
+
+/// Steps at most a few times as long as another run's there: what one run has gone into, no other
+/// jumps over.
+class StepGuide {
+ public:
+  /// @param ends of the other run's steps, ascending; none or one guides nothing
+  explicit StepGuide(std::vector<double> ends) : ends_(std::move(ends)) {}
+
+  /// @param s where it is, never before where it was
+  /// @param h how far it would go
+  double longest(double s, double h) {
+    constexpr double few = 4;
+    while (at_ + 2 < ends_.size() && ends_[at_ + 1] <= s) ++at_;
+    for (std::size_t i = at_; i + 1 < ends_.size() && ends_[i] < s + h; ++i)
+      h = std::min(h, std::max(0.0, ends_[i] - s) + few * (ends_[i + 1] - ends_[i]));
+    return h;
+  }
+
+ private:
+  std::vector<double> ends_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace tumble::detail

@@ -1,0 +1,95 @@
+#include "judge/commands/finish_grading.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+#include "judge/class/class_outputs.hpp"
+#include "judge/class/progress_line.hpp"
+#include "judge/commands/grade_messages.hpp"
+#include "support/text_file.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+/// A row for who is on the roster and has handed in nothing.
+StudentRecord absent_record(const Member& member) {
+  StudentRecord record{!member.who.name.empty()    ? member.who.name
+                       : !member.who.email.empty() ? member.who.email
+                       : !member.who.id.empty()    ? member.who.id
+                                                   : member.login,
+                       1,
+                       0,
+                       "",
+                       {}};
+  record.who = member.who;
+  record.absent = true;
+  return record;
+}
+
+/// All rows of the table, by the students' names.
+std::vector<StudentRecord> rows_of(const ClassRoll& roll, const GradesFolder& folder,
+                                   const CourseSettings& settings) {
+  std::vector<StudentRecord> records = records_of(folder, settings, roll.submissions);
+  std::set<std::string> names;
+  for (const StudentRecord& record : records) names.insert(record.student);
+  for (const Member& member : roll.match.missing) {
+    StudentRecord record = absent_record(member);
+    while (!names.insert(record.student).second) record.student += " (" + member.who.id + ")";
+    records.push_back(std::move(record));
+  }
+  std::stable_sort(
+      records.begin(), records.end(),
+      [](const StudentRecord& a, const StudentRecord& b) { return a.student < b.student; });
+  return records;
+}
+
+/// Says for whom no time was left.
+/// @return whether there is anybody
+bool said_who_is_left(const std::vector<StudentRecord>& records, const GradingRun& run) {
+  const auto left = std::count_if(records.begin(), records.end(),
+                                  [](const StudentRecord& record) { return record.out_of_time; });
+  if (left > 0)
+    std::cerr << "tumble: no time was left for " << left << " of " << records.size()
+              << " submissions; " << run.again << " goes on there\n";
+  return left > 0;
+}
+
+}  // namespace
+
+void keep_settings(const GradesFolder& folder, const std::optional<std::string>& text) {
+  std::error_code was_not_there;
+  if (text)
+    support::write_text(folder.settings(), *text);
+  else
+    fs::remove(folder.settings(), was_not_there);
+}
+
+int finish_class(const ClassRoll& roll, const GradesFolder& folder, const CourseSettings& settings,
+                 const GradingRun& run) {
+  const std::vector<StudentRecord> records = rows_of(roll, folder, settings);
+  const auto written = write_outputs(folder, {settings, records, roll.submissions, roll.lms,
+                                              roll.roster ? &*roll.roster : nullptr});
+  print_grades(settings, records);
+  say_about(roll.left_out, roll.match.strangers, settings, records);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - run.start;
+  std::cerr << "tumble: " << duration_text(taken.count()) << "; grades: ";
+  for (const fs::path& file : written) std::cerr << file.string() << ", ";
+  std::cerr << "one file a student in " << (folder.path / "students").string() << ", for them in "
+            << folder.feedback().string() << "\n";
+  return say_end(records, run);
+}
+
+int say_end(const std::vector<StudentRecord>& records, const GradingRun& run) {
+  if (run.interrupted) {
+    std::cerr << "tumble: interrupted: the grades are those of what was judged; " << run.again
+              << " goes on there\n";
+    return 130;
+  }
+  const bool has_failed = say_failures(run.failed, records, run.again),
+             unfinished = said_who_is_left(records, run);
+  return has_failed ? 2 : unfinished ? 1 : 0;
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,162 @@
+// How much counts wrongly, however the body lies; and what rounding of a file's decimals is not.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "project/harness/inputs.hpp"
+#include "project/harness/refusal.hpp"
+#include "project/harness/scanned_meshes.hpp"
+#include "project/library/mesh/shapes.hpp"
+#include "tumble/mesh/diagnose.hpp"
+#include "tumble/mesh/read_obj.hpp"
+
+using namespace tumble;
+
+namespace {
+
+PolygonMesh two_boxes(const Vec3& low, const Vec3& high) {
+  return test::together(test::cube(), test::box(low, high));
+}
+
+/// Turned and moved anyhow.
+PolygonMesh placed(PolygonMesh mesh, test::Random& random, double scale = 1) {
+  const Quat q = random.rotation();
+  const Vec3 d = random.vector();
+  for (Vec3& p : mesh.vertices) p = scale * (q * p + d);
+  return mesh;
+}
+
+/// What a reader makes of what a program wrote.
+PolygonMesh written(PolygonMesh mesh, const char* format) {
+  for (Vec3& p : mesh.vertices)
+    for (double& x : p) {
+      std::array<char, 64> text{};
+      std::snprintf(text.data(), text.size(), format, x);
+      x = std::strtod(text.data(), nullptr);
+    }
+  return mesh;
+}
+
+/// The share that counts wrongly, 0 if nothing was found.
+MeshDefect crossing_of(const PolygonMesh& mesh, crossings::Search search) {
+  MeshDefect none;
+  none.share = 0;
+  for (const MeshDefect& finding : diagnose(mesh, {}, search)) {
+    CHECK(finding.kind == MeshDefectKind::self_crossing);
+    return finding;
+  }
+  return none;
+}
+
+}  // namespace
+
+TEST_CASE("a crossing: its share is found, within its uncertainty, however the body lies") {
+  struct Case {
+    PolygonMesh mesh;
+    double share;
+  };
+  const auto corner = [](double a) {
+    return Case{two_boxes(Vec3::Constant(1 - a), Vec3::Constant(2)),
+                a * a * a / (1 + (1 + a) * (1 + a) * (1 + a))};
+  };
+  const std::vector<Case> cases = {
+      corner(0.3),
+      corner(0.1),
+      corner(0.04),
+      // An edge that goes in by 0.02 on a length of 0.6.
+      {two_boxes({0.98, 0.98, 0.2}, {1.7, 1.9, 0.8}), 0.02 * 0.02 * 0.6 / (1 + 0.72 * 0.92 * 0.6)},
+      // A side that goes in by 1e-5.
+      {two_boxes({1 - 1e-5, 0, 0}, {2, 1, 1}), 1e-5 / (2 + 1e-5)}};
+  test::Random random(3);
+  for (const Case& one : cases)
+    for (int i = 0; i < 12; ++i) {
+      const MeshDefect found = crossing_of(placed(one.mesh, random), crossings::Search::usual);
+      CAPTURE(one.share);
+      CAPTURE(found.share);
+      CHECK(std::abs(found.share - one.share) <= 2 * found.share_uncertainty + 0.1 * one.share);
+      CHECK(spoils_integrals(found));
+      CHECK(!spoils_integrals(found, 2 * one.share));
+    }
+}
+
+TEST_CASE("a crossing: small ones are found thoroughly, however the body lies") {
+  test::Random random(5);
+  for (const double a : {0.02, 0.01, 1e-3}) {
+    const PolygonMesh mesh = two_boxes(Vec3::Constant(1 - a), Vec3::Constant(2));
+    const double share = a * a * a / (1 + (1 + a) * (1 + a) * (1 + a));
+    for (int i = 0; i < 12; ++i) {
+      const MeshDefect found = crossing_of(placed(mesh, random), crossings::Search::thorough);
+      CAPTURE(a);
+      CAPTURE(found.share);
+      CHECK(found.kind == MeshDefectKind::self_crossing);
+      CHECK(spoils_integrals(found) == (share > 1e-6));
+      if (a > 5e-3)
+        CHECK(std::abs(found.share - share) <= 2 * found.share_uncertainty + 0.1 * share);
+    }
+  }
+}
+
+TEST_CASE("a crossing: parts that touch do not cross, whatever decimals a file has") {
+  const PolygonMesh standing =
+      test::together(test::box({0, 0, 0}, {2, 2, 1}), test::box({0.5, 0.6, 1}, {1.3, 1.2, 1.7}));
+  const PolygonMesh peg = two_boxes({1, 0.4, 0.3}, {1.5, 0.7, 0.6});
+  test::Random random(7);
+  for (const PolygonMesh& mesh : {standing, peg})
+    for (const double scale : {1.0, 1e3})
+      for (const char* format : {"%.17g", "%.9f", "%.6f"})
+        for (int i = 0; i < 10; ++i) {
+          const PolygonMesh read = written(placed(mesh, random, scale), format);
+          CAPTURE(format);
+          for (const auto search : {crossings::Search::usual, crossings::Search::thorough})
+            for (const MeshDefect& finding : diagnose(read, {}, search))
+              CHECK(!spoils_integrals(finding));
+        }
+}
+
+TEST_CASE("a crossing: few digits are a shape's, not a file's") {
+  // 1 − 0.001 has three decimals; that they overlap by a thousandth is no rounding.
+  CHECK_REFUSED(require_body(two_boxes({0.999, 0, 0}, {2, 1, 1})), "of the volume count wrongly");
+  CHECK_REFUSED(require_body(two_boxes({0.99999, 0, 0}, {2, 1, 1})), "of the volume count wrongly");
+}
+
+TEST_CASE("coordinate_rounding: half a unit of the last decimal that is written") {
+  using detail::coordinate_rounding;
+  test::Random random(9);
+  const PolygonMesh body = placed(test::sphere(2), random, 3);
+  CHECK(coordinate_rounding(body) == 0);
+  CHECK(coordinate_rounding(written(body, "%.6f")) == doctest::Approx(5e-7));
+  CHECK(coordinate_rounding(written(body, "%.9f")) == doctest::Approx(5e-10));
+  CHECK(coordinate_rounding(written(body, "%.8e")) == doctest::Approx(5e-9));
+  CHECK(coordinate_rounding(test::cube()) == 0);
+  CHECK(coordinate_rounding(test::moved(test::cube(), 0.125, Vec3(0.25, 0.5, 3))) == 0);
+}
+
+TEST_CASE("a crossing: a scanned body's control cage, however it lies") {
+  if (!test::have_scanned_meshes()) return;
+  const PolygonMesh cage = detail::read_obj(test::scanned_mesh("spot_control.obj"));
+  test::Random random(11);
+  for (int i = 0; i < 8; ++i) {
+    double share = 0;
+    for (const MeshDefect& finding : diagnose(placed(cage, random)))
+      if (finding.kind == MeshDefectKind::self_crossing) share = finding.share;
+    CHECK(std::abs(share - 6.4e-4) <= 0.2e-4);
+  }
+}
+
+TEST_CASE("SpaceGrid: a body whose volume is no double any more has cells all the same") {
+  for (const double size : {1e-150, 1e-110, 1., 1e110, 1e150}) {
+    const Eigen::AlignedBox3d low(Vec3::Zero(), Vec3::Constant(size)),
+        high(Vec3::Constant(size), Vec3::Constant(2 * size));
+    const detail::SpaceGrid grid({{0, {0, 1, 2}, low}, {1, {3, 4, 5}, high}});
+    int found = 0;
+    grid.for_each_cell([&](const detail::SpaceGrid::Cell&, std::span<const int> items) {
+      found += static_cast<int>(items.size());
+    });
+    CHECK(found >= 2);
+  }
+  const Eigen::AlignedBox3d nothing(Vec3::Zero(), Vec3::Zero());
+  const detail::SpaceGrid grid({{0, {0, 1, 2}, nothing}});
+  CHECK(grid.cell_of(Vec3::Zero()) == detail::SpaceGrid::Cell{0, 0, 0});
+}

@@ -1,0 +1,238 @@
+// Scenes in which an error that is stated is easily wrong without a word, or a task has no end.
+#include <doctest/doctest.h>
+
+#include <functional>
+
+#include "project/harness/refusal.hpp"
+#include "reference/rigid_body.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
+#include "tumble/simulate/first_event.hpp"
+#include "tumble/simulate/simulate.hpp"
+
+using namespace tumble;
+
+namespace {
+
+/// Forces of all these scenes are of one type: it is compiled once.
+using AnyForce = std::function<Wrench<>(double, const RigidBody<>&, const Derived<>&)>;
+
+const RigidBody<> unit_ball(1, Mat3::Identity());
+
+RigidBody<> with_moments(const Vec3& J) { return RigidBody<>(1, Mat3(J.asDiagonal())); }
+
+AnyForce centre_spring(double stiffness) {
+  return [stiffness](double, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
+    return {.force = -stiffness * now.x};
+  };
+}
+
+/// A torque about z that comes and goes at t = 500 s, and leaves √π of angular momentum.
+AnyForce pulse(double width) {
+  return [width](double t, const RigidBody<>&, const Derived<>&) -> Wrench<> {
+    const double from = (t - 500) / width;
+    return {.torque = Vec3(0, 0, std::exp(-from * from) / width)};
+  };
+}
+
+const double pulsed_L = std::sqrt(std::acos(-1.0));
+
+}  // namespace
+
+TEST_CASE("hard scenes: the closed form gets the quaternion that was given, to its last digit") {
+  const RigidBody<> needle =
+      with_moments(Vec3(1.1836425592436208e-05, 0.2302488859407652, 0.23024421154724328));
+  const RigidBodyState<> start{
+      Vec3::Zero(),
+      Quat(0.94157244290705844, -0.012769178623973853, 0.33589086271010149, -0.021345050554330714),
+      Vec3::Zero(), Vec3(0.16067652200242358, 0.0024636035610667256, 0.1964506064702331)};
+  const Trajectory motion = simulate(needle, start, {0, 14.16, 1e-9});
+  const Quat truth = FreeTrajectory(needle, start).at(14.16).q;
+  CHECK(angle_between(motion.end().q, truth) <= 1e-15);
+}
+
+TEST_CASE("hard scenes: on a stiff spring the size is the swing, not what the force could do") {
+  RigidBodyState<> start;
+  start.x = Vec3(1, 0, 0);
+  for (const auto& scene : {std::pair{1000.0, 200.0}, {1e4, 50.0}, {100.0, 500.0}}) {
+    const double stiffness = scene.first, t = scene.second;
+    CAPTURE(stiffness);
+    const Trajectory motion = simulate(unit_ball, start, {0, t, 1e-6}, centre_spring(stiffness));
+    const double error = std::abs(motion.end().x.x() - std::cos(std::sqrt(stiffness) * t));
+    CHECK(motion.report().reached());
+    CHECK(error <= 1e-6);
+    CHECK(error <= motion.report().error_estimate);
+  }
+}
+
+TEST_CASE("hard scenes: a pulse is not jumped over") {
+  for (const double width : {50.0, 5.0, 0.5, 0.05}) {
+    CAPTURE(width);
+    const Trajectory motion = simulate(unit_ball, {}, {0, 1000, 1e-6}, pulse(width));
+    CHECK(std::abs(motion.end().L.z() - pulsed_L) <= 1e-6 * pulsed_L);
+    CHECK(motion.report().reached());
+  }
+}
+
+TEST_CASE("hard scenes: a pulse that nobody could find by chance, by a longest step or breaks") {
+  const Trajectory missed = simulate(unit_ball, {}, {0, 1000, 1e-6}, pulse(1e-3));
+  CHECK(missed.end().L.norm() < 1e-3);  // else this test shows nothing
+  const Trajectory found = simulate(unit_ball, {}, {.t1 = 1000, .longest_step = 0.02}, pulse(1e-3));
+  CHECK(std::abs(found.end().L.z() - pulsed_L) <= 1e-6 * pulsed_L);
+  // A motor that runs for a millisecond.
+  const AnyForce motor = [](double t, const RigidBody<>&, const Derived<>&) -> Wrench<> {
+    return {.torque = Vec3(0, 0, t >= 300.0003 && t < 300.0013 ? 1000 : 0)};
+  };
+  const Trajectory run =
+      simulate(unit_ball, {}, {.t1 = 1000, .breaks = {300.0013, 300.0003, -5, 2000}}, motor);
+  // Known to the rounding of the two times, of 5e-14 s each.
+  CHECK(std::abs(run.end().L.z() - 1000 * (300.0013 - 300.0003)) <= 1e-10);
+  CHECK(run.report().rejected == 0);  // no step went across a jump
+  CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .breaks = {NAN}}, motor), "break", "nan");
+  CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .longest_step = 0}, motor), "longest step", "0");
+}
+
+TEST_CASE("hard scenes: what is not a number is refused, and never counts as no error") {
+  SteadyForces bad;
+  bad.at_point = {{Vec3(0, 0, 1), Vec3(NAN, 0, 0)}};
+  CHECK_REFUSED(simulate(unit_ball, {}, {0, 1, 1e-6}, bad), "at_point[0]", "nan");
+  bad = {.force = Vec3(NAN, 0, 0)};
+  CHECK_REFUSED(simulate(unit_ball, {}, {0, 1, 1e-6}, bad), "force", "nan");
+  bad = {.angular_drag = -1};
+  CHECK_REFUSED(simulate(unit_ball, {}, {0, 1, 1e-6}, bad), "angular_drag", "-1");
+  CHECK_REFUSED(RigidBodyRhs(unit_ball, bad), "angular_drag");
+  CHECK(detail::largest({1, NAN, 2}) != detail::largest({1, NAN, 2}));
+  CHECK(detail::largest({NAN, 1}) != detail::largest({NAN, 1}));
+  CHECK(detail::largest({1, 3, 2}) == 3);
+  // A path that leaves the range of doubles.
+  CHECK(test::mentions(test::message_of<std::runtime_error>([] {
+                         simulate(unit_ball, {}, {0, 1e300, 1e-6}, Weight{});
+                       }),
+                       "range"));
+}
+
+TEST_CASE("hard scenes: tiny and huge tensors turn as others do, to the last bit") {
+  const auto end = [](double unit) {
+    const RigidBody<> body(1, Mat3(Vec3(unit, 2 * unit, 2.5 * unit).asDiagonal()));
+    RigidBodyState<> start;
+    start.L = unit * Vec3(0.1, 2, 0.3);
+    return simulate(body, start, {0, 10, 1e-9}).end().q.coeffs().eval();
+  };
+  for (const int exponent : {-664, -300, 300, 600}) {
+    CAPTURE(exponent);
+    CHECK(end(std::ldexp(1.0, exponent)) == end(1));
+  }
+}
+
+TEST_CASE("hard scenes: where the start's last digit counts, the stated error says so") {
+  const reference::Motion& m = reference::free_body;
+  const AnyForce none = [](double, const RigidBody<>&, const Derived<>&) -> Wrench<> { return {}; };
+  for (const double tolerance : {1e-6, 1e-9, 1e-11}) {
+    CAPTURE(tolerance);
+    const Trajectory motion =
+        simulate(RigidBody<>(1, m.I_body), reference::start(m), {0, m.duration, tolerance}, none);
+    CHECK(angle_between(motion.end().q, m.q_end) <= motion.report().error_estimate);
+  }
+}
+
+TEST_CASE("hard scenes: a free body costs the same for any span") {
+  RigidBodyState<> start;
+  start.L = Vec3(0.1, 4, 0.3);
+  const Trajectory motion = simulate(with_moments(Vec3(1, 2, 3)), start, {0, 1e9, 1e-3});
+  CHECK(motion.t1() == 1e9);
+  CHECK(motion.end().q.coeffs().allFinite());
+  // Moments are made when somebody asks for them; a list of them would be 8 MB.
+  CHECK(sizeof(motion) < 1000);
+  CHECK(simulate(with_moments(Vec3(1, 2, 3)), start, {0, 10, 1e-3}).times().size() > 8);
+}
+
+TEST_CASE("hard scenes: what would never end is refused soon, with the number of its steps") {
+  RigidBodyState<> fast;
+  fast.L = Vec3(0, 1e8, 0);
+  const auto refusal = [&](const auto& force) {
+    return test::message_of<std::runtime_error>([&] {
+      simulate(with_moments(Vec3(1, 2, 3)), fast, {0, 100, 1e-6}, force);
+    });
+  };
+  const ForceAtBodyPoint pull{Vec3(0, 0, 1), Vec3(1, 0, 0)};
+  CHECK(test::mentions(refusal(pull), "it would take about", "e+08", "at most 2e+06"));
+  int asked = 0;
+  const AnyForce any = [&](double t, const RigidBody<>& body, const Derived<>& now) -> Wrench<> {
+    ++asked;
+    return pull(t, body, now);
+  };
+  CHECK(test::mentions(refusal(any), "it would take about", "e+", "at most 1e+06"));
+  CHECK(asked < 100'000);
+}
+
+TEST_CASE("hard scenes: a stiff scene is done by the method for stiff ones") {
+  int asked = 0;
+  const AnyForce damped_spring = [&](double, const RigidBody<>&, const Derived<>& now) {
+    ++asked;
+    return Wrench<>{-1e4 * now.x - 1e6 * now.v, -10 * now.omega};
+  };
+  RigidBodyState<> start;
+  start.x = Vec3(1, 0, 0);
+  const Trajectory motion = simulate(unit_ball, start, {0, 500, 1e-6}, damped_spring);
+  CHECK(motion.report().method == "Radau IIA 5");
+  CHECK(motion.report().reached());
+  CHECK(asked < 200'000);
+  // λ = −(1e6 − √(1e12 − 4e4))/2, from the product of the two roots.
+  const double slow = -1e4 / ((1e6 + std::sqrt(1e12 - 4e4)) / 2);
+  for (const double t : {1e-3, 1.0, 123.0, 500.0}) {
+    CAPTURE(t);
+    CHECK(std::abs(motion.at(t).x.x() - std::exp(slow * t)) <= 2e-6);
+  }
+}
+
+TEST_CASE("hard scenes: no time at all, by any force") {
+  RigidBodyState<> start;
+  start.x = Vec3(1, 2, 3);
+  start.q = Quat(2, 0, 0, 0);
+  const Trajectory still = simulate(unit_ball, start, {5, 5, 1e-6}, centre_spring(1));
+  CHECK(still.end().x == start.x);
+  CHECK(still.at(5).q.w() == 1);
+  CHECK(still.report().reached());
+}
+
+TEST_CASE("hard scenes: a late start costs no digits") {
+  RigidBodyState<> start;
+  start.x = Vec3(1, 0, 0);
+  start.L = Vec3(0, 0, 1);
+  for (const double t0 : {0.0, 1e9}) {
+    const Trajectory motion = simulate(unit_ball, start, {t0, t0 + 10, 1e-9}, centre_spring(4));
+    CHECK(motion.report().reached());
+    CHECK(std::abs(motion.end().x.x() - std::cos(20)) <= 1e-9);
+    CHECK(angle_between(motion.end().q, exp_quaternion(Vec3(0, 0, 10))) <= 1e-9);
+    CHECK(motion.times().front() == t0);
+    CHECK(motion.times().back() == t0 + 10);
+  }
+}
+
+TEST_CASE("hard scenes: a quaternion of any length but zero") {
+  for (const double length : {1e-300, 1e-170, 1e-10, 1e200, 1e307}) {
+    CAPTURE(length);
+    RigidBodyState<> start;
+    start.L = Vec3(0.3, 1, -0.5);
+    start.q = Quat(length, 2 * length, 3 * length, 4 * length);
+    RigidBodyState<> same = start;
+    same.q = Quat(1, 2, 3, 4);
+    const RigidBody<> body = with_moments(Vec3(1, 2, 2.5));
+    const ForceAtBodyPoint pull{Vec3(0, 1, -5), Vec3(0.1, 0, 1)};
+    CHECK(angle_between(simulate(body, start, {0, 5, 1e-9}).end().q,
+                        simulate(body, same, {0, 5, 1e-9}).end().q) <= 1e-14);
+    CHECK(angle_between(simulate(body, start, {0, 5, 1e-9}, pull).end().q,
+                        simulate(body, same, {0, 5, 1e-9}, pull).end().q) <= 1e-9);
+    CHECK(angle_between(simulate(body, start, {0, 5, 1e-9}, centre_spring(2)).end().q,
+                        simulate(body, same, {0, 5, 1e-9}).end().q) <= 1e-9);
+  }
+}
+
+TEST_CASE("hard scenes: between steps the motion is as exact as at their ends, at any moment") {
+  RigidBodyState<> start;
+  start.x = Vec3(1, 0, 0);
+  const Trajectory motion = simulate(unit_ball, start, {0, 50, 1e-8}, centre_spring(9));
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = i * 0.05;
+    CHECK(std::abs(motion.at(t).x.x() - std::cos(3 * t)) <= 1e-8);
+  }
+}

@@ -1,0 +1,24 @@
+// A fixed sample of the random scenes of `./tumble bench dynamics --only honesty`: what simulate()
+// says of its error is no more than ten times too little, and what it says it reached, it has.
+#include <doctest/doctest.h>
+
+#include "project/harness/honesty_table.hpp"
+
+using namespace tumble;
+
+TEST_CASE("random scenes: nothing is silently wrong") {
+  constexpr std::uint64_t scenes = 160;
+  std::vector<test::Answer> answers;
+  for (std::uint64_t seed = 5000; seed < 5000 + scenes; ++seed) {
+    CAPTURE(seed);
+    const auto answer = test::answer_for(test::motion_scene(seed));
+    if (!answer) continue;
+    INFO("asked ", answer->asked, ", stated ", answer->stated, ", true ", answer->truth);
+    if (answer->refused.empty()) CHECK(answer->per_stated() <= 10);
+    answers.push_back(*answer);
+  }
+  INFO(test::honesty_table(answers).text());
+  CHECK(answers.size() >= 0.85 * scenes);
+  CHECK(test::per_asked(answers).part(0.99) <= 1);
+  CHECK(test::per_asked(answers).size() >= 0.8 * static_cast<double>(answers.size()));
+}
