@@ -101,8 +101,8 @@ std::vector<Pair> overlapping_pairs(const std::vector<Bounds>& bounds, const Mee
 /// an overlap, which is a negative gap. Give the largest gap of all directions. If it is positive,
 /// the boxes are apart, and a plane with this normal between them proves it. If it is negative, it
 /// is the least that you must move one of them to free it.
-/// @param a, b boxes anywhere, with edges of 1e-6 to 1e6 m. Edges of both may be parallel: leave
-///             their product out, also when it is zero only but for rounding
+/// @param a, b boxes anywhere, with edges of 1e-6 to 1e6 m. An edge of A and one of B are at 0.01
+///             rad or more to each other, or parallel to rounding: leave their product out then
 /// @return the largest gap, to rounding of the places (you must lose no digit if both boxes are
 ///         1e8 m away from the origin), and its direction, from A to B: what the direction belongs
 ///         to, if two of them have the same gap, is up to you
@@ -112,11 +112,12 @@ Separation separation(const Box& a, const Box& b);
 /// Conservative advancement: two bodies that are d apart and come together with `speed` at most
 /// can't touch before the time d/speed from now. So go there, and look again.
 /// @param gap       their distance; the largest change per second is `speed`. Each evaluation is
-///                  expensive: don't evaluate it at a time that you know already, nor at a time
-///                  that is later than it must be
+///                  expensive: don't evaluate it twice at the same time, and don't make more than
+///                  twice as many steps as you must
 /// @param speed     bound on |d gap/dt| [m/s], positive
 /// @param t0, t1    from when to when you look [s], t0 ≤ t1
-/// @param tolerance a gap that is not larger counts as touching [m], positive
+/// @param tolerance a gap that is not larger counts as touching [m]: positive, and large enough
+///                  for the rounding of times to move nothing as far as that
 /// @return the first of the times that you looked at where gap(t) ≤ tolerance; `found` is false if
 ///         there is none up to t1. Between t0 and the answer the gap is nowhere below 0, however
 ///         fast they are. A gap ≤ tolerance at t0 is a contact at t0
