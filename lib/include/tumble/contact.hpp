@@ -1,0 +1,15 @@
+#pragma once
+/// @file
+/// Everything about bodies that hit each other.
+
+/// @defgroup contact Contact
+/// Everything about bodies that hit each other.
+
+#include "tumble/contact/contact_matrix.hpp"
+#include "tumble/contact/friction_cone.hpp"
+#include "tumble/contact/friction_impulse.hpp"
+#include "tumble/contact/impact.hpp"
+
+/// What a hit leaves: impulses, with and without friction, that never create energy.
+/// @ingroup contact
+namespace tumble::contact {}

@@ -1,0 +1,51 @@
+#pragma once
+/// @file
+/// Which way friction points while a contact lasts: against the slip, and where there is none, so
+/// that none begins, if μ allows it.
+///
+/// All in the contact's own axes: two along the surface, the third one along the normal.
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "tumble/core/types.hpp"
+
+namespace tumble::contact::detail {
+
+using Vec2 = Eigen::Vector2d;
+using Mat2 = Eigen::Matrix2d;
+
+/// Friction per normal impulse that keeps a contact at rest: K_tt f + K_tn = 0.
+inline Vec2 holding_friction(const Mat3& K) {
+  const Mat2 K_tt = K.topLeftCorner<2, 2>();
+  return -K_tt.ldlt().solve(Vec2(K.topRightCorner<2, 1>()));
+}
+
+/// The direction in which a contact begins to slide that friction cannot hold: the one in which it
+/// is accelerated, K_tn − μ K_tt s = λ s with λ > 0. There is exactly one: |(λ + μ K_tt)⁻¹ K_tn|
+/// falls with λ, and is above 1 at λ = 0 because μ does not suffice. Source for its being unique:
+/// Batlle, "Rough balanced collisions", J. Applied Mechanics 63 (1996).
+inline Vec2 direction_of_escape(const Mat3& K, double mu) {
+  const Eigen::SelfAdjointEigenSolver<Mat2> axes(K.topLeftCorner<2, 2>());
+  const Vec2 stiffness = mu * axes.eigenvalues();
+  const Vec2 push = axes.eigenvectors().transpose() * K.topRightCorner<2, 1>();
+  const auto slide = [&](double lambda) -> Vec2 {
+    return push.cwiseQuotient(stiffness + Vec2::Constant(lambda));
+  };
+  double low = 0, high = push.norm();  // |slide(|push|)| < 1
+  for (int i = 0; i < 200 && std::nextafter(low, high) < high; ++i) {
+    const double middle = low + (high - low) / 2;
+    (slide(middle).squaredNorm() > 1 ? low : high) = middle;
+  }
+  return axes.eigenvectors() * slide(high).normalized();
+}
+
+/// What presses per normal impulse: friction and the normal itself.
+inline Vec3 pressing(const Vec2& friction) { return {friction.x(), friction.y(), 1}; }
+
+/// The size of the velocities that add up to a slip [m/s].
+inline double speed_scale(const Mat3& K, const Vec3& u, const Vec3& j) {
+  return u.norm() + K.norm() * j.norm();
+}
+
+}  // namespace tumble::contact::detail
