@@ -150,9 +150,8 @@ Eigen::Vector3d collide(const Eigen::Matrix3d& K, const Eigen::Vector3d& u,
 /// normal impulse drives it, against friction μ. A contact that begins without slip begins there.
 ///
 /// The contact ends by Stronge's law. Up to the moment when u_n = 0 the normal impulse takes the
-/// work W = −∫ u_n dp, and from then on it gives e² W back. If u_n falls below 0 again before that
-/// is done, friction has pressed the bodies together again: then go on, add to W what is taken,
-/// and give back e² of the new W in all, minus what was given.
+/// work W = −∫ u_n dp, and from then on it gives back e² W. Then the contact is over. In a plane
+/// there is exactly one such moment: u_n may fall at first, but once it grows, it grows to the end.
 /// @param K  what both points answer to an impulse, added [1/kg]: symmetric, positive definite
 /// @param u  velocity of the first body's point less that of the second one's [m/s]; u_n ≥ 0 gets
 ///           no impulse, and is not jammed
