@@ -65,7 +65,7 @@ struct Course {
   /// The first p after the moment at which u_n grows where it is v; infinite if there is none.
   double where_u_n_is(double v) const {
     if (a > 0 && (v - u_n) / a <= rest) return (v - u_n) / a;
-    return std::isinf(rest) ? never : rest + (v - u_n_at(rest)) / b;
+    return std::isinf(rest) || b <= 0 ? never : rest + (v - u_n_at(rest)) / b;
   }
   double closest() const { return where_u_n_is(0); }
   /// ∫ u_n dp from p to q, where the slip doesn't end between them.
@@ -114,9 +114,12 @@ struct Law {
   Vec2 impulse(const Contact& c) const {
     if (c.u[1] >= 0) return Vec2::Zero();
     const Course way = course(c);
-    return std::isinf(way.closest()) ? Vec2(Vec2::Zero()) : way.impulse(end(way, c.e));
+    if (std::isinf(way.closest())) return Vec2::Constant(NAN);  // of a wrong law: it has no end
+    return way.impulse(end(way, c.e));
   }
-  PlanarImpulse operator()(const Contact& c) const { return {impulse(c), c.jammed()}; }
+  PlanarImpulse operator()(const Contact& c) const {
+    return {impulse(c), c.u[1] < 0 && course(c).a <= 0};
+  }
 };
 
 PlanarImpulse right(const Contact& c) { return Law{}(c); }
@@ -459,7 +462,11 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
      {"friction after the slip has ended",
       "Your friction goes on in the same direction when the slip is at its end, so it drives the "
       "point the other way. Look at the slip again there.",
-      "The slip may turn round", as(Law{.at_rest = against_slip})},
+      "The slip may turn round",
+      as(Law{.at_rest =
+                 [](const Contact& c) {
+                   return c.u[0] == 0 ? held_if_possible(c) : against_slip(c);
+                 }})},
      {"held by more than μ",
       "When the slip has ended you hold the point at rest, whatever that takes. Friction can't be "
       "larger than μ per unit of p.",
