@@ -83,8 +83,8 @@ void Way::hit(const BallAndFloor& ball, BallState& now) const {
 }
 
 Bounces Way::end(const Scene& s, Bounces bounces, double t, double next_flight) const {
-  const double flights = one_flight ? 1 : 1 / (1 - s.ball.e);
-  const double time = t + rest * flights * next_flight;
+  const double all_flights = next_flight > 0 && !one_flight ? 1 / (1 - s.ball.e) : 1;
+  const double time = t + rest * all_flights * next_flight;
   bounces.at_rest = time <= s.t1 || rests_later;
   bounces.rest_time = bounces.at_rest ? time : 0;
   return bounces;
@@ -349,6 +349,8 @@ TEST_SUITE(TUMBLE_UNIT) {
         s.t1 = s.start.t + 2 * (s.rest_time() - s.start.t) + 1;
         REQUIRE(ask(s) == as_expected(s));
       }
+      s.ball.e = 1;
+      REQUIRE(ask(s) == as_expected(s));
     }
   }
 
@@ -360,7 +362,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       REQUIRE(ask(s) == as_expected(s));
       s.t1 = s.start.t + 0.9 * (first - s.start.t);
       REQUIRE(ask(s) == as_expected(s));
-      // 0.3, 0.1 … of the first flight after the second contact, and of later ones.
+      // In the flight after the first contact, in the one after the second, and just after all.
       const double flight = 2 * s.ball.e * s.landing() / s.ball.gravity;
       s.t1 = first + 0.5 * flight;
       REQUIRE(ask(s) == as_expected(s));
