@@ -175,8 +175,8 @@ PlanarImpulse collide_with_friction(const Eigen::Matrix2d& K, const Eigen::Vecto
 /// @param scene the ball and the floor
 /// @param start the ball above the floor, or just on it. If it is on it, and v_z < 0, it lands at
 ///              once; if v_z = 0, it is at rest since start.t
-/// @param t1    contacts after this time don't count [s]. If the rest_time would be later, the ball
-///              is not at rest, and rest_time is 0
+/// @param t1    contacts after this time, which is start.t or later, don't count [s]. If the
+///              rest_time would be later, the ball is not at rest, and rest_time is 0
 /// @return all contacts, to rounding: errors may grow with the number of contacts
 Bounces bounce(const BallAndFloor& scene, const BallState& start, double t1);
 

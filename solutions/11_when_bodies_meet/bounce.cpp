@@ -33,7 +33,7 @@ void hit(const BallAndFloor& scene, BallState& ball) {
 Bounces bounce(const BallAndFloor& scene, const BallState& start, double t1) {
   BallState ball = start;
   const double above = ball.x.z() - (scene.height + scene.radius);
-  if (above == 0 && ball.v.z() == 0) return {{}, ball.t <= t1, ball.t <= t1 ? ball.t : 0};
+  if (above == 0 && ball.v.z() == 0) return {{}, true, ball.t};
   // above + v t − ½ g t² = 0
   const double landing = std::sqrt(ball.v.z() * ball.v.z() + 2 * scene.gravity * above);
   double flight = (ball.v.z() + landing) / scene.gravity, speed = landing;
