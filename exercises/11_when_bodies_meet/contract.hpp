@@ -151,9 +151,8 @@ Eigen::Vector3d collide(const Eigen::Matrix3d& K, const Eigen::Vector3d& u,
 /// normal impulse drives it, against friction μ. A contact that begins without slip begins there.
 ///
 /// The contact ends by Stronge's law. Up to the moment when u_n = 0 the normal impulse takes the
-/// work W = −∫ u_n dp, and from then on it gives e² W back. If u_n falls below 0 again before that
-/// is done, friction has pressed the bodies together again: then go on, add to W what is taken,
-/// and give back e² of the new W in all, minus what was given.
+/// work W = −∫ u_n dp, and from then on it gives back e² W. Then the contact is over. In a plane
+/// there is exactly one such moment: u_n may fall at first, but once it grows, it grows to the end.
 /// @param K  what both points answer to an impulse, added [1/kg]: symmetric, positive definite
 /// @param u  velocity of the first body's point less that of the second one's [m/s]; u_n ≥ 0 gets
 ///           no impulse, and is not jammed
@@ -177,8 +176,8 @@ PlanarImpulse collide_with_friction(const Eigen::Matrix2d& K, const Eigen::Vecto
 /// @param scene the ball and the floor
 /// @param start the ball above the floor, or just on it. If it is on it, and v_z < 0, it lands at
 ///              once; if v_z = 0, it is at rest since start.t
-/// @param t1    contacts after this time don't count [s]. If the rest_time would be later, the ball
-///              is not at rest, and rest_time is 0
+/// @param t1    contacts after this time, which is start.t or later, don't count [s]. If the
+///              rest_time would be later, the ball is not at rest, and rest_time is 0
 /// @return all contacts, to rounding: errors may grow with the number of contacts
 Bounces bounce(const BallAndFloor& scene, const BallState& start, double t1);
 
