@@ -1,0 +1,57 @@
+/// @file
+/// What steps make of a ball that is dropped, and what flights make of it.
+
+#include "dropped_ball.hpp"
+#include "parts.hpp"
+
+namespace contact_chapter {
+
+namespace {
+
+constexpr double ball_time = 20;
+
+void add_ball_row(Table& table, const std::string& method, int work, const Falling& ball) {
+  const Falling truth = in_truth(ball_time);
+  const double energy = energy_of(ball) / energy_of(truth) - 1;
+  const bool exact = std::abs(energy) < 1e-12;
+  table.add({method, std::to_string(work),
+             exact ? error_or_rounding(ball.z - truth.z) : rounded(std::abs(ball.z - truth.z), 2),
+             exact ? error_or_rounding(energy) : percent(energy)});
+}
+
+}  // namespace
+
+Table ball_table() {
+  Table table({"method", "steps or contacts", "place off [m]", "energy off"});
+  for (const int rate : {60, 3840})
+    for (const Turn turn : {Turn::when_below, Turn::before_it_would_pass}) {
+      Falling ball{dropped_from, 0};
+      const int steps = static_cast<int>(ball_time) * rate;
+      for (int i = 0; i < steps; ++i) ball = stepped(ball, 1. / rate, turn);
+      const std::string name = turn == Turn::when_below ? "turn v round when below the floor"
+                                                        : "turn v round before it would pass";
+      add_ball_row(table, std::to_string(rate) + " Hz: " + name, steps, ball);
+    }
+  int contacts = 0;
+  const Falling ball = by_flights(ball_time, contacts);
+  add_ball_row(table, "closed form, time of contact exact", contacts, ball);
+  return table;
+}
+
+std::string dropped_figure() {
+  Plot plot{"a ball dropped from 5 m that loses nothing", {"time [s]"}, {"height [m]"}, {}};
+  Series exact{"exact", {}, {}, support::Look::dashed};
+  Series below{"60 Hz: turned when below", {}, {}}, before{"60 Hz: turned before", {}, {}};
+  Falling a{dropped_from, 0}, b{dropped_from, 0};
+  for (int i = 0; i <= 20 * 60; ++i) {
+    const double t = i / 60.;
+    for (Series* series : {&exact, &below, &before}) series->x.push_back(t);
+    exact.y.push_back(in_truth(t).z), below.y.push_back(a.z), before.y.push_back(b.z);
+    a = stepped(a, 1. / 60, Turn::when_below);
+    b = stepped(b, 1. / 60, Turn::before_it_would_pass);
+  }
+  plot.series = {exact, below, before};
+  return support::to_svg(plot);
+}
+
+}  // namespace contact_chapter

@@ -1,0 +1,48 @@
+#pragma once
+/// @file
+/// A ball that is dropped and loses nothing, by formula and by steps.
+
+#include "common.hpp"
+
+namespace contact_chapter {
+
+/// Height and velocity upwards.
+struct Falling {
+  double z, v;
+};
+
+inline constexpr double dropped_from = 5;  ///< [m]
+
+inline double energy_of(const Falling& ball) { return gravity * ball.z + ball.v * ball.v / 2; }
+
+/// By flights, each a formula that ends at its contact.
+/// @param contacts how many there were
+inline Falling by_flights(double t, int& contacts) {
+  const double first = std::sqrt(2 * dropped_from / gravity), speed = gravity * first;
+  if (t < first) return {dropped_from - gravity * t * t / 2, -gravity * t};
+  double since = t - first;
+  contacts = 1;
+  for (const double flight = 2 * speed / gravity; since >= flight; since -= flight) ++contacts;
+  return {speed * since - gravity * since * since / 2, speed - gravity * since};
+}
+
+/// The same without a loop, as the truth: the motion repeats itself.
+inline Falling in_truth(double t) {
+  const double first = std::sqrt(2 * dropped_from / gravity);
+  const double from_top = std::remainder(t, 2 * first);
+  return {dropped_from - gravity * from_top * from_top / 2, -gravity * from_top};
+}
+
+/// When a program that takes steps turns the velocity round.
+enum class Turn { when_below, before_it_would_pass };
+
+/// One step of a game: first the velocity, then the place.
+inline Falling stepped(Falling ball, double h, Turn turn) {
+  ball.v -= h * gravity;
+  if (turn == Turn::before_it_would_pass && ball.z + h * ball.v < 0) ball.v = std::abs(ball.v);
+  ball.z += h * ball.v;
+  if (turn == Turn::when_below && ball.z < 0) ball.v = std::abs(ball.v);
+  return ball;
+}
+
+}  // namespace contact_chapter

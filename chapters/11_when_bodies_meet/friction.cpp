@@ -1,0 +1,83 @@
+/// @file
+/// Friction during the impact: one rod, a thousand impacts, and Painlevé's rod.
+
+#include "laws.hpp"
+#include "parts.hpp"
+
+namespace contact_chapter {
+
+namespace {
+
+struct Law {
+  std::string name;
+  PlanarResult (*of)(const PlanarImpact&);
+};
+
+const std::array<Law, 3> laws{{{"usual: Newton, slip of the start", usual_law},
+                               {"Poisson, slip followed", poisson_law},
+                               {"Stronge, slip followed", stronge_law}}};
+
+/// A body of 1 kg and inertia 1 kg m² that is hit somewhere, with u_n < 0.
+PlanarImpact random_impact(support::Random& random) {
+  const double angle = random.uniform(0, 2 * pi), reach = random.uniform(0.2, 3);
+  const Vec2 turning = reach * Vec2(std::cos(angle), std::sin(angle));
+  const double slip = random.uniform(), e = random.uniform(0, 1), mu = random.uniform(0, 1);
+  return {
+      Mat2::Identity() + turning * turning.transpose(), {slip, -random.uniform(0.05, 1)}, e, mu};
+}
+
+}  // namespace
+
+Table rod_table() {
+  Table table(
+      {"law", "impulse [N s]", "velocity after [m/s]", "energy [J]", "of ½ uᵀK⁻¹u", "of ½ m u²"});
+  const PlanarImpact rod = hook_rod();
+  const auto pair = [](const Vec2& v) {
+    return "(" + rounded(v.x()) + ", " + rounded(v.y()) + ")";
+  };
+  for (const Law& law : laws) {
+    const PlanarResult after = law.of(rod);
+    const double change = energy_change(rod, after);
+    table.add({law.name, pair(after.impulse), pair(after.u), rounded(change, 4),
+               percent(change / energy_at_stake(rod)),
+               percent(change / (rod.u.squaredNorm() / 2))});
+  }
+  return table;
+}
+
+Table laws_table() {
+  Table table(
+      {"law", "gain energy", "worst gain, of ½ uᵀK⁻¹u", "the normal gives more than it took"});
+  for (const Law& law : laws) {
+    support::Random random(1);
+    int gains = 0, normal_gains = 0;
+    double worst = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const PlanarImpact impact = random_impact(random);
+      const PlanarResult after = law.of(impact);
+      const double gain = energy_change(impact, after) / energy_at_stake(impact);
+      if (ContactPath(impact).taken(after.impulse.y()) < -1e-9) ++normal_gains;
+      if (gain > 1e-9) ++gains;
+      worst = std::max(worst, gain);
+    }
+    table.add({law.name, std::to_string(gains), worst < 1e-9 ? "none" : percent(worst),
+               std::to_string(normal_gains)});
+  }
+  return table;
+}
+
+Table painleve_table() {
+  constexpr double mu = 1.5;
+  Table table({"angle", "K_nn", "|K_nt|", "jams from μ =", "K_nn − 1.5 |K_nt|", "jams at μ = 1.5"});
+  for (const double angle : {20., 30., 40., 50., 60., std::atan(2.) / degree, 70., 80.}) {
+    const Mat2 K = tip_of_rod(angle * degree);
+    // The slip that presses: friction against it pushes the tip down.
+    const PlanarImpact impact{K, {std::copysign(1, K(0, 1)), -0.1}, 0, mu};
+    table.add({rounded(angle, 1) + "°", rounded(K(1, 1)), rounded(std::abs(K(0, 1))),
+               rounded(K(1, 1) / std::abs(K(0, 1))), rounded(K(1, 1) - mu * std::abs(K(0, 1))),
+               yes_or_no(contact::collide_with_friction(in_space(impact)).jammed)});
+  }
+  return table;
+}
+
+}  // namespace contact_chapter
