@@ -77,16 +77,18 @@ FirstContact by_bisection(const Search& q) {
   return none;
 }
 
-/// Guesses the speed from the last two gaps, as Newton's and the secant method do.
+/// Guesses the speed from the last two gaps, as Newton's and the secant method do. It looks at t1
+/// before it gives up, so that it doesn't answer as those do who never begin.
 FirstContact by_secants(const Search& q) {
   double before = q.t0, gap_before = q.gap(before);
   if (gap_before <= q.tolerance) return {true, before};
   double t = q.t0 + gap_before / q.speed;
-  for (int n = 0; n < 100 && t >= q.t0 && t <= q.t1; ++n) {
+  for (int n = 0; n < 100 && t <= q.t1; ++n) {
     const double gap = q.gap(t);
     if (gap <= q.tolerance) return {true, t};
     const double closing = (gap_before - gap) / (t - before);
-    before = std::exchange(t, t + gap / closing);
+    const double next = t + gap / (closing > 0 ? closing : q.speed);
+    before = std::exchange(t, t < q.t1 ? std::min(next, q.t1) : next);
     gap_before = gap;
   }
   return none;
@@ -293,6 +295,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(is_right({gap, 1.5, 0, 4, 1e-6}));
     REQUIRE(is_right({gap, 1.5, 0, 0, 1e-6}));
     REQUIRE(is_right({[](double) { return 0.; }, 1.5, 3, 3, 1e-6}));
+    REQUIRE(is_right({[](double) { return 1e-6; }, 1.5, 3, 3, 1e-6}));  // not larger: it touches
   }
 
   TEST_CASE("small and large: a thousandth of a second, a year, tolerances from 1 mm to 1 nm") {

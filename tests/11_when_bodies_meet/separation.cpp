@@ -149,6 +149,16 @@ Two edge_on_edge(double gap) {
   return two;
 }
 
+/// Two long rods, edge over edge, that cross at a small angle.
+Two crossing_rods(double angle, double gap) {
+  const Mat3 world = any_rotation();
+  const Mat3 roof = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX()).toRotationMatrix();
+  const Mat3 aside = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+  const Vec3 size(any_number(2, 4) / angle, 1, 1), place = any_vector(1);
+  const Vec3 above = place + world * Vec3(0, 0, std::sqrt(2.) + gap);
+  return {{place, world * roof, size}, {above, world * aside * roof, size}};
+}
+
 Box moved(Box box, const Mat3& turn, const Vec3& shift) {
   box.centre = turn * box.centre + shift;
   box.R = turn * box.R;
@@ -185,6 +195,10 @@ TEST_SUITE(TUMBLE_UNIT) {
                                                    std::abs(student::separation(a, b)->gap - gap),
                                                    rounding(a, b)));
       }
+    for (const double angle : {0.015, 0.03, 0.08}) {  // [rad]
+      const auto [a, b] = crossing_rods(angle, any_number(0.05, 0.2));
+      REQUIRE(is_right(a, b));
+    }
   }
 
   TEST_CASE("swapped boxes have the same gap, and a normal that is turned round") {

@@ -59,7 +59,7 @@ class HandedOut {
   TemporaryFolder folder_;
 };
 
-/// "1-10", or whatever the last chapter is.
+/// "1-11", or whatever the last chapter is.
 inline std::string all_chapters() {
   int last = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(root() / "solutions"))
