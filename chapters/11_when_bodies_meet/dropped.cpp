@@ -39,9 +39,9 @@ Table ball_table() {
 }
 
 std::string dropped_figure() {
-  Plot plot{"a ball dropped from 5 m that loses nothing", {"time [s]"}, {"height [m]"}, {}};
-  Series exact{"exact", {}, {}, support::Look::dashed};
-  Series below{"60 Hz: turned when below", {}, {}}, before{"60 Hz: turned before", {}, {}};
+  Plot plot{"dropped from 5 m, e = 1", {"time [s]"}, {"height [m]"}, {}};
+  Series exact{"closed form", {}, {}, support::Look::dashed};
+  Series below{"60 Hz: when below", {}, {}}, before{"60 Hz: before", {}, {}};
   Falling a{dropped_from, 0}, b{dropped_from, 0};
   for (int i = 0; i <= 20 * 60; ++i) {
     const double t = i / 60.;

@@ -80,4 +80,48 @@ Table painleve_table() {
   return table;
 }
 
+// ── The slip over the normal impulse ──
+
+namespace {
+
+struct SlipCurves {
+  Series slip, normal;
+
+  void add(double p, const Vec2& u) {
+    slip.x.push_back(p), slip.y.push_back(u.x());
+    normal.x.push_back(p), normal.y.push_back(u.y());
+  }
+};
+
+/// The law that follows the slip.
+SlipCurves followed_slip(const PlanarImpact& rod) {
+  SlipCurves curves{{"u_t, followed", {}, {}, support::Look::line, "c0", 2.4},
+                    {"u_n, followed", {}, {}, support::Look::line, "c2", 2.4}};
+  const ContactPath path(rod);
+  const double end = stronge_law(rod).impulse.y();
+  for (const double p : {0., path.rest(), path.closest(), end}) curves.add(p, path.velocity(p));
+  return curves;
+}
+
+/// The usual law: friction against the slip of the start, to the end.
+SlipCurves usual_slip(const PlanarImpact& rod) {
+  SlipCurves curves{{"u_t, usual law", {}, {}, support::Look::dashed, "c0", 1.8},
+                    {"u_n, usual law", {}, {}, support::Look::dashed, "c2", 1.8}};
+  const PlanarResult after = usual_law(rod);
+  curves.add(0, rod.u);
+  curves.add(after.impulse.y(), after.u);
+  return curves;
+}
+
+}  // namespace
+
+std::string slip_figure() {
+  const PlanarImpact rod = hook_rod();
+  const SlipCurves ours = followed_slip(rod), usual = usual_slip(rod);
+  const Series turn{"turns", {ContactPath(rod).rest()}, {0}, support::Look::dots, "c6"};
+  Plot plot{"during the impact", {"normal impulse p [N s]"}, {"velocity of the tip [m/s]"}, {}};
+  plot.series = {ours.slip, ours.normal, usual.slip, usual.normal, turn};
+  return support::to_svg(plot);
+}
+
 }  // namespace contact_chapter

@@ -16,5 +16,12 @@ int main(int argc, char** argv) {
   chapter.table("painleve", "A slender rod that jams", painleve_table);
   chapter.table("zeno", "A ball that comes to rest", zeno_table);
   chapter.figure("dropped", dropped_figure);
+  chapter.figure("plane", plane_figure);
+  chapter.figure("staircase", staircase_figure);
+  chapter.figure("answers", answers_figure);
+  chapter.figure("rod", rod_figure);
+  chapter.figure("slip", slip_figure);
+  chapter.figure("bounces", bounces_figure);
+  chapter.figure("zeno", zeno_figure);
   return chapter.run(argc, argv);
 }

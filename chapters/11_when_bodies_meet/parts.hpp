@@ -15,6 +15,18 @@ using tumble::support::Table;
 /// A rod that is hit at its end, small enough for paper.
 Table by_hand_table();
 
+// ── bounces.cpp ──
+
+/// A ball with back-spin, from contact to contact.
+std::string bounces_figure();
+
+// ── diagrams.cpp ──
+
+/// What impulses at the end of a rod do to its velocity.
+std::string answers_figure();
+/// The rod that jumps up, by two laws.
+std::string rod_figure();
+
 // ── dropped.cpp ──
 
 /// A ball that is dropped, by steps and by flights.
@@ -30,6 +42,13 @@ Table rod_table();
 Table laws_table();
 /// At which angles a slender rod jams.
 Table painleve_table();
+/// The tip's velocity while the normal impulse grows.
+std::string slip_figure();
+
+// ── plane.cpp ──
+
+/// Two boxes and the plane between them.
+std::string plane_figure();
 
 // ── sweep.cpp ──
 
@@ -40,10 +59,14 @@ Table sweep_table();
 
 /// A bullet and a thin plate.
 Table tunnel_table();
+/// Conservative advancement of a rod that turns and sinks.
+std::string staircase_figure();
 
 // ── zeno.cpp ──
 
 /// When a ball bounces, and how high.
 Table zeno_table();
+/// The height of such a ball, and how high it will rise.
+std::string zeno_figure();
 
 }  // namespace contact_chapter

@@ -90,4 +90,61 @@ Table tunnel_table() {
   return table;
 }
 
+// ── The rod ──
+
+namespace {
+
+/// A rod of 2 m that turns and sinks: from its lower end to the floor. Its centre sinks with
+/// 0.35 m/s, and its ends turn with 5 m/s.
+double turning_rod_gap(double t) { return 1.45 - 0.35 * t - std::abs(std::sin(5 * t)); }
+
+constexpr double rod_speed = 0.35 + 5, rod_time = 1.6;
+
+/// On the sheet [px]: 1 s is 440 px wide, 1 m is 230 px high.
+Vec2 on_sheet(double t, double gap) { return {440 * t, 230 * gap}; }
+
+std::vector<Vec2> turning_rod_curve() {
+  std::vector<Vec2> curve;
+  for (double t = 0; turning_rod_gap(t) >= 0; t += 0.002)
+    curve.push_back(on_sheet(t, turning_rod_gap(t)));
+  return curve;
+}
+
+void draw_scales(Sketch& sketch) {
+  sketch.arrow({0, 0}, on_sheet(1.58, 0), {"ink", 1.5});
+  sketch.arrow({0, 0}, on_sheet(0, 1.6), {"ink", 1.5});
+  for (const double at : {0.5, 1., 1.5}) {
+    sketch.curve({on_sheet(at, 0), on_sheet(at, -0.02)}, {"ink", 1.5});
+    sketch.words(on_sheet(at, 0), {0, 22}, number(at), "ink", "middle");
+    sketch.curve({on_sheet(0, at), on_sheet(-0.01, at)}, {"ink", 1.5});
+    sketch.words(on_sheet(0, at), {-10, 5}, number(at), "ink", "end");
+  }
+  sketch.words({0, 0}, {-10, 22}, "0", "ink", "middle");
+  sketch.words(on_sheet(0.75, 0), {0, 42}, "time [s]", "ink", "middle");
+  sketch.words(on_sheet(0, 1.6), {12, 4}, "gap [m]");
+}
+
+}  // namespace
+
+std::string staircase_figure() {
+  Sketch sketch(760, 450, "Conservative advancement: from gap to gap, to the contact", 15);
+  sketch.look({48, 392, 1});
+  std::vector<std::vector<Vec2>> worst;
+  std::vector<Vec2> looks;
+  Watched gap{turning_rod_gap};
+  by_advancement(gap, rod_speed, rod_time, [&](double t, double distance) {
+    looks.push_back(on_sheet(t, distance));
+    worst.push_back({on_sheet(t, distance), on_sheet(t + distance / rod_speed, 0),
+                     on_sheet(t + distance / rod_speed, gap.gap(t + distance / rod_speed))});
+  });
+  draw_scales(sketch);
+  sketch.curves(worst, {"c1", 1.3});
+  sketch.curve(turning_rod_curve(), {"c0", 2.4});
+  sketch.dots(looks, "c1", 3.6);
+  sketch.words(on_sheet(0.66, 1.22), {0, 0}, "the gap", "c0");
+  sketch.words(on_sheet(0.13, 1.22), {0, 0}, "at most this fast", "c1");
+  sketch.words(looks.back(), {4, -12}, "contact", "ink");
+  return sketch.svg();
+}
+
 }  // namespace contact_chapter

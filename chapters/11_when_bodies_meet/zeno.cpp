@@ -36,4 +36,55 @@ Table zeno_table() {
   return table;
 }
 
+namespace {
+
+/// Height over time: of each flight a few points of its parabola.
+Series zeno_path(double e) {
+  Series path{"e = " + number(e), {}, {}};
+  for (int k = 0; k < 60; ++k) {
+    const double speed = std::sqrt(2 * gravity * zeno_rise(e, k)), flight = 2 * speed / gravity;
+    // It begins at the top of a flight.
+    const double start = k == 0 ? -zeno_first() : zeno_contact(e, k);
+    for (int i = k == 0 ? 16 : 0; i <= 32; ++i) {
+      const double t = flight * i / 32;
+      path.x.push_back(start + t);
+      path.y.push_back(speed * t - gravity * t * t / 2);
+    }
+  }
+  return path;
+}
+
+/// How high it will rise: a step down at each contact.
+Series zeno_stairs(double e) {
+  Series stairs{"e = " + number(e), {0}, {zeno_height}};
+  for (int k = 1; zeno_rise(e, k - 1) > 1e-9; ++k) {
+    const double t = zeno_contact(e, k);
+    stairs.x.insert(stairs.x.end(), {t, t});
+    stairs.y.insert(stairs.y.end(), {zeno_rise(e, k - 1), zeno_rise(e, k)});
+  }
+  return stairs;
+}
+
+/// The time after which it rests, from the top of the plot to its floor.
+Series zeno_wall(double e, double low, const std::string& colour) {
+  return {"t₀ (1 + e)/(1 − e)",
+          {zeno_end(e), zeno_end(e)},
+          {1, low},
+          support::Look::dashed,
+          colour,
+          1.2};
+}
+
+}  // namespace
+
+std::string zeno_figure() {
+  Plot heights{"the height", {"time [s]"}, {"height [m]"}, {}};
+  Plot rises{"how high it will rise", {"time [s]"}, {"rise [m]", support::Scale::log}, {}};
+  heights.series = {zeno_path(0.5), zeno_path(0.8)};
+  rises.series = {zeno_stairs(0.5), zeno_stairs(0.8), zeno_wall(0.5, 1e-10, "c5"),
+                  zeno_wall(0.8, 1e-10, "c5")};
+  return support::to_svg("A ball that bounces infinitely often in a finite time", {heights, rises},
+                         {});
+}
+
 }  // namespace contact_chapter

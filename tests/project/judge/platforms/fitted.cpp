@@ -44,7 +44,7 @@ std::size_t size_of(const StudentRecord& record) {
 
 TEST_CASE("fitted: what is short stays as it is") {
   const std::string words = "✗ 4.1 product\n\n  the law\n";
-  CHECK(fitted(record_with(47, words)).units.back().explanation == words);
+  CHECK(fitted(record_with(54, words)).units.back().explanation == words);
 }
 
 TEST_CASE("fitted: a line without end, and lines without end") {
@@ -59,9 +59,9 @@ TEST_CASE("fitted: a line without end, and lines without end") {
 
 TEST_CASE("fitted: all together have a bound, and what some do not need is the others'") {
   const std::string flood(60'000, '\n');
-  CHECK(size_of(fitted(record_with(47, flood))) <= most_in_all);
+  CHECK(size_of(fitted(record_with(54, flood))) <= most_in_all);
   CHECK(size_of(fitted(record_with(2000, flood))) <= most_in_all + 2000 * 40);
-  StudentRecord one_floods = record_with(47, "passed\n");
+  StudentRecord one_floods = record_with(54, "passed\n");
   one_floods.units.back().explanation = flood;
   CHECK(fitted(one_floods).units.back().explanation.size() > most_of_unit / 2);
 }
@@ -76,10 +76,10 @@ TEST_CASE("fitted: no character is cut in two") {
   }
 }
 
-TEST_CASE("results of 47 floods are far below what platforms take") {
+TEST_CASE("results of 54 floods are far below what platforms take") {
   std::string flood;
   for (int i = 0; i < 70'000; ++i) flood += i % 50 == 0 ? '\n' : '"';  // each takes two bytes
-  const StudentRecord record = record_with(47, flood);
+  const StudentRecord record = record_with(54, flood);
   const CourseSettings settings = settings_for(record);
   CHECK(prairielearn_results(settings, record, "").size() < 500'000);
   CHECK(gradescope_results(settings, record, "").size() < 500'000);
