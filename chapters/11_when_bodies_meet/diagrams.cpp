@@ -61,10 +61,10 @@ namespace {
 void draw_velocity(Sketch& sketch, const Vec2& u, const std::string& colour,
                    const std::string& first, const std::string& second) {
   sketch.arrow({0, 0}, u, {colour, 2.8});
-  const Vec2 beside(u.x() > 0 ? 14 : 0, u.y() > 0 ? -30 : -14);
-  const std::string anchor = u.x() > 0 ? "start" : "middle";
-  sketch.words(u, beside, first, colour, anchor);
-  sketch.words(u, beside + Vec2(0, 20), second, colour, anchor);
+  const bool beside = std::abs(u.x()) < 0.5;  // else above its end
+  const Vec2 offset(beside ? 14 : 0, beside ? -8 : -30);
+  sketch.words(u, offset, first, colour, beside ? "start" : "middle");
+  sketch.words(u, offset + Vec2(0, 20), second, colour, beside ? "start" : "middle");
 }
 
 }  // namespace

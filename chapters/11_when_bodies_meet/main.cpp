@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   chapter.table("laws", "A thousand impacts", laws_table);
   chapter.table("painleve", "A slender rod that jams", painleve_table);
   chapter.table("zeno", "A ball that comes to rest", zeno_table);
+  chapter.figure("strip", strip_figure);
   chapter.figure("dropped", dropped_figure);
   chapter.figure("plane", plane_figure);
   chapter.figure("staircase", staircase_figure);

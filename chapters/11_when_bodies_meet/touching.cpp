@@ -100,8 +100,8 @@ double turning_rod_gap(double t) { return 1.45 - 0.35 * t - std::abs(std::sin(5 
 
 constexpr double rod_speed = 0.35 + 5, rod_time = 1.6;
 
-/// On the sheet [px]: 1 s is 440 px wide, 1 m is 230 px high.
-Vec2 on_sheet(double t, double gap) { return {440 * t, 230 * gap}; }
+/// On the sheet [px]: 1 s is 415 px wide, 1 m is 230 px high.
+Vec2 on_sheet(double t, double gap) { return {415 * t, 230 * gap}; }
 
 std::vector<Vec2> turning_rod_curve() {
   std::vector<Vec2> curve;
@@ -143,7 +143,7 @@ std::string staircase_figure() {
   sketch.dots(looks, "c1", 3.6);
   sketch.words(on_sheet(0.66, 1.22), {0, 0}, "the gap", "c0");
   sketch.words(on_sheet(0.13, 1.22), {0, 0}, "at most this fast", "c1");
-  sketch.words(looks.back(), {4, -12}, "contact", "ink");
+  sketch.words(looks.back(), {6, -12}, "contact", "ink");
   return sketch.svg();
 }
 
