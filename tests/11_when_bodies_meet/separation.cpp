@@ -49,7 +49,8 @@ Directions fifteen(const Box& a, const Box& b) {
 
 /// How far a box reaches from its centre along n.
 double half_extent(const Box& box, const Vec3& n) {
-  return (box.R.transpose() * n).cwiseAbs().dot(box.size) / 2;
+  const Vec3 seen = box.R.transpose() * n;
+  return 0.5 * box.size.dot(seen.cwiseAbs());
 }
 
 /// A reader of the contract, taken apart so that each part can go wrong by itself.
