@@ -17,6 +17,9 @@ const Function<decltype(when_bodies_meet::collide)> collide{TUMBLE_UNIT};
 
 namespace {
 
+/// What K answers along n to an impulse along n.
+double answer_along(const Vec3& n, const Mat3& K) { return n.transpose() * K * n; }
+
 /// What a question consists of.
 struct Impact {
   Mat3 K;
@@ -24,7 +27,7 @@ struct Impact {
   double e;
 
   double u_n() const { return u.dot(n); }
-  double n_K_n() const { return n.dot(K * n); }
+  double n_K_n() const { return answer_along(n, K); }
   Vec3 after(const Vec3& impulse) const { return u + K * impulse; }
 };
 
@@ -193,7 +196,7 @@ const Misconceptions<decltype(when_bodies_meet::collide)> misconceptions{
       "the second body, and bodies that come together have a negative u·n.",
       "An impact without friction",
       along_normal([](const Mat3& K, double u_n, const Vec3& n, double e) {
-        return (1 + e) * u_n / n.dot(K * n);
+        return u_n * (1 + e) / answer_along(n, K);
       })},
      {"only stopped",
       "Your impulse only stops the bodies, whatever e is. It has to throw them back, too.",
@@ -205,7 +208,7 @@ const Misconceptions<decltype(when_bodies_meet::collide)> misconceptions{
       "first.",
       "An impact without friction",
       along_normal([](const Mat3& K, double u_n, const Vec3& n, double e) {
-        return -e * u_n / n.dot(K * n);
+        return -e * u_n / answer_along(n, K);
       })},
      {"1 − e",
       "You have e with the wrong sign: the more a ball bounces, the weaker your impulse is.",
@@ -219,7 +222,7 @@ const Misconceptions<decltype(when_bodies_meet::collide)> misconceptions{
       "An impact without friction",
       [](const Mat3& K, const Vec3& u, const Vec3& n, double e) -> Vec3 {
         if (u.dot(n) >= 0) return Vec3::Zero();
-        return -(1 + e) * (K.inverse() * u);
+        return (-1 - e) * (K.inverse() * u);
       }},
      {"against the velocity",
       "Your impulse is along the velocity, not along the normal. A smooth surface pushes along its "
@@ -227,31 +230,31 @@ const Misconceptions<decltype(when_bodies_meet::collide)> misconceptions{
       "An impact without friction",
       [](const Mat3& K, const Vec3& u, const Vec3& n, double e) -> Vec3 {
         if (u.dot(n) >= 0) return Vec3::Zero();
-        return -(1 + e) * u / n.dot(K * n);
+        return (-1 - e) * u / answer_along(n, K);
       }},
      {"inverse taken too early",
       "You inverted K and then took its part along the normal. The impulse is along the normal, so "
       "take that part of K first, and then divide by it.",
       "An impact without friction",
       along_normal([](const Mat3& K, double u_n, const Vec3& n, double e) {
-        return -(1 + e) * u_n * n.dot(K.inverse() * n);
+        return (-1 - e) * u_n * n.dot(K.inverse() * n);
       })},
      {"change of velocity",
       "You returned by how much u·n changes, in m/s. Asked is the impulse that does it.",
       "An impact without friction",
-      along_normal([](const Mat3&, double u_n, const Vec3&, double e) { return -(1 + e) * u_n; })},
+      along_normal([](const Mat3&, double u_n, const Vec3&, double e) { return (-1 - e) * u_n; })},
      {"multiplied by n·K n",
       "You multiplied by n·K n, where you have to divide: what is easily moved needs less.",
       "An impact without friction",
       along_normal([](const Mat3& K, double u_n, const Vec3& n, double e) {
-        return -(1 + e) * u_n * n.dot(K * n);
+        return (-1 - e) * u_n * answer_along(n, K);
       })},
      {"along K n",
       "Your impulse is along K n. That is where the point goes; the impulse is along n.",
       "An impact without friction",
       [](const Mat3& K, const Vec3& u, const Vec3& n, double e) -> Vec3 {
         if (u.dot(n) >= 0) return Vec3::Zero();
-        return -(1 + e) * u.dot(n) / n.dot(K * n) * (K * n);
+        return (-1 - e) * u.dot(n) / answer_along(n, K) * (K * n);
       }},
      {"parting bodies held fast",
       "You give an impulse to bodies that part already. A contact can push, but it can't pull.",

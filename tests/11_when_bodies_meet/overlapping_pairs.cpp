@@ -223,8 +223,8 @@ const Misconceptions<decltype(when_bodies_meet::overlapping_pairs)> misconceptio
       "Who can meet at all",
       Reader{.candidates =
                  [](const Bounds& a, const Bounds& b) {
-                   return (a.low.array() < b.high.array()).all() &&
-                          (b.low.array() < a.high.array()).all();
+                   return ((b.high - a.low).array() > 0).all() &&
+                          ((a.high - b.low).array() > 0).all();
                  }}},
      {"z forgotten", "You compare x and y, but not z: for you a bird meets the fish below it.",
       "Who can meet at all",

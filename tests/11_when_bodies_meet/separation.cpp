@@ -49,7 +49,8 @@ Directions fifteen(const Box& a, const Box& b) {
 
 /// How far a box reaches from its centre along n.
 double half_extent(const Box& box, const Vec3& n) {
-  return (box.R.transpose() * n).cwiseAbs().dot(box.size) / 2;
+  const Vec3 seen = box.R.transpose() * n;
+  return 0.5 * box.size.dot(seen.cwiseAbs());
 }
 
 /// A reader of the contract, taken apart so that each part can go wrong by itself.
@@ -64,7 +65,7 @@ struct Reader {
     for (const Vec3& n : directions(a, b)) {
       const double along = n.dot(b.centre - a.centre);
       const double gap = std::abs(along) - reach(a, n) - reach(b, n);
-      if (first || better(gap, best.gap)) best = {gap, along < 0 ? Vec3(-n) : n};
+      if (first || better(gap, best.gap)) best = {gap, std::copysign(1., along) * n};
       first = false;
     }
     return best;
@@ -359,8 +360,7 @@ const Misconceptions<decltype(when_bodies_meet::separation)> misconceptions{
       "You add the edges' shares with their signs. A box reaches to both sides of its centre: each "
       "edge adds |n·edge|.",
       "A plane between two boxes",
-      Reader{.reach = [](const Box& box,
-                         const Vec3& n) { return (box.R.transpose() * n).dot(box.size) / 2; }}},
+      Reader{.reach = [](const Box& box, const Vec3& n) { return n.dot(box.R * box.size) / 2; }}},
      {"normal from B to A", "Your normal points from B to A.", "A plane between two boxes",
       changed([](Separation& s, const Box&, const Box&) { s.normal = -s.normal; })},
      {"no overlap below zero",
