@@ -1,6 +1,9 @@
 /// @file
 /// Friction during the impact: one rod, a thousand impacts, and Painlevé's rod.
 
+#include <algorithm>
+#include <array>
+
 #include "laws.hpp"
 #include "parts.hpp"
 

@@ -3,6 +3,9 @@
 /// Three laws for a contact with friction in a plane: Newton's with the slip of the start,
 /// Poisson's, and Stronge's.
 
+#include <algorithm>
+#include <limits>
+
 #include "common.hpp"
 
 namespace contact_chapter {

@@ -2,6 +2,8 @@
 /// @file
 /// A ball that spins and jumps on a floor, in a plane.
 
+#include <algorithm>
+
 #include "laws.hpp"
 
 namespace contact_chapter {

@@ -1,6 +1,7 @@
 /// @file
 /// When bodies touch: a bullet and a thin plate, and two rods that come together.
 
+#include <algorithm>
 #include <functional>
 
 #include "common.hpp"
