@@ -81,7 +81,7 @@ std::string rod_figure() {
   draw_floor(sketch, -1.7, 2.3);
   draw_rod(sketch, 30 * degree);
   draw_velocity(sketch, rod.u, "ink", "u, before", "(0.2, −1) m/s");
-  draw_velocity(sketch, usual.u, "c6", "usual law", gain(usual));
+  draw_velocity(sketch, usual.u, "c6", "tutorials", gain(usual));
   draw_velocity(sketch, ours.u, "c2", "slip followed", gain(ours));
   sketch.look({60, 400, 60});
   support::draw_two_axes(sketch, 1, {"x", "z"});

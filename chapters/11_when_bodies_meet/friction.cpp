@@ -16,9 +16,9 @@ struct Law {
   PlanarResult (*of)(const PlanarImpact&);
 };
 
-const std::array<Law, 3> laws{{{"usual: Newton, slip of the start", usual_law},
-                               {"Poisson, slip followed", poisson_law},
-                               {"Stronge, slip followed", stronge_law}}};
+const std::array<Law, 3> laws{{{"tutorials: Newton", usual_law},
+                               {"slip followed: Poisson", poisson_law},
+                               {"slip followed: Stronge", stronge_law}}};
 
 /// A body of 1 kg and inertia 1 kg m² that is hit somewhere, with u_n < 0.
 PlanarImpact random_impact(support::Random& random) {
@@ -32,8 +32,7 @@ PlanarImpact random_impact(support::Random& random) {
 }  // namespace
 
 Table rod_table() {
-  Table table(
-      {"law", "impulse [N s]", "velocity after [m/s]", "energy [J]", "of ½ uᵀK⁻¹u", "of ½ m u²"});
+  Table table({"law", "impulse [N s]", "velocity after [m/s]", "of ½ uᵀK⁻¹u", "of ½ m u²"});
   const PlanarImpact rod = hook_rod();
   const auto pair = [](const Vec2& v) {
     return "(" + rounded(v.x()) + ", " + rounded(v.y()) + ")";
@@ -41,16 +40,14 @@ Table rod_table() {
   for (const Law& law : laws) {
     const PlanarResult after = law.of(rod);
     const double change = energy_change(rod, after);
-    table.add({law.name, pair(after.impulse), pair(after.u), rounded(change, 4),
-               percent(change / energy_at_stake(rod)),
+    table.add({law.name, pair(after.impulse), pair(after.u), percent(change / energy_at_stake(rod)),
                percent(change / (rod.u.squaredNorm() / 2))});
   }
   return table;
 }
 
 Table laws_table() {
-  Table table(
-      {"law", "gain energy", "worst gain, of ½ uᵀK⁻¹u", "the normal gives more than it took"});
+  Table table({"law", "gain energy", "worst, of ½ uᵀK⁻¹u", "normal gives more than it took"});
   for (const Law& law : laws) {
     support::Random random(1);
     int gains = 0, normal_gains = 0;
