@@ -6,6 +6,12 @@
 /// Everything about where bodies are to each other, and when they touch.
 
 #include "tumble/collide/bounds.hpp"
+#include "tumble/collide/box_axes.hpp"
+#include "tumble/collide/convex.hpp"
+#include "tumble/collide/difference.hpp"
+#include "tumble/collide/distance.hpp"
+#include "tumble/collide/nearest_in_simplex.hpp"
+#include "tumble/collide/penetration.hpp"
 #include "tumble/collide/sort_and_sweep.hpp"
 
 /// Who can touch, how far apart bodies are, and when they first touch.
