@@ -6,9 +6,11 @@
 /// Everything about bodies that hit each other.
 
 #include "tumble/contact/contact_matrix.hpp"
+#include "tumble/contact/flight.hpp"
 #include "tumble/contact/friction_cone.hpp"
 #include "tumble/contact/friction_impulse.hpp"
 #include "tumble/contact/impact.hpp"
+#include "tumble/contact/sliding.hpp"
 
 /// What a hit leaves: impulses, with and without friction, that never create energy.
 /// @ingroup contact
