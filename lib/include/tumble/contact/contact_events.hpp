@@ -37,7 +37,7 @@ class ContactEvents {
     for (const ContactBody& b : scene.bodies) {
       flows_.emplace_back(b.body);
       axes_.push_back(principal_axes(b.body.I_body()));
-      flights_.push_back({Flight(b.body, b.start, scene.gravity, 0), {}, 0, false});
+      flights_.push_back({Flight(b.body, b.start, scene.gravity, 0), {}, 0, -1});
     }
   }
 
@@ -94,35 +94,34 @@ class ContactEvents {
 
   /// A body flies on from a state.
   void fly(int i, const RigidBodyState<>& state, double t) {
-    begin_flight(i, state, scene_.gravity, t);
+    begin_flight(i, state, scene_.gravity, t, -1);
   }
-  /// A body stays where it is.
-  void rest(int i, const RigidBodyState<>& state, double t) {
-    begin_flight(i, state, Vec3::Zero(), t);
-    of(i).rests = true;
+  /// A body is carried by a floor: it rests or rolls.
+  void support(int i, const RigidBodyState<>& state, double t, int wall) {
+    begin_flight(i, state, Vec3::Zero(), t, wall);
   }
-  bool all_rest() const {
-    return std::all_of(flights_.begin(), flights_.end(), [](const Leg& leg) { return leg.rests; });
-  }
+  bool all_rest() const { return std::all_of(flights_.begin(), flights_.end(), rests); }
 
  private:
   struct Leg {
     Flight flight;
     collide::Bounds swept;  ///< in this window
     int number;             ///< how many began before it
-    bool rests;
+    int on_wall;            ///< that carries it, or -1
   };
+  static bool rests(const Leg& leg) { return leg.on_wall >= 0 && leg.flight.is_still(); }
 
   Leg& of(int i) { return flights_[static_cast<std::size_t>(i)]; }
   const Leg& of(int i) const { return flights_[static_cast<std::size_t>(i)]; }
   collide::Moving<Flight> moving(int i) const { return {scene_.body(i).shape, of(i).flight}; }
 
-  void begin_flight(int i, const RigidBodyState<>& state, const Vec3& gravity, double t) {
+  void begin_flight(int i, const RigidBodyState<>& state, const Vec3& gravity, double t,
+                    int on_wall) {
     const auto k = static_cast<std::size_t>(i);
     of(i) = {Flight(scene_.body(i).body, flows_[k], axes_[k], state, gravity, t),
              {},
              of(i).number + 1,
-             false};
+             on_wall};
     sweep(i, t);
     predict_walls(i, t);
     for (int j = 0; j < size(); ++j)
@@ -135,8 +134,9 @@ class ContactEvents {
   }
 
   void predict_walls(int i, double t) {
-    if (of(i).rests) return;
+    if (rests(of(i))) return;
     for (int w = 0; w < static_cast<int>(scene_.walls.size()); ++w) {
+      if (w == of(i).on_wall) continue;
       const collide::HalfSpace& wall = scene_.wall(w);
       const Vec3 half = of(i).swept.sizes() / 2;
       const double above =
@@ -148,7 +148,7 @@ class ContactEvents {
   }
 
   void predict_pair(int i, int j, double t) {
-    if (of(i).rests && of(j).rests) return;
+    if (rests(of(i)) && rests(of(j))) return;
     add({i, j, -1, of(i).number, of(j).number,
          collide::first_meeting(moving(i), moving(j), t, end_,
                                 std::max(tolerance(i), tolerance(j)))});

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// What a simulation of contacts gives: impacts, flights, who came to rest, and an energy ledger.
+/// What a simulation of contacts takes and gives: settings, impacts, flights, who came to rest, and
+/// an energy ledger.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,6 +15,16 @@ namespace tumble::contact {
 
 /// @addtogroup contact
 /// @{
+
+/// How long, and how exactly.
+struct ContactSettings {
+  double until;              ///< from t = 0 on [s]
+  double tolerance = 1e-11;  ///< at which distance bodies touch [m]
+  /// Where contact of a body other than a ball lasts, it is a train of hops: so high, as a part of
+  /// the body's reach.
+  double hop = 1e-6;
+  int most_impacts = 100000;  ///< after so many contacts the run ends, and says so
+};
 
 /// One impulse between two bodies, or between a body and a wall.
 struct ImpactEvent {
@@ -33,15 +44,15 @@ struct ImpactEvent {
 enum class Ending {
   time,             ///< at the time that was asked for
   all_at_rest,      ///< nothing moves any more
-  lasting_contact,  ///< a body went on rolling, sliding or tilting in touch, which is not modelled
+  lasting_contact,  ///< bodies stayed in touch and moved on, which is not modelled
   too_many_events,  ///< the number of impacts that was allowed is reached
 };
 
-/// A flight from one impact to the next.
+/// A flight from one impact to the next, or how it rests or rolls on a floor.
 struct FlightStart {
   double t;                ///< [s]
   RigidBodyState<> state;  ///< then
-  bool at_rest;            ///< it stays there
+  int on_wall;             ///< the floor that carries it, or -1: then it flies
 };
 
 /// Where the energy of all bodies went [J]: start + impacts + settled = end, to rounding.
@@ -69,8 +80,8 @@ struct ContactRun {
     auto leg = std::upper_bound(legs.begin(), legs.end(), time,
                                 [](double at, const FlightStart& f) { return at < f.t; });
     if (leg != legs.begin()) --leg;
-    if (leg->at_rest) return leg->state;
-    return Flight(scene.body(i).body, leg->state, scene.gravity, leg->t).state(time);
+    const Vec3 pull = leg->on_wall < 0 ? scene.gravity : Vec3(Vec3::Zero());
+    return Flight(scene.body(i).body, leg->state, pull, leg->t).state(time);
   }
 };
 

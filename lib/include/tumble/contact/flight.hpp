@@ -109,6 +109,8 @@ class Flight {
     const Quat q = tumble::detail::orientation_at(rotation_, s);
     return {centre_.at(s), q.normalized(), mass_ * velocity(s), L_};
   }
+  /// Whether it stays where it is.
+  bool is_still() const { return centre_.v.isZero(0) && centre_.a.isZero(0) && L_.isZero(0); }
   Vec3 acceleration() const { return centre_.a; }
   double most_spin() const { return bounds_.spin; }
   double most_turning() const { return bounds_.spin * bounds_.spin + bounds_.acceleration; }

@@ -1,9 +1,13 @@
 #pragma once
 /// @file
-/// When bounces become so low that a body stays in touch, and whether it then is at rest.
+/// When bounces become so low that a body stays in touch with a floor, and how it goes on then.
 ///
-/// A ball that bounces with e < 1 does so infinitely often in a finite time: each flight lasts e
-/// times as long as the one before. Other bodies rock from corner to corner, and do the same.
+/// With e < 1 bounces add up to a finite time. Of a ball that is a geometric series, and it rests
+/// or rolls from then on. Of other bodies one corner stays down first, while the others still turn
+/// about it. There the contact that lasts is a train of hops, too low to matter: slow impacts get a
+/// larger e, up to 1, so that hops do not become lower. That creates no energy, and friction acts
+/// in each hop. Source: Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", PhD
+/// thesis, Berkeley (1996), §3.6, "microcollisions".
 
 #include <cmath>
 
@@ -12,39 +16,48 @@
 
 namespace tumble::contact::detail {
 
-/// A contact right after its impulses.
+/// A contact and its impulses.
 struct Aftermath {
-  double coming;     ///< the speed at which the fastest of its points came [m/s]
-  double parting;    ///< the least speed at which one leaves [m/s]
-  double first;      ///< the largest speed at which this body has landed since it last stood [m/s]
-  double pull;       ///< acceleration that brings it back [m/s²], 0 if that is not known
-  double e;          ///< coefficient of restitution
-  double tolerance;  ///< [m]
+  double coming;   ///< the speed at which the fastest of its points came [m/s]
+  double parting;  ///< the least speed at which one leaves [m/s]
+  double first;    ///< the largest speed at which this body has landed since it last stood [m/s]
 };
 
-/// Whether the bodies stay in touch: they part with a billionth of the speed at which they came
-/// first, or, where contacts are known to the tolerance only, do not rise above the tolerance.
-inline bool stays(const Aftermath& after, bool is_ball) {
-  const double little = 1e-9 * after.first;
-  // So slow that it does not rise, or has not fallen, by more than the tolerance.
-  const double lowest = std::sqrt(2 * std::fmax(0, after.pull) * after.tolerance);
-  if (after.first <= lowest) return true;  // it stood there
-  if (after.parting <= little && after.coming <= little) return true;
-  if (after.e == 1 || !(after.pull > 0)) return false;
-  return after.parting <= (is_ball ? little : std::fmax(little, lowest));
+/// Whether the bodies part with a billionth of the speed with which they came first.
+inline bool has_faded(const Aftermath& after) { return after.parting <= 1e-9 * after.first; }
+
+/// Whether they also came with no more: then they stay in touch, without anything that pulls.
+inline bool stays(const Aftermath& after) {
+  return has_faded(after) && after.coming <= 1e-9 * after.first;
 }
+
+/// How fast a body leaves the ground for a hop of some height.
+inline double hop_speed(double pull, double height) { return std::sqrt(2 * pull * height); }
 
 /// The time that all bounces still take [s]: the sum of 2 u/g e^k.
-inline double time_to_rest(const Aftermath& after) {
-  return after.e < 1 ? 2 * std::fmax(0, after.parting) / (after.pull * (1 - after.e)) : 0;
+inline double time_to_rest(const Aftermath& after, double pull, double e) {
+  return e < 1 ? 2 * std::fmax(0, after.parting) / (pull * (1 - e)) : 0;
 }
 
-/// Whether a body that stays in touch is at rest there: it has no energy to tilt or to go on,
+/// Whether a ball that stays on the ground rolls on as it is: it does not slip, or nothing rubs,
+/// and the ground is level.
+inline bool rolls_on(const Colliding& ball, double radius, const Vec3& normal, const Vec3& gravity,
+                     double mu) {
+  constexpr double rounding = 1e-9;
+  const Derived<> now = derived(ball.body, ball.state);
+  const Vec3 across = now.omega.cross(radius * normal), slip = now.v - across;
+  const double sideways = gravity.cross(normal).norm();
+  const double slips = (slip - slip.dot(normal) * normal).norm();
+  return sideways <= 1e-12 * gravity.norm() &&
+         (mu == 0 || slips <= rounding * (now.v.norm() + across.norm()));
+}
+
+/// Whether a body on the ground is at rest there: it has no energy to tilt or to go on,
 /// gravity pulls it down between the points that it stands on, and friction holds it.
 /// @param normal out of what it stands on
 inline bool is_at_rest(const Colliding& c, const collide::Convex& shape, const Vec3& normal,
                        const Vec3& gravity, double mu) {
-  constexpr double little = 1e-6;  // of its reach: so far could its energy lift it
+  constexpr double little = 1e-5;  // of its reach: so far could its energy lift it
   constexpr double near = 1e-4;    // of its reach: so close are the points that it stands on
   const double pull = -normal.dot(gravity), sideways = (gravity + pull * normal).norm();
   if (!(pull > 0) || sideways > (mu + 1e-12) * pull) return false;
