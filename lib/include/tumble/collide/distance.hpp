@@ -139,7 +139,7 @@ inline Distance overlap(const Difference& difference, const Simplex& inside, con
     deep.outwards = -gap->normal;
     deep.uncertain = 0;
   }
-  Distance best;
+  Distance best{};
   best.uncertainty = std::numeric_limits<double>::infinity();
   // Where faces are slivers, rounding moves their points, and those of the first touch are nearer.
   for (const Simplex& points : {deep.face, inside}) {

@@ -17,6 +17,7 @@ class ContactSimulation {
       run_.flights.push_back({{0, scene.body(i).start, -1}});
       run_.rest_since.push_back(std::numeric_limits<double>::infinity());
       first_speed_.push_back(0);
+      faint_.push_back(0);
     }
     run_.energy.start = energy_at(0);
   }
@@ -94,11 +95,25 @@ class ContactSimulation {
   bool is_ball(int i) const { return scene_.body(i).shape.points().size() == 1; }
   double pull(const Vec3& normal) const { return -normal.dot(scene_.gravity); }
 
+  /// The speed of the lowest hops of a body.
+  double lowest_hop(int i, const Vec3& normal) const {
+    return hop_speed(pull(normal), settings_.hop * scene_.body(i).shape.reach());
+  }
+  /// What is said to be at rest has energy for some hops, as a part of its reach.
+  double lift() const { return 10 * settings_.hop; }
+
   /// That of the scene, or as much more as a hop takes.
   double restitution(const ContactEvent& event, const Vec3& normal, double coming) const {
     if (event.wall < 0 || is_ball(event.body) || !(pull(normal) > 0)) return scene_.e;
-    const double height = settings_.hop * scene_.body(event.body).shape.reach();
-    return std::max(scene_.e, std::min(1., hop_speed(pull(normal), height) / coming));
+    return std::max(scene_.e, std::min(1., lowest_hop(event.body, normal) / coming));
+  }
+
+  /// Whether a body has landed many times in turn with next to no speed.
+  bool hops_fade(int i, const Speeds& speeds) {
+    constexpr int many = 30;
+    int& faint = faint_[static_cast<std::size_t>(i)];
+    faint = speeds.coming <= 1e-2 * lowest_hop(i, speeds.normal) ? faint + 1 : 0;
+    return faint >= many;
   }
 
   /// After an impact: whether the first body goes on in touch.
@@ -109,8 +124,10 @@ class ContactSimulation {
     } else if (is_ball(event.body)) {
       settle_ball(event, a, speeds.normal, after);
     } else if (is_at_rest(a, scene_.body(event.body).shape, speeds.normal, scene_.gravity,
-                          scene_.mu)) {
+                          scene_.mu, lift())) {
       rest(event, a, run_.t);
+    } else if (hops_fade(event.body, speeds)) {
+      end_undecided(event.body);
     }
   }
 
@@ -120,7 +137,7 @@ class ContactSimulation {
     // It stood there, and fell by less than places have digits for.
     const double lowest = hop_speed(pull(normal), events_.tolerance(event.body));
     if (!(scene_.e < 1 && has_faded(after)) && after.first > lowest) return;
-    if (is_at_rest(a, shape, normal, scene_.gravity, scene_.mu))
+    if (is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, lift()))
       rest(event, a, run_.t + time_to_rest(after, pull(normal), scene_.e));
     else if (rolls_on(a, shape.radius(), normal, scene_.gravity, scene_.mu))
       roll(event, a, normal);
@@ -160,6 +177,7 @@ class ContactSimulation {
   ContactEvents events_;
   ContactRun run_;
   std::vector<double> first_speed_;
+  std::vector<int> faint_;  ///< landings of each body, in turn, with next to no speed
   int handled_ = 0;
 };
 

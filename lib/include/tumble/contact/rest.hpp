@@ -56,12 +56,11 @@ inline bool rolls_on(const Colliding& ball, double radius, const Vec3& normal, c
 /// gravity pulls it down between the points that it stands on, and friction holds it.
 /// @param normal out of what it stands on
 inline bool is_at_rest(const Colliding& c, const collide::Convex& shape, const Vec3& normal,
-                       const Vec3& gravity, double mu) {
-  constexpr double little = 1e-5;  // of its reach: so far could its energy lift it
-  constexpr double near = 1e-4;    // of its reach: so close are the points that it stands on
+                       const Vec3& gravity, double mu, double lift) {
+  constexpr double near = 1e-4;  // of its reach: so close are the points that it stands on
   const double pull = -normal.dot(gravity), sideways = (gravity + pull * normal).norm();
   if (!(pull > 0) || sideways > (mu + 1e-12) * pull) return false;
-  if (kinetic_energy(c.body, c.state) > little * c.body.mass() * pull * shape.reach()) return false;
+  if (kinetic_energy(c.body, c.state) > lift * c.body.mass() * pull * shape.reach()) return false;
   const collide::Pose pose{Vec3::Zero(), to_matrix(c.state.q)};
   const auto below = distance(shape, pose, collide::HalfSpace{Vec3::Zero(), normal});
   const auto points = contact_points(shape, pose, below, near * shape.reach());
