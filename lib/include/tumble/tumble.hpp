@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// The whole library.
+/// The whole library, but for tumble/collide.hpp and tumble/contact.hpp, which take as long to
+/// compile.
 
 /// @defgroup core Foundations
 /// What every topic needs: vectors, refusals, solids.

@@ -83,7 +83,7 @@ TEST_CASE("collide: Newton's law, the energy it costs, and momenta of both bodie
   for (int i = 0; i < 500; ++i) {
     Pair pair(rng);
     const Impact& impact = pair.impact;
-    const ImpactResult result = collide(impact);
+    const ImpactResult result = contact::collide(impact);
     const double u_n = impact.u.dot(impact.normal);
     CHECK(result.u.dot(impact.normal) == doctest::Approx(-impact.e * u_n).epsilon(1e-12));
     // −½ (1 − e²) u_n² / (n·K n)
@@ -127,10 +127,10 @@ TEST_CASE("collide_with_friction: without friction Newton's law, and alike in al
   for (int i = 0; i < 200; ++i) {
     Impact impact = Pair(rng).impact;
     impact.mu = 0;
-    CHECK((collide_with_friction(impact).impulse - collide(impact).impulse).norm() == 0);
+    CHECK((collide_with_friction(impact).impulse - contact::collide(impact).impulse).norm() == 0);
     impact.mu = 1e-14;
-    CHECK((collide_with_friction(impact).impulse - collide(impact).impulse).norm() <
-          1e-11 * collide(impact).impulse.norm());
+    CHECK((collide_with_friction(impact).impulse - contact::collide(impact).impulse).norm() <
+          1e-11 * contact::collide(impact).impulse.norm());
     impact.mu = 0.7;
     const ImpactResult result = collide_with_friction(impact);
     const Mat3 R = rng.rotation().toRotationMatrix();
@@ -208,11 +208,11 @@ TEST_CASE("impacts that are none are refused") {
     change(bad);
     return bad;
   };
-  CHECK_REFUSED(collide(with([](Impact& i) { i.e = 1.1; })), "restitution");
-  CHECK_REFUSED(collide(with([](Impact& i) { i.e = NAN; })), "restitution");
-  CHECK_REFUSED(collide(with([](Impact& i) { i.mu = -0.1; })), "friction");
-  CHECK_REFUSED(collide(with([](Impact& i) { i.normal = Vec3::Zero(); })), "normal");
-  CHECK_REFUSED(collide(with([](Impact& i) { i.K.setZero(); })), "infinite mass");
+  CHECK_REFUSED(contact::collide(with([](Impact& i) { i.e = 1.1; })), "restitution");
+  CHECK_REFUSED(contact::collide(with([](Impact& i) { i.e = NAN; })), "restitution");
+  CHECK_REFUSED(contact::collide(with([](Impact& i) { i.mu = -0.1; })), "friction");
+  CHECK_REFUSED(contact::collide(with([](Impact& i) { i.normal = Vec3::Zero(); })), "normal");
+  CHECK_REFUSED(contact::collide(with([](Impact& i) { i.K.setZero(); })), "infinite mass");
   CHECK_REFUSED(collide_with_friction(with([](Impact& i) { i.u.x() = NAN; })), "not finite");
   CHECK(collide_with_friction(with([](Impact& i) { i.u.z() = 1; })).impulse.isZero(0));
 }

@@ -1,0 +1,184 @@
+#pragma once
+/// @file
+/// A run of bodies that hit each other: takes the next impact, changes momenta, and asks who stays
+/// in touch.
+
+#include "tumble/contact/contact_events.hpp"
+#include "tumble/contact/rest.hpp"
+
+namespace tumble::contact::detail {
+
+/// One run.
+class ContactSimulation {
+ public:
+  ContactSimulation(const ContactScene& scene, const ContactSettings& settings)
+      : scene_(scene), settings_(settings), events_(scene, settings.tolerance) {
+    for (int i = 0; i < events_.size(); ++i) {
+      run_.flights.push_back({{0, scene.body(i).start, -1}});
+      run_.rest_since.push_back(std::numeric_limits<double>::infinity());
+      first_speed_.push_back(0);
+      faint_.push_back(0);
+    }
+    run_.energy.start = energy_at(0);
+  }
+
+  ContactRun run() {
+    while (run_.t < settings_.until && run_.ending == Ending::time) {
+      const double end = std::min(settings_.until, run_.t + events_.window());
+      events_.begin_window(run_.t, end);
+      while (run_.ending == Ending::time && events_.next()) handle(events_.event());
+      if (run_.ending == Ending::time) run_.t = end;
+    }
+    run_.queries = events_.queries();
+    run_.energy.end = energy_at(run_.t);
+    return std::move(run_);
+  }
+
+ private:
+  /// Of the points of a contact, along its normal.
+  struct Speeds {
+    Vec3 normal;
+    double coming;   ///< the fastest before the impulses [m/s]
+    double parting;  ///< the slowest after them [m/s]
+  };
+
+  double& first_speed(int i) { return first_speed_[static_cast<std::size_t>(i)]; }
+  double& rest_since(int i) { return run_.rest_since[static_cast<std::size_t>(i)]; }
+
+  double energy_at(double t) const {
+    double sum = 0;
+    for (int i = 0; i < events_.size(); ++i) {
+      const RigidBodyState<> state = events_.state(i, t);
+      const RigidBody<>& body = scene_.body(i).body;
+      sum += kinetic_energy(body, state) - body.mass() * scene_.gravity.dot(state.x);
+    }
+    return sum;
+  }
+
+  Colliding colliding(int i, double t) const { return {scene_.body(i).body, events_.state(i, t)}; }
+
+  void handle(const ContactEvent& event) {
+    run_.t = event.t();
+    Colliding a = colliding(event.body, event.t());
+    std::optional<Colliding> b;
+    if (event.other >= 0) b.emplace(colliding(event.other, event.t()));
+    Colliding* second = b ? &*b : nullptr;
+    const Vec3 normal = -event.meeting.distance.normal;
+    const auto& points = event.meeting.points;
+    const double coming = -least_parting(a, second, points, normal);
+    const auto impulses = collide_at_points(
+        a, second, points, {normal, restitution(event, normal, coming), scene_.mu});
+    for (const PointImpulse& impulse : impulses) record(event, impulse, normal, a.state.x);
+    const double parting = least_parting(a, second, points, normal);
+    fly_on(event.body, a.state, coming);
+    if (b) fly_on(event.other, b->state, coming);
+    settle(event, a, {normal, coming, parting});
+    if (++handled_ >= settings_.most_impacts && run_.ending == Ending::time)
+      run_.ending = Ending::too_many_events;
+  }
+
+  void record(const ContactEvent& event, const PointImpulse& impulse, const Vec3& normal,
+              const Vec3& x) {
+    const ImpactResult& result = impulse.result;
+    run_.impacts.push_back({event.t(), event.body, event.other, event.wall, x + impulse.arm, normal,
+                            result.impulse, result.energy, result.slip, result.jammed});
+    run_.energy.impacts += result.energy;
+  }
+
+  void fly_on(int i, const RigidBodyState<>& state, double coming) {
+    rest_since(i) = std::numeric_limits<double>::infinity();
+    first_speed(i) = std::max(first_speed(i), coming);
+    run_.flights[static_cast<std::size_t>(i)].push_back({run_.t, state, -1});
+    events_.fly(i, state, run_.t);
+  }
+
+  bool is_ball(int i) const { return scene_.body(i).shape.points().size() == 1; }
+  double pull(const Vec3& normal) const { return -normal.dot(scene_.gravity); }
+
+  /// The speed of the lowest hops of a body.
+  double lowest_hop(int i, const Vec3& normal) const {
+    return hop_speed(pull(normal), settings_.hop * scene_.body(i).shape.reach());
+  }
+  /// What is said to be at rest has energy for some hops, as a part of its reach.
+  double lift() const { return 10 * settings_.hop; }
+
+  /// That of the scene, or as much more as a hop takes.
+  double restitution(const ContactEvent& event, const Vec3& normal, double coming) const {
+    if (event.wall < 0 || is_ball(event.body) || !(pull(normal) > 0)) return scene_.e;
+    return std::max(scene_.e, std::min(1., lowest_hop(event.body, normal) / coming));
+  }
+
+  /// Whether a body has landed many times in turn with next to no speed.
+  bool hops_fade(int i, const Speeds& speeds) {
+    constexpr int many = 30;
+    int& faint = faint_[static_cast<std::size_t>(i)];
+    faint = speeds.coming <= 1e-2 * lowest_hop(i, speeds.normal) ? faint + 1 : 0;
+    return faint >= many;
+  }
+
+  /// After an impact: whether the first body goes on in touch.
+  void settle(const ContactEvent& event, const Colliding& a, const Speeds& speeds) {
+    const Aftermath after{speeds.coming, speeds.parting, first_speed(event.body)};
+    if (event.wall < 0 || !(pull(speeds.normal) > 0)) {
+      if (stays(after)) end_undecided(event.body);
+    } else if (is_ball(event.body)) {
+      settle_ball(event, a, speeds.normal, after);
+    } else if (is_at_rest(a, scene_.body(event.body).shape, speeds.normal, scene_.gravity,
+                          scene_.mu, lift())) {
+      rest(event, a, run_.t);
+    } else if (hops_fade(event.body, speeds)) {
+      end_undecided(event.body);
+    }
+  }
+
+  void settle_ball(const ContactEvent& event, const Colliding& a, const Vec3& normal,
+                   const Aftermath& after) {
+    const collide::Convex& shape = scene_.body(event.body).shape;
+    // It stood there, and fell by less than places have digits for.
+    const double lowest = hop_speed(pull(normal), events_.tolerance(event.body));
+    if (!(scene_.e < 1 && has_faded(after)) && after.first > lowest) return;
+    if (is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, lift()))
+      rest(event, a, run_.t + time_to_rest(after, pull(normal), scene_.e));
+    else if (rolls_on(a, shape.radius(), normal, scene_.gravity, scene_.mu))
+      roll(event, a, normal);
+    else
+      end_undecided(event.body);
+  }
+
+  void end_undecided(int i) {
+    run_.ending = Ending::lasting_contact;
+    run_.undecided = i;
+  }
+
+  void rest(const ContactEvent& event, const Colliding& a, double since) {
+    RigidBodyState<> still = a.state;
+    still.P = still.L = Vec3::Zero();
+    rest_since(event.body) = since;
+    support(event, a, still);
+    if (events_.all_rest()) run_.ending = Ending::all_at_rest;
+  }
+
+  void roll(const ContactEvent& event, const Colliding& a, const Vec3& normal) {
+    RigidBodyState<> rolling = a.state;
+    rolling.P -= normal.dot(rolling.P) * normal;
+    support(event, a, rolling);
+  }
+
+  /// The floor carries the body from now on.
+  void support(const ContactEvent& event, const Colliding& a, const RigidBodyState<>& state) {
+    run_.energy.settled += kinetic_energy(a.body, state) - kinetic_energy(a.body, a.state);
+    first_speed(event.body) = 0;
+    run_.flights[static_cast<std::size_t>(event.body)].back() = {run_.t, state, event.wall};
+    events_.support(event.body, state, run_.t, event.wall);
+  }
+
+  const ContactScene& scene_;
+  ContactSettings settings_;
+  ContactEvents events_;
+  ContactRun run_;
+  std::vector<double> first_speed_;
+  std::vector<int> faint_;  ///< landings of each body, in turn, with next to no speed
+  int handled_ = 0;
+};
+
+}  // namespace tumble::contact::detail

@@ -1,0 +1,79 @@
+#pragma once
+/// @file
+/// When bounces become so low that a body stays in touch with a floor, and how it goes on then.
+///
+/// With e < 1 bounces add up to a finite time. Of a ball that is a geometric series, and it rests
+/// or rolls from then on. Of other bodies one corner stays down first, while the others still turn
+/// about it. There the contact that lasts is a train of hops, too low to matter: slow impacts get a
+/// larger e, up to 1, so that hops do not become lower. That creates no energy, and friction acts
+/// in each hop. Source: Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", PhD
+/// thesis, Berkeley (1996), §3.6, "microcollisions".
+
+#include <cmath>
+
+#include "tumble/collide/contact_points.hpp"
+#include "tumble/contact/several_points.hpp"
+
+namespace tumble::contact::detail {
+
+/// A contact and its impulses.
+struct Aftermath {
+  double coming;   ///< the speed at which the fastest of its points came [m/s]
+  double parting;  ///< the least speed at which one leaves [m/s]
+  double first;    ///< the largest speed at which this body has landed since it last stood [m/s]
+};
+
+/// Whether the bodies part with a billionth of the speed with which they came first.
+inline bool has_faded(const Aftermath& after) { return after.parting <= 1e-9 * after.first; }
+
+/// Whether they also came with no more: then they stay in touch, without anything that pulls.
+inline bool stays(const Aftermath& after) {
+  return has_faded(after) && after.coming <= 1e-9 * after.first;
+}
+
+/// How fast a body leaves the ground for a hop of some height.
+inline double hop_speed(double pull, double height) { return std::sqrt(2 * pull * height); }
+
+/// The time that all bounces still take [s]: the sum of 2 u/g e^k.
+inline double time_to_rest(const Aftermath& after, double pull, double e) {
+  return e < 1 ? 2 * std::fmax(0, after.parting) / (pull * (1 - e)) : 0;
+}
+
+/// Whether a ball that stays on the ground rolls on as it is: it does not slip, or nothing rubs,
+/// and the ground is level.
+inline bool rolls_on(const Colliding& ball, double radius, const Vec3& normal, const Vec3& gravity,
+                     double mu) {
+  constexpr double rounding = 1e-9;
+  const Derived<> now = derived(ball.body, ball.state);
+  const Vec3 across = now.omega.cross(radius * normal), slip = now.v - across;
+  const double sideways = gravity.cross(normal).norm();
+  const double slips = (slip - slip.dot(normal) * normal).norm();
+  return sideways <= 1e-12 * gravity.norm() &&
+         (mu == 0 || slips <= rounding * (now.v.norm() + across.norm()));
+}
+
+/// Whether a body on the ground is at rest there: it has no energy to tilt or to go on,
+/// gravity pulls it down between the points that it stands on, and friction holds it.
+/// @param normal out of what it stands on
+inline bool is_at_rest(const Colliding& c, const collide::Convex& shape, const Vec3& normal,
+                       const Vec3& gravity, double mu, double lift) {
+  constexpr double near = 1e-4;  // of its reach: so close are the points that it stands on
+  const double pull = -normal.dot(gravity), sideways = (gravity + pull * normal).norm();
+  if (!(pull > 0) || sideways > (mu + 1e-12) * pull) return false;
+  if (kinetic_energy(c.body, c.state) > lift * c.body.mass() * pull * shape.reach()) return false;
+  const collide::Pose pose{Vec3::Zero(), to_matrix(c.state.q)};
+  const auto below = distance(shape, pose, collide::HalfSpace{Vec3::Zero(), normal});
+  const auto points = contact_points(shape, pose, below, near * shape.reach());
+  const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+  // Where the line of gravity through the centre meets the ground.
+  const Vec3 foot = gravity * (normal.dot(below.arm_a) / normal.dot(gravity));
+  std::vector<Eigen::Vector2d> feet;
+  for (const Vec3& p : points) feet.emplace_back(x.dot(p - foot), y.dot(p - foot));
+  const auto hull = collide::detail::flat_hull(std::move(feet), 1e-9 * shape.reach());
+  if (hull.size() == 1) return hull[0].norm() < 1e-9 * shape.reach();
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    if (collide::detail::turn(hull[i], hull[(i + 1) % hull.size()], {0, 0}) < 0) return false;
+  return hull.size() > 2;
+}
+
+}  // namespace tumble::contact::detail
