@@ -1,14 +1,13 @@
 /// @file
 /// Planes between two boxes: a face against a corner, and an edge against an edge.
 
-#include <limits>
-
 #include "common.hpp"
 #include "parts.hpp"
 #include "support/space_sketch.hpp"
 #include "support/two_axes.hpp"
-#include "tumble/mass.hpp"
-#include "tumble/rotation.hpp"
+#include "tumble/collide/distance.hpp"
+#include "tumble/mass/oriented_box.hpp"
+#include "tumble/rotation/exp.hpp"
 
 namespace contact_chapter {
 
@@ -16,37 +15,15 @@ namespace {
 
 using boxes::OrientedBox;
 
-struct Between {
-  double gap;
-  Vec3 normal;  ///< from the first box to the second
-};
-
 /// Half of the length of a box along a direction.
 double reach(const OrientedBox& box, const Vec3& n) {
   return (box.R.transpose() * n).cwiseAbs().dot(box.size) / 2;
 }
 
-/// The directions of the edges, and all products of two.
-std::vector<Vec3> directions_between(const OrientedBox& a, const OrientedBox& b) {
-  std::vector<Vec3> directions;
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    directions.insert(directions.end(), {a.R.col(i), b.R.col(i)});
-    for (Eigen::Index j = 0; j < 3; ++j) {
-      const Vec3 product = Vec3(a.R.col(i)).cross(Vec3(b.R.col(j)));
-      if (product.norm() > 1e-6) directions.push_back(product.normalized());
-    }
-  }
-  return directions;
-}
-
-Between between(const OrientedBox& a, const OrientedBox& b) {
-  Between best{-std::numeric_limits<double>::infinity(), Vec3::Zero()};
-  for (const Vec3& n : directions_between(a, b)) {
-    const double along = n.dot(b.centre - a.centre);
-    const double gap = std::abs(along) - reach(a, n) - reach(b, n);
-    if (gap > best.gap) best = {gap, std::copysign(1., along) * n};
-  }
-  return best;
+collide::Distance between(const OrientedBox& a, const OrientedBox& b) {
+  using collide::Convex;
+  return collide::distance(Convex::box(a.size), {a.centre, a.R}, Convex::box(b.size),
+                           {b.centre, b.R});
 }
 
 Vec3 corner_of(const OrientedBox& box, int i) {
@@ -68,7 +45,7 @@ void draw_plane_line(support::SpaceSketch& space, const Vec3& through, const Vec
 /// Both boxes, both planes, and what is between them.
 void draw_between(Sketch& sketch, const Mat3& view, const OrientedBox& a, const OrientedBox& b) {
   support::SpaceSketch space(sketch, view);
-  const Between plane = between(a, b);
+  const collide::Distance plane = between(a, b);
   const Vec3 n = plane.normal, toward = view.row(2).transpose();
   const Vec3 along = 1.25 * toward.cross(n);
   const Vec3 middle = (a.centre + b.centre) / 2;
