@@ -23,7 +23,8 @@ bool is_below_a_list(const std::vector<std::string>& lines, std::size_t i) {
   while (i > 1 && lines[i - 1].starts_with("  ")) --i;
   const std::string item = i > 0 ? lines[i - 1] : "";
   const std::size_t dot = item.find_first_not_of("0123456789");
-  return item.starts_with("- ") || (dot != 0 && dot != item.npos && item.substr(dot, 2) == ". ");
+  return item.starts_with("- ") ||
+         (dot != 0 && dot != std::string::npos && item.substr(dot, 2) == ". ");
 }
 
 }  // namespace
