@@ -6,6 +6,7 @@
 
 #include "common.hpp"
 #include "parts.hpp"
+#include "tumble/collide/first_contact.hpp"
 
 namespace contact_chapter {
 
@@ -41,16 +42,10 @@ double by_bisection(Watched& gap, double h, double t1) {
   return never_found;
 }
 
-/// Conservative advancement; `see` gets each time and gap.
-template <class See>
-double by_advancement(Watched& gap, double speed, double t1, const See& see) {
-  for (double t = 0; t <= t1;) {
-    const double distance = gap(t);
-    see(t, distance);
-    if (distance <= touching) return t;
-    t += distance / speed;
-  }
-  return never_found;
+double by_advancement(Watched& gap, double speed, double t1) {
+  const collide::FirstContact contact =
+      collide::first_contact([&gap](double t) { return gap(t); }, speed, 0, t1, touching);
+  return contact.found ? contact.t : never_found;
 }
 
 // ── The bullet ──
@@ -85,9 +80,8 @@ Table tunnel_table() {
     add_tunnel_row(table, "bisection in steps of 1/" + std::to_string(rate) + " s",
                    [&](Watched& gap) { return by_bisection(gap, 1. / rate, t1); });
   for (const double speed : {1e4, 2e4})
-    add_tunnel_row(
-        table, "conservative advancement, speed ≤ " + number(speed / 1000) + " km/s",
-        [&](Watched& gap) { return by_advancement(gap, speed, t1, [](double, double) {}); });
+    add_tunnel_row(table, "conservative advancement, speed ≤ " + number(speed / 1000) + " km/s",
+                   [&](Watched& gap) { return by_advancement(gap, speed, t1); });
   return table;
 }
 
@@ -132,12 +126,14 @@ std::string staircase_figure() {
   sketch.look({48, 392, 1});
   std::vector<std::vector<Vec2>> worst;
   std::vector<Vec2> looks;
-  Watched gap{turning_rod_gap};
-  by_advancement(gap, rod_speed, rod_time, [&](double t, double distance) {
+  Watched gap{[&](double t) {
+    const double distance = turning_rod_gap(t), next = t + distance / rod_speed;
     looks.push_back(on_sheet(t, distance));
-    worst.push_back({on_sheet(t, distance), on_sheet(t + distance / rod_speed, 0),
-                     on_sheet(t + distance / rod_speed, gap.gap(t + distance / rod_speed))});
-  });
+    worst.push_back(
+        {on_sheet(t, distance), on_sheet(next, 0), on_sheet(next, turning_rod_gap(next))});
+    return distance;
+  }};
+  by_advancement(gap, rod_speed, rod_time);
   draw_scales(sketch);
   sketch.curves(worst, {"c1", 1.3});
   sketch.curve(turning_rod_curve(), {"c0", 2.4});
