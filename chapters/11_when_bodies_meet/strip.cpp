@@ -1,16 +1,33 @@
 /// @file
 /// A thrown die, drawn at equal times.
 
+#include <algorithm>
+
 #include "objects/shapes.hpp"
 #include "parts.hpp"
 #include "support/facets.hpp"
 #include "support/space_sketch.hpp"
-#include "thrown_die.hpp"
+#include "tumble/mass/solids/box.hpp"
 #include "tumble/quaternion.hpp"
 
 namespace contact_chapter {
 
 namespace {
+
+constexpr double die_edge = 0.016;  // [m]
+
+/// A die of plastic over the floor z = 0.
+contact::ContactScene thrown_die() {
+  const Vec3 size = Vec3::Constant(die_edge);
+  const RigidBody<> body(mass_properties(Box{size}, 1200));
+  const auto start = state_of_motion<double>(
+      body, {0, 0, 0.09}, Quat(0.9, 0.3, 0.2, 0.25).normalized(), {0.45, 0, 0}, {10, 30, 4});
+  return {{{"die", body, collide::Convex::box(size), start}},
+          {collide::HalfSpace{Vec3::Zero(), Vec3::UnitZ()}},
+          Vec3(0, 0, -gravity),
+          0.85,
+          0.1};
+}
 
 /// The pips of a face in units of a quarter of an edge, by their number.
 std::vector<Vec2> pips(int number) {
@@ -29,7 +46,7 @@ void draw_face(Sketch& sketch, const Mat3& R, const Vec2& centre, int axis, doub
   const int number = side > 0 ? axis + 1 : 6 - axis;
   const Vec3 right = R.col((axis + 1) % 3), up = R.col((axis + 2) % 3);
   for (const Vec2& pip : pips(number)) {
-    const Vec3 p = ThrownDie::edge * (normal / 2 + (pip.x() * right + pip.y() * up) / 4);
+    const Vec3 p = die_edge * (normal / 2 + (pip.x() * right + pip.y() * up) / 4);
     sketch.dot(centre + p.head<2>(), "ink", 1 + 2 * normal.z());
   }
 }
@@ -40,7 +57,7 @@ constexpr double sheet_x = 60, sheet_y = 350, sheet_scale = 3200;
 void draw_die(Sketch& sketch, const Mat3& view, const RigidBodyState<>& state) {
   const Mat3 R = view * to_matrix(state.q);
   const Vec2 centre = (view * state.x).head<2>();
-  const double half = ThrownDie::edge / 2;
+  const double half = die_edge / 2;
   sketch.drawing(support::draw_facets(
       shapes::box(Vec3::Constant(-half), Vec3::Constant(half)), R,
       {sheet_x + sheet_scale * centre.x(), sheet_y - sheet_scale * centre.y(), sheet_scale}, 6));
@@ -62,14 +79,17 @@ std::string strip_figure() {
   const Mat3 view = support::view_from(-76 * degree, 14 * degree);
   support::SpaceSketch space(sketch, view);
   draw_lines_of_floor(space);
-  ThrownDie die;
+  constexpr double between = 0.04;  // [s]
+  constexpr int fine = 20, count = 12;
+  const contact::ContactScene scene = thrown_die();
+  const contact::ContactRun run =
+      contact::simulate_contacts(scene, {.until = between * (count - 1)});
   std::vector<Vec2> path;
   std::vector<RigidBodyState<>> pictures;
-  constexpr int fine = 20, count = 12;
   for (int i = 0; i <= fine * (count - 1); ++i) {
-    if (i > 0) die.advance(0.04 / fine);
-    path.push_back((view * die.now().x).head<2>());
-    if (i % fine == 0) pictures.push_back(die.now());
+    const RigidBodyState<> state = run.state(scene, 0, std::min(between * i / fine, run.t));
+    path.push_back((view * state.x).head<2>());
+    if (i % fine == 0) pictures.push_back(state);
   }
   for (const RigidBodyState<>& state : pictures) draw_die(sketch, view, state);
   sketch.curve(path, {"c1", 1.6});
