@@ -4,6 +4,7 @@
 /// in touch.
 
 #include "tumble/contact/contact_events.hpp"
+#include "tumble/contact/hops.hpp"
 #include "tumble/contact/rest.hpp"
 
 namespace tumble::contact::detail {
@@ -69,6 +70,7 @@ class ContactSimulation {
     const auto impulses = collide_at_points(
         a, second, points, {normal, restitution(event, normal, coming), scene_.mu});
     for (const PointImpulse& impulse : impulses) record(event, impulse, normal, a.state.x);
+    if (hops(event, normal)) lift_to_hop(a, points, normal, lowest_hop(event.body, normal));
     const double parting = least_parting(a, second, points, normal);
     fly_on(event.body, a.state, coming);
     if (b) fly_on(event.other, b->state, coming);
@@ -102,9 +104,14 @@ class ContactSimulation {
   /// What is said to be at rest has energy for some hops, as a part of its reach.
   double lift() const { return 10 * settings_.hop; }
 
+  /// Whether this body's contact with this wall is a train of hops where it lasts.
+  bool hops(const ContactEvent& event, const Vec3& normal) const {
+    return event.wall >= 0 && !is_ball(event.body) && pull(normal) > 0 && scene_.e < 1;
+  }
+
   /// That of the scene, or as much more as a hop takes.
   double restitution(const ContactEvent& event, const Vec3& normal, double coming) const {
-    if (event.wall < 0 || is_ball(event.body) || !(pull(normal) > 0)) return scene_.e;
+    if (!hops(event, normal)) return scene_.e;
     return std::max(scene_.e, std::min(1., lowest_hop(event.body, normal) / coming));
   }
 

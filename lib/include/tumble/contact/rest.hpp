@@ -4,10 +4,7 @@
 ///
 /// With e < 1 bounces add up to a finite time. Of a ball that is a geometric series, and it rests
 /// or rolls from then on. Of other bodies one corner stays down first, while the others still turn
-/// about it. There the contact that lasts is a train of hops, too low to matter: slow impacts get a
-/// larger e, up to 1, so that hops do not become lower. That creates no energy, and friction acts
-/// in each hop. Source: Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", PhD
-/// thesis, Berkeley (1996), §3.6, "microcollisions".
+/// about it: see hops.hpp.
 
 #include <cmath>
 
@@ -30,9 +27,6 @@ inline bool has_faded(const Aftermath& after) { return after.parting <= 1e-9 * a
 inline bool stays(const Aftermath& after) {
   return has_faded(after) && after.coming <= 1e-9 * after.first;
 }
-
-/// How fast a body leaves the ground for a hop of some height.
-inline double hop_speed(double pull, double height) { return std::sqrt(2 * pull * height); }
 
 /// The time that all bounces still take [s]: the sum of 2 u/g e^k.
 inline double time_to_rest(const Aftermath& after, double pull, double e) {
