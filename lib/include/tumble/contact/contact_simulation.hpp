@@ -17,8 +17,7 @@ class ContactSimulation {
     for (int i = 0; i < events_.size(); ++i) {
       run_.flights.push_back({{0, scene.body(i).start, -1}});
       run_.rest_since.push_back(std::numeric_limits<double>::infinity());
-      first_speed_.push_back(0);
-      faint_.push_back(0);
+      landings_.push_back({});
     }
     run_.energy.start = energy_at(0);
   }
@@ -43,7 +42,7 @@ class ContactSimulation {
     double parting;  ///< the slowest after them [m/s]
   };
 
-  double& first_speed(int i) { return first_speed_[static_cast<std::size_t>(i)]; }
+  Landings& landings(int i) { return landings_[static_cast<std::size_t>(i)]; }
   double& rest_since(int i) { return run_.rest_since[static_cast<std::size_t>(i)]; }
 
   double energy_at(double t) const {
@@ -67,6 +66,8 @@ class ContactSimulation {
     const Vec3 normal = -event.meeting.distance.normal;
     const auto& points = event.meeting.points;
     const double coming = -least_parting(a, second, points, normal);
+    if (coming > 2 * lowest_hop(event.body, normal)) landings(event.body).skids = false;
+    if (b) landings(event.other).skids = false;
     const auto impulses = collide_at_points(
         a, second, points, {normal, restitution(event, normal, coming), scene_.mu});
     for (const PointImpulse& impulse : impulses) record(event, impulse, normal, a.state.x);
@@ -89,7 +90,7 @@ class ContactSimulation {
 
   void fly_on(int i, const RigidBodyState<>& state, double coming) {
     rest_since(i) = std::numeric_limits<double>::infinity();
-    first_speed(i) = std::max(first_speed(i), coming);
+    landings(i).fastest = std::max(landings(i).fastest, coming);
     run_.flights[static_cast<std::size_t>(i)].push_back({run_.t, state, -1});
     events_.fly(i, state, run_.t);
   }
@@ -99,33 +100,26 @@ class ContactSimulation {
 
   /// The speed of the lowest hops of a body.
   double lowest_hop(int i, const Vec3& normal) const {
-    return hop_speed(pull(normal), settings_.hop * scene_.body(i).shape.reach());
+    return hop_speed(std::max(0., pull(normal)), settings_.hop * scene_.body(i).shape.reach());
   }
   /// What is said to be at rest has energy for some hops, as a part of its reach.
   double lift() const { return 10 * settings_.hop; }
 
   /// Whether this body's contact with this wall is a train of hops where it lasts.
-  bool hops(const ContactEvent& event, const Vec3& normal) const {
-    return event.wall >= 0 && !is_ball(event.body) && pull(normal) > 0 && scene_.e < 1;
+  bool hops(const ContactEvent& event, const Vec3& normal) {
+    return event.wall >= 0 && pull(normal) > 0 && scene_.e < 1 &&
+           (!is_ball(event.body) || landings(event.body).skids);
   }
 
   /// That of the scene, or as much more as a hop takes.
-  double restitution(const ContactEvent& event, const Vec3& normal, double coming) const {
+  double restitution(const ContactEvent& event, const Vec3& normal, double coming) {
     if (!hops(event, normal)) return scene_.e;
     return std::max(scene_.e, std::min(1., lowest_hop(event.body, normal) / coming));
   }
 
-  /// Whether a body has landed many times in turn with next to no speed.
-  bool hops_fade(int i, const Speeds& speeds) {
-    constexpr int many = 30;
-    int& faint = faint_[static_cast<std::size_t>(i)];
-    faint = speeds.coming <= 1e-2 * lowest_hop(i, speeds.normal) ? faint + 1 : 0;
-    return faint >= many;
-  }
-
   /// After an impact: whether the first body goes on in touch.
   void settle(const ContactEvent& event, const Colliding& a, const Speeds& speeds) {
-    const Aftermath after{speeds.coming, speeds.parting, first_speed(event.body)};
+    const Aftermath after{speeds.coming, speeds.parting, landings(event.body).fastest};
     if (event.wall < 0 || !(pull(speeds.normal) > 0)) {
       if (stays(after)) end_undecided(event.body);
     } else if (is_ball(event.body)) {
@@ -133,7 +127,7 @@ class ContactSimulation {
     } else if (is_at_rest(a, scene_.body(event.body).shape, speeds.normal, scene_.gravity,
                           scene_.mu, lift())) {
       rest(event, a, run_.t);
-    } else if (hops_fade(event.body, speeds)) {
+    } else if (landings(event.body).fade(speeds.coming, lowest_hop(event.body, speeds.normal))) {
       end_undecided(event.body);
     }
   }
@@ -143,13 +137,23 @@ class ContactSimulation {
     const collide::Convex& shape = scene_.body(event.body).shape;
     // It stood there, and fell by less than places have digits for.
     const double lowest = hop_speed(pull(normal), events_.tolerance(event.body));
-    if (!(scene_.e < 1 && has_faded(after)) && after.first > lowest) return;
+    if (!landings(event.body).skids && !(scene_.e < 1 && has_faded(after)) && after.first > lowest)
+      return;
     if (is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, lift()))
       rest(event, a, run_.t + time_to_rest(after, pull(normal), scene_.e));
     else if (rolls_on(a, shape.radius(), normal, scene_.gravity, scene_.mu))
       roll(event, a, normal);
     else
-      end_undecided(event.body);
+      skid(event, a, normal);
+  }
+
+  /// A ball that slides on hops, too: in each hop friction slows its slip, until it rolls.
+  void skid(const ContactEvent& event, Colliding ball, const Vec3& normal) {
+    if (landings(event.body).skids) return;
+    landings(event.body).skids = true;
+    lift_to_hop(ball, event.meeting.points, normal, lowest_hop(event.body, normal));
+    run_.flights[static_cast<std::size_t>(event.body)].back().state = ball.state;
+    events_.fly(event.body, ball.state, run_.t);
   }
 
   void end_undecided(int i) {
@@ -174,7 +178,7 @@ class ContactSimulation {
   /// The floor carries the body from now on.
   void support(const ContactEvent& event, const Colliding& a, const RigidBodyState<>& state) {
     run_.energy.settled += kinetic_energy(a.body, state) - kinetic_energy(a.body, a.state);
-    first_speed(event.body) = 0;
+    landings(event.body) = {};
     run_.flights[static_cast<std::size_t>(event.body)].back() = {run_.t, state, event.wall};
     events_.support(event.body, state, run_.t, event.wall);
   }
@@ -183,8 +187,7 @@ class ContactSimulation {
   ContactSettings settings_;
   ContactEvents events_;
   ContactRun run_;
-  std::vector<double> first_speed_;
-  std::vector<int> faint_;  ///< landings of each body, in turn, with next to no speed
+  std::vector<Landings> landings_;
   int handled_ = 0;
 };
 

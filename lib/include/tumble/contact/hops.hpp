@@ -14,6 +14,22 @@
 
 namespace tumble::contact::detail {
 
+/// How a body has landed since it stood or rolled.
+struct Landings {
+  double fastest = 0;  ///< the largest speed [m/s]
+  int faint = 0;       ///< how many in turn had next to no speed
+  bool skids = false;  ///< of a ball: whether its bounces have ended, and it slides on in hops
+
+  /// Counts a landing.
+  /// @param lowest speed of a hop [m/s]
+  /// @return whether there were many in turn with next to no speed: then no hop goes on
+  bool fade(double coming, double lowest) {
+    constexpr int many = 30;
+    faint = coming <= 1e-2 * lowest ? faint + 1 : 0;
+    return faint >= many;
+  }
+};
+
 /// How fast a body leaves the ground for a hop of some height.
 inline double hop_speed(double pull, double height) { return std::sqrt(2 * pull * height); }
 

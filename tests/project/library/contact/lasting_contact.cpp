@@ -1,0 +1,93 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "objects/objects.hpp"
+#include "project/harness/inputs.hpp"
+#include "project/library/contact/contact_scenes.hpp"
+#include "tumble/mass.hpp"
+
+using namespace tumble;
+using contact::ContactRun;
+using contact::Ending;
+using test::balance;
+using test::ball;
+using test::box;
+using test::down;
+using test::gravity;
+using test::over_floor;
+
+TEST_CASE("lasting contact: every die comes to rest on a face, rough or smooth") {
+  test::Random rng(1151);
+  std::size_t impacts = 0;
+  constexpr int dice = 16;
+  for (int i = 0; i < dice; ++i) {
+    CAPTURE(i);
+    const double e = i % 2 ? 0.4 : 0.8, mu = i % 4 < 2 ? 0.5 : 0.1;
+    const auto die = over_floor(box("die", Vec3(0.02, 0.02, 0.02), Vec3(0, 0, 0.1), rng.rotation(),
+                                    rng.vector(), 20 * rng.vector()),
+                                e, mu);
+    const ContactRun thrown = simulate_contacts(die, {.until = 100});
+    impacts += thrown.impacts.size();
+    REQUIRE(thrown.ending == Ending::all_at_rest);
+    const Mat3 R = to_matrix(thrown.state(die, 0, thrown.t).q);
+    CHECK(R.row(2).cwiseAbs().maxCoeff() > 1 - 1e-5);
+    CHECK(std::abs(thrown.state(die, 0, thrown.t).x.z() - 0.01) < 1e-6);
+    CHECK(std::abs(balance(thrown.energy)) < 1e-13 * thrown.energy.start);
+  }
+  MESSAGE("impacts of all dice: " << impacts);
+}
+
+TEST_CASE("lasting contact: T-handle, mug and wing nut come to rest, as their hulls") {
+  test::Random rng(1154);
+  for (const PolygonMesh& mesh : {objects::t_handle(1), objects::mug(1), objects::wing_nut(1)}) {
+    const MassProperties mass = mesh_mass_properties(mesh, 2000);
+    const contact::ContactBody thrown{
+        "thrown", RigidBody<>(mass), collide::Convex::hull(mesh, mass.centre),
+        state_of_motion<double>(RigidBody<>(mass), Vec3(0, 0, 0.3), rng.rotation(), rng.vector(),
+                                10 * rng.vector())};
+    const auto scene = over_floor(thrown, 0.4, 0.5);
+    const ContactRun run = simulate_contacts(scene, {.until = 20});
+    CHECK(run.ending == Ending::all_at_rest);
+    CHECK(std::abs(balance(run.energy)) < 1e-12 * run.energy.start);
+    CHECK(run.energy.impacts < 0);
+    CHECK(run.energy.settled <= 0);
+  }
+}
+
+TEST_CASE("lasting contact: a ball that lands with slip slides on until it rolls") {
+  constexpr double r = 0.1, mu = 0.05;
+  const Vec3 v(3, 1, 0), omega(0, -40, 5), arm(0, 0, r);
+  const auto scene = over_floor(ball("ball", r, Vec3(0, 0, 0.3), v, omega), 0.4, mu);
+  const ContactRun run = simulate_contacts(scene, {.until = 8});
+  REQUIRE(run.ending == Ending::time);
+  REQUIRE(run.flights[0].back().on_wall == 0);
+  // About a point of the floor friction has no moment, and the weight's is taken by the floor.
+  const Vec3 rolls = (5 * v + 2 * omega.cross(arm)) / 7;
+  const Derived<> now = derived(scene.body(0).body, run.state(scene, 0, 8));
+  const double hop = 1e-6 * r * gravity;  // energy per mass
+  CHECK((now.v - rolls).norm() < hop / v.norm());
+  CHECK((now.v - now.omega.cross(arm)).norm() < 1e-12);
+  // The floor gives the momentum m g t, however the ball bounces; 7/2 of friction's slows the slip.
+  const double until = (v - omega.cross(arm)).norm() / (3.5 * mu * gravity);
+  const double hop_time = 2 * std::sqrt(2 * hop) / gravity;
+  CHECK(std::abs(run.flights[0].back().t - until) < 2 * hop_time);
+  CHECK(std::abs(balance(run.energy)) < 1e-12 * run.energy.start);
+}
+
+TEST_CASE("lasting contact: a ball on a slope slides down without friction, and rolls with it") {
+  constexpr double tilt = 0.1, from = 4, until = 5;
+  for (const double mu : {0., 0.5}) {
+    CAPTURE(mu);
+    auto scene = over_floor(ball("ball", 0.1, Vec3(0, 0, 0.3), Vec3::Zero()), 0.4, mu);
+    scene.walls[0].normal = Vec3(std::sin(tilt), 0, std::cos(tilt));
+    const ContactRun run = simulate_contacts(scene, {.until = until});
+    REQUIRE(run.ending == Ending::time);
+    const auto along = [&](double t) {
+      return Vec3(std::cos(tilt), 0, -std::sin(tilt)).dot(run.state(scene, 0, t).P) /
+             scene.body(0).body.mass();
+    };
+    const double pull = gravity * std::sin(tilt), acceleration = along(until) - along(from);
+    CHECK(acceleration == doctest::Approx(mu > 0 ? 5 * pull / 7 : pull).epsilon(1e-3));
+  }
+}
