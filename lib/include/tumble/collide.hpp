@@ -6,6 +6,7 @@
 /// Everything about where bodies are to each other, and when they touch.
 
 #include "tumble/collide/bounds.hpp"
+#include "tumble/collide/bounds_grid.hpp"
 #include "tumble/collide/box_axes.hpp"
 #include "tumble/collide/contact_points.hpp"
 #include "tumble/collide/convex.hpp"

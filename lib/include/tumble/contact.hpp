@@ -12,6 +12,7 @@
 #include "tumble/contact/flight.hpp"
 #include "tumble/contact/friction_cone.hpp"
 #include "tumble/contact/friction_impulse.hpp"
+#include "tumble/contact/hops.hpp"
 #include "tumble/contact/impact.hpp"
 #include "tumble/contact/rest.hpp"
 #include "tumble/contact/scene.hpp"

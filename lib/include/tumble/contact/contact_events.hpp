@@ -10,6 +10,7 @@
 #include <optional>
 #include <queue>
 
+#include "tumble/collide/bounds_grid.hpp"
 #include "tumble/collide/first_meeting.hpp"
 #include "tumble/contact/contact_run.hpp"
 
@@ -37,7 +38,7 @@ class ContactEvents {
     for (const ContactBody& b : scene.bodies) {
       flows_.emplace_back(b.body);
       axes_.push_back(principal_axes(b.body.I_body()));
-      flights_.push_back({Flight(b.body, b.start, scene.gravity, 0), {}, 0, -1});
+      flights_.push_back({Flight(b.body, b.start, scene.gravity, 0), 0, -1});
     }
   }
 
@@ -61,7 +62,7 @@ class ContactEvents {
       sizes += reach;
       speeds += of(i).flight.at(begin_).v.norm() + std::sqrt(reach * scene_.gravity.norm());
     }
-    return speeds > 0 ? 4 * sizes / speeds : std::numeric_limits<double>::infinity();
+    return speeds > 0 ? 2 * sizes / speeds : std::numeric_limits<double>::infinity();
   }
 
   /// Finds what happens from `begin` to `end`, as long as all bodies fly as they do now.
@@ -69,13 +70,15 @@ class ContactEvents {
     begin_ = begin;
     end_ = end;
     queue_ = {};
-    std::vector<collide::Bounds> bounds;
+    std::vector<collide::Bounds> swept;
+    for (int i = 0; i < size(); ++i) swept.push_back(swept_by(i, begin));
+    grid_ = collide::BoundsGrid(size(), mean_size(swept));
     for (int i = 0; i < size(); ++i) {
-      sweep(i, begin);
-      bounds.push_back(of(i).swept);
+      grid_.put(i, swept[static_cast<std::size_t>(i)]);
       predict_walls(i, begin);
+      // Each pair once: of those after i nothing is known yet.
+      predict_pairs(i, begin);
     }
-    for (const auto& [i, j] : collide::overlapping_pairs(bounds)) predict_pair(i, j, begin);
   }
 
   /// Takes the next event, if there is one in this window.
@@ -105,11 +108,16 @@ class ContactEvents {
  private:
   struct Leg {
     Flight flight;
-    collide::Bounds swept;  ///< in this window
-    int number;             ///< how many began before it
-    int on_wall;            ///< that carries it, or -1
+    int number;   ///< how many began before it
+    int on_wall;  ///< that carries it, or -1
   };
   static bool rests(const Leg& leg) { return leg.on_wall >= 0 && leg.flight.is_still(); }
+
+  static double mean_size(const std::vector<collide::Bounds>& all) {
+    double sum = 0;
+    for (const collide::Bounds& bounds : all) sum += bounds.sizes().maxCoeff();
+    return sum > 0 ? sum / static_cast<double>(all.size()) : 1;
+  }
 
   Leg& of(int i) { return flights_[static_cast<std::size_t>(i)]; }
   const Leg& of(int i) const { return flights_[static_cast<std::size_t>(i)]; }
@@ -118,19 +126,16 @@ class ContactEvents {
   void begin_flight(int i, const RigidBodyState<>& state, const Vec3& gravity, double t,
                     int on_wall) {
     const auto k = static_cast<std::size_t>(i);
-    of(i) = {Flight(scene_.body(i).body, flows_[k], axes_[k], state, gravity, t),
-             {},
-             of(i).number + 1,
+    of(i) = {Flight(scene_.body(i).body, flows_[k], axes_[k], state, gravity, t), of(i).number + 1,
              on_wall};
-    sweep(i, t);
+    grid_.put(i, swept_by(i, t));
     predict_walls(i, t);
-    for (int j = 0; j < size(); ++j)
-      if (j != i && of(i).swept.intersects(of(j).swept))
-        predict_pair(std::min(i, j), std::max(i, j), t);
+    predict_pairs(i, t);
   }
 
-  void sweep(int i, double t) {
-    of(i).swept = of(i).flight.swept(t, end_ - t, scene_.body(i).shape.reach() + tolerance(i));
+  /// What a body passes from t to the end of this window.
+  collide::Bounds swept_by(int i, double t) const {
+    return of(i).flight.swept(t, end_ - t, scene_.body(i).shape.reach() + tolerance(i));
   }
 
   void predict_walls(int i, double t) {
@@ -138,13 +143,17 @@ class ContactEvents {
     for (int w = 0; w < static_cast<int>(scene_.walls.size()); ++w) {
       if (w == of(i).on_wall) continue;
       const collide::HalfSpace& wall = scene_.wall(w);
-      const Vec3 half = of(i).swept.sizes() / 2;
+      const Vec3 half = grid_[i].sizes() / 2;
       const double above =
-          wall.normal.dot(of(i).swept.center() - wall.point) - wall.normal.cwiseAbs().dot(half);
+          wall.normal.dot(grid_[i].center() - wall.point) - wall.normal.cwiseAbs().dot(half);
       if (above <= 0)
         add({i, -1, w, of(i).number, 0,
              collide::first_meeting(moving(i), wall, t, end_, tolerance(i))});
     }
+  }
+
+  void predict_pairs(int i, double t) {
+    grid_.overlapping(i, [&](int j) { predict_pair(std::min(i, j), std::max(i, j), t); });
   }
 
   void predict_pair(int i, int j, double t) {
@@ -164,6 +173,7 @@ class ContactEvents {
   std::vector<tumble::detail::FreeFlow> flows_;
   std::vector<PrincipalAxes> axes_;
   std::vector<Leg> flights_;
+  collide::BoundsGrid grid_{0, 1};  ///< what each body passes in this window
   std::priority_queue<ContactEvent> queue_;
   ContactEvent event_{};
   std::int64_t queries_ = 0;
