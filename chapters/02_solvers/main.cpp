@@ -1,5 +1,6 @@
 /// @file
 /// Chapter 2: steps that suit the motion, steps that stiffness forces, and what each error costs.
+#include "02_solvers/moving/figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -34,7 +35,7 @@ int main(int argc, char** argv) {
   chapter.figure("norm", norm_figure);
   chapter.figure("implicit", implicit_figure);
   chapter.figure("steps", steps_figure);
-  chapter.figure("regions", regions_figure);
+  chapter.figure(tumble::figures::regions);
   chapter.figure("dust", dust_figure);
   chapter.figure("stiffness", stiffness_figure);
   chapter.figure("relaxation", relaxation_figure);

@@ -90,8 +90,6 @@ Table eccentricity_table();
 
 /// How far each method is stable.
 Table stability_table();
-/// Where a step makes y smaller: inside the coloured regions, for explicit methods.
-std::string regions_figure();
 /// By which factor a step of each method changes a damped spring.
 Table damped_table();
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "support/moving_figure.hpp"
 #include "support/table.hpp"
 
 namespace tumble::support {
@@ -23,9 +24,12 @@ class Chapter {
   void measured(const std::string& name, const std::string& heading, std::function<Table()> make);
   /// An SVG document; the page shows NAME.svg.
   void figure(const std::string& name, std::function<std::string()> make);
+  /// One that a reader can move; the page shows how it starts.
+  void figure(const MovingFigure& moving);
 
   /// Without options: prints all tables, writes all figures and tables (as CSV) into a folder.
-  /// `--only NAME` prints one table without its heading, `--figures DIR` writes the figures only.
+  /// `--only NAME` prints one table without its heading, `--figures DIR` writes the figures only;
+  /// `--figure NAME` prints one as SVG, a moving one with `--set CONTROL=VALUE`.
   /// @return the exit status for main
   int run(int argc, char** argv) const;
 
@@ -37,7 +41,9 @@ class Chapter {
   struct NamedFigure {
     std::string name;
     std::function<std::string()> make;
+    const MovingFigure* moving = nullptr;
   };
+  void print_figure(const std::string& name, const std::vector<std::string>& set) const;
   void print_only(const std::string& name) const;
   void write_figures(const std::string& folder) const;
   void show_all(const std::string& folder) const;

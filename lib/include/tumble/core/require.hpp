@@ -2,13 +2,20 @@
 /// @file
 /// How the library refuses bad input: at the door, saying what was wrong and where.
 ///
-/// Compiled with -fno-exceptions a refusal prints its message to stderr and aborts.
+/// Compiled with -fno-exceptions a refusal prints its message to stderr and aborts. With
+/// -DTUMBLE_ON_REFUSAL=f it calls f(text, length) instead, which must not return: for programs that
+/// have no room for streams. Then the message has its words, and … for its numbers.
 
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+
+#ifdef TUMBLE_ON_REFUSAL
+extern "C" [[noreturn]] void TUMBLE_ON_REFUSAL(const char* text, std::size_t length);
+#endif
 
 namespace tumble {
 
@@ -17,11 +24,34 @@ namespace tumble {
 
 namespace detail {
 
+/// Streams the parts, one after the other.
+template <class... Parts>
+std::string text_of(const Parts&... parts) {
+#ifdef TUMBLE_ON_REFUSAL
+  const auto words = []<class Part>(const Part& part) -> std::string_view {
+    if constexpr (std::is_convertible_v<Part, std::string_view>)
+      return part;
+    else
+      return "…";
+  };
+  std::string text;
+  (text.append(words(parts)), ...);
+  return text;
+#else
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+#endif
+}
+
 /// The one place where the library throws.
-/// @throws Error with that message
-template <class Error>
-[[noreturn]] void throw_error(const std::string& message) {
-#ifdef __cpp_exceptions
+/// @throws Error with the message that the parts make
+template <class Error, class... Parts>
+[[noreturn]] void throw_error(const Parts&... parts) {
+  const std::string message = text_of(parts...);
+#if defined(TUMBLE_ON_REFUSAL)
+  TUMBLE_ON_REFUSAL(message.data(), message.size());
+#elif defined(__cpp_exceptions)
   throw Error(message);
 #else
   std::fprintf(stderr, "tumble: %s\n", message.c_str());
@@ -29,19 +59,11 @@ template <class Error>
 #endif
 }
 
-/// Streams the parts, one after the other.
-template <class... Parts>
-std::string text_of(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
-
 /// Refuses bad input, for what is streamed into the message.
 /// @throws std::invalid_argument with that message
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... message) {
-  throw_error<std::invalid_argument>(text_of(message...));
+  throw_error<std::invalid_argument>(message...);
 }
 
 }  // namespace detail
@@ -62,7 +84,7 @@ namespace detail {
 /// @throws std::invalid_argument as the check does
 template <class Check, class... Parts>
 void require_at(const Check& check, [[maybe_unused]] const Parts&... where) {
-#ifdef __cpp_exceptions
+#if defined(__cpp_exceptions) && !defined(TUMBLE_ON_REFUSAL)
   try {
     check();
   } catch (const std::invalid_argument& error) {

@@ -3,8 +3,8 @@
 /// Tells early that an integration would never end: from the pace of the steps so far follows how
 /// many it would take.
 
+#include <iomanip>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "tumble/core/require.hpp"
@@ -50,14 +50,12 @@ class StepBudget {
 /// @throws std::runtime_error that says how many steps it would take, and where it was
 [[noreturn]] inline void refuse_hopeless(const char* who, const StepBudget& budget, double most,
                                          double t, const char* advice) {
-  std::ostringstream text;
-  text.precision(3);
-  text << who << ": too many steps: it would take about "
-       << (budget.predicted() > budget.steps() ? budget.predicted() : budget.steps())
-       << ", and at most " << most << " are taken; stopped at t = ";
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << t << ": " << advice;
-  throw_error<std::runtime_error>(text.str());
+  throw_error<std::runtime_error>(
+      std::setprecision(3), who, ": too many steps: it would take about ",
+      budget.predicted() > budget.steps() ? budget.predicted() : budget.steps(), ", and at most ",
+      most,
+      " are taken; stopped at t = ", std::setprecision(std::numeric_limits<double>::max_digits10),
+      t, ": ", advice);
 }
 
 }  // namespace tumble::detail

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "tumble/core/require.hpp"
@@ -33,10 +32,9 @@ namespace detail {
 /// @throws std::runtime_error if there are any, naming the first
 inline void require_none(const LostBodies& lost) {
   if (lost.count == 0) return;
-  std::ostringstream text;
-  text << lost.count << " of the ensemble's bodies are no longer finite, the first is body "
-       << lost.first << ": smaller steps, or a force that stays finite where it goes, may keep it";
-  detail::throw_error<std::runtime_error>(text.str());
+  detail::throw_error<std::runtime_error>(
+      lost.count, " of the ensemble's bodies are no longer finite, the first is body ", lost.first,
+      ": smaller steps, or a force that stays finite where it goes, may keep it");
 }
 
 }  // namespace detail

@@ -7,6 +7,7 @@
 /// Source: e.g. Wittenburg, "Dynamics of Multibody Systems" (2nd ed. 2008), §3.1.2.
 
 #include <cmath>
+#include <iomanip>
 #include <string>
 
 #include "tumble/core/require.hpp"
@@ -30,24 +31,21 @@ inline constexpr double inertia_rounding = 32 * 0x1p-53;
 /// What is wrong with an inertia tensor, in words and numbers; empty if nothing is.
 /// @param I 3×3 [kg m²]
 inline std::string inertia_defect(const Mat3& I) {
-  std::ostringstream text;
-  text.precision(17);
+  using detail::text_of;
+  const auto exactly = std::setprecision(17);
   const double allowance = detail::inertia_rounding * I.trace();
-  if (!I.allFinite()) {
-    text << "has an entry that is not a finite number:\n" << I;
-  } else if (const Mat3 skewed = I - I.transpose();
-             skewed.cwiseAbs().maxCoeff() > std::abs(allowance)) {
-    text << "is not symmetric: it differs from its transpose by " << skewed.cwiseAbs().maxCoeff();
-  } else {
-    const Vec3 moments = principal_axes(I).moments;
-    if (!(moments[0] > 0)) {
-      text << "is not positive definite: its principal moments are " << detail::AsPoint{moments};
-    } else if (moments[2] - moments[1] - moments[0] > allowance) {
-      text << "breaks the triangle inequality: the principal moments " << moments[0] << " + "
-           << moments[1] << " are less than " << moments[2] << ", so no body has it";
-    }
-  }
-  return text.str();
+  if (!I.allFinite()) return text_of(exactly, "has an entry that is not a finite number:\n", I);
+  const double skewed = (I - I.transpose()).cwiseAbs().maxCoeff();
+  if (skewed > std::abs(allowance))
+    return text_of(exactly, "is not symmetric: it differs from its transpose by ", skewed);
+  const Vec3 moments = principal_axes(I).moments;
+  if (!(moments[0] > 0))
+    return text_of(exactly, "is not positive definite: its principal moments are ",
+                   detail::AsPoint{moments});
+  if (moments[2] - moments[1] - moments[0] > allowance)
+    return text_of(exactly, "breaks the triangle inequality: the principal moments ", moments[0],
+                   " + ", moments[1], " are less than ", moments[2], ", so no body has it");
+  return {};
 }
 
 /// Whether some body has this inertia tensor (up to rounding).

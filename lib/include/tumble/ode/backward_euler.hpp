@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "tumble/core/require.hpp"
@@ -47,10 +46,9 @@ State backward_euler_step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<Sta
     if (!y1.allFinite()) break;  // the matrix is singular, or f has no value there
     if (correction.norm() <= tolerance * max(y.norm(), y1.norm())) return y1;
   }
-  std::ostringstream text;
-  text << "backward_euler_step: Newton's iteration does not converge from t = " << t
-       << " with h = " << h << ": take a shorter step";
-  detail::throw_error<std::runtime_error>(text.str());
+  detail::throw_error<std::runtime_error>(
+      "backward_euler_step: Newton's iteration does not converge from t = ", t, " with h = ", h,
+      ": take a shorter step");
 }
 
 /// Backward Euler as a type, for integrate_fixed<runge_kutta::BackwardEuler>.

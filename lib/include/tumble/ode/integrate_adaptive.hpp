@@ -6,8 +6,8 @@
 /// how long the next may be. Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential
 /// Equations I", 2nd ed. (1993), II.4 "Automatic Step Size Control".
 
+#include <iomanip>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "tumble/core/require.hpp"
@@ -37,11 +37,9 @@ inline constexpr int max_attempts = 1'000'000;
 /// @throws std::runtime_error that says why the solver stopped, where, and what to do
 template <class Scalar>
 [[noreturn]] void stop_integration(const char* why, Scalar t, Scalar h, const char* advice) {
-  std::ostringstream text;
-  text.precision(std::numeric_limits<Scalar>::max_digits10);
-  text << "integrate_adaptive: " << why << " at t = " << t << " with a step of h = " << h << ": "
-       << advice;
-  detail::throw_error<std::runtime_error>(text.str());
+  detail::throw_error<std::runtime_error>(
+      std::setprecision(std::numeric_limits<Scalar>::max_digits10), "integrate_adaptive: ", why,
+      " at t = ", t, " with a step of h = ", h, ": ", advice);
 }
 
 /// The refusals that keep an integration from going on for ever.

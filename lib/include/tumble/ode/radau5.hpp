@@ -179,12 +179,10 @@ State Radau5::step(F&& f, ScalarOf<State> t, const State& y, ScalarOf<State> h) 
   const detail::Radau5Stages<State> guess = detail::Radau5Stages<State>::Zero(y.size(), 3);
   const detail::NewtonResult<State> newton = detail::solve_radau5(
       f, t, y, h, guess, matrices, norm, detail::NewtonLimits{tolerance, 50, 1});
-  if (!newton.converged) {
-    std::ostringstream text;
-    text << "Radau5::step: Newton's iteration does not converge from t = " << t << " with h = " << h
-         << ": take a shorter step";
-    detail::throw_error<std::runtime_error>(text.str());
-  }
+  if (!newton.converged)
+    detail::throw_error<std::runtime_error>(
+        "Radau5::step: Newton's iteration does not converge from t = ", t, " with h = ", h,
+        ": take a shorter step");
   return y + newton.Z.col(2);
 }
 

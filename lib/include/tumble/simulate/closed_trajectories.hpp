@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "tumble/free_body/free_flow.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"
@@ -55,11 +54,9 @@ Trajectory closed_trajectory(const Turning& turning, const steady::SteadyPath& p
                              const SimulationTask& task, const SimulationReport& report) {
   const double span = task.t1 - task.t0;
   if (!path.x(span).allFinite() || !path.P(span).allFinite() ||
-      !std::isfinite(report.error_estimate)) {
-    std::ostringstream text;
-    text << "simulate: the motion leaves the range of numbers before t = " << task.t1;
-    throw_error<std::runtime_error>(text.str());
-  }
+      !std::isfinite(report.error_estimate))
+    throw_error<std::runtime_error>("simulate: the motion leaves the range of numbers before t = ",
+                                    task.t1);
   return {std::make_shared<const ClosedMotion<Turning>>(turning, path, task.t0, task.t1, omega),
           task.t0, task.t1, report};
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
+#include <iomanip>
 #include <vector>
 
 #include "tumble/core/step_budget.hpp"
@@ -140,11 +140,10 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   }
 
   [[noreturn]] void stop(const char* why, double s, double h) const {
-    std::ostringstream text;
-    text.precision(std::numeric_limits<double>::max_digits10);
-    text << "simulate: " << why << " at t = " << t0_ + s << " with a step of h = " << h
-         << ": the motion leaves what the forces are defined for; ask for a shorter time";
-    throw_error<std::runtime_error>(text.str());
+    throw_error<std::runtime_error>(
+        std::setprecision(std::numeric_limits<double>::max_digits10), "simulate: ", why,
+        " at t = ", t0_ + s, " with a step of h = ", h,
+        ": the motion leaves what the forces are defined for; ask for a shorter time");
   }
 
   /// Steps whose way between is kept (42 MB); for later ones it is computed anew.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <vector>
 
 #include "tumble/core/require.hpp"
@@ -92,12 +93,10 @@ class TurningBySeries {
   static constexpr std::size_t max_kept = 10'000;
 
   [[noreturn]] static void stop(double t, double next) {
-    std::ostringstream text;
-    text.precision(17);
-    text << "turning by series: the step became too small at t = " << t
-         << " with a step of h = " << next - t
-         << ": the body turns by too many radians; ask for a shorter time";
-    detail::throw_error<std::runtime_error>(text.str());
+    detail::throw_error<std::runtime_error>(
+        std::setprecision(17), "turning by series: the step became too small at t = ", t,
+        " with a step of h = ", next - t,
+        ": the body turns by too many radians; ask for a shorter time");
   }
 
   detail::TurningSeries<rank> series_;

@@ -1,0 +1,42 @@
+#pragma once
+/// @file
+/// What a page has to know of moving figures, as JSON.
+
+#include <string>
+
+#include "support/moving_figure.hpp"
+#include "support/svg.hpp"
+
+namespace tumble::book {
+
+namespace declaration_detail {
+
+/// Names and labels have neither quotes nor control characters: a test looks at all of them.
+inline std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+
+inline std::string of(const support::Control& control) {
+  const auto value = [](std::string_view key, double number) {
+    return "," + quoted(key) + ":" + support::svg_number(number, 6);
+  };
+  return "{\"name\":" + quoted(control.name) + ",\"label\":" + quoted(control.label) +
+         ",\"unit\":" + quoted(control.unit) + ",\"choices\":" + quoted(control.choices) +
+         value("least", control.least) + value("most", control.most) + value("step", control.step) +
+         value("start", control.start) + "}";
+}
+
+}  // namespace declaration_detail
+
+/// A figure: name, plays, at_once, drags, and the controls with name, label, unit, choices, least,
+/// most, step, start.
+inline std::string declaration_of(const support::MovingFigure& figure) {
+  using namespace declaration_detail;
+  const auto flag = [](bool value) { return value ? "true" : "false"; };
+  std::string controls;
+  for (const support::Control& control : figure.controls)
+    controls += (controls.empty() ? "" : ",") + of(control);
+  return "{\"name\":" + quoted(figure.name) + ",\"plays\":" + std::to_string(figure.plays) +
+         ",\"at_once\":" + flag(figure.at_once) + ",\"drags\":" + flag(figure.drag != nullptr) +
+         ",\"controls\":[" + controls + "]}";
+}
+
+}  // namespace tumble::book

@@ -1,0 +1,48 @@
+/// @file
+/// A chapter's module as a script: pages from disk may load scripts, and nothing else.
+/// tumble_embed FILE.wasm CHAPTER SCRIPT.js
+
+#include <exception>
+#include <iostream>
+
+#include "support/text_file.hpp"
+
+namespace {
+
+constexpr std::size_t most = 60 * 1024;  // of a page's weight on a slow line
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::cerr << "usage: tumble_embed FILE.wasm CHAPTER SCRIPT.js\n";
+    return 2;
+  }
+  try {
+    const std::string bytes = tumble::support::read_text(argv[1]);
+    if (bytes.size() > most) {
+      std::cerr << "tumble_embed: " << argv[1] << " has " << bytes.size() << " bytes; a chapter's "
+                << "figures may have " << most << '\n';
+      return 1;
+    }
+    tumble::support::write_text_and_folders(
+        argv[3],
+        "tumbleMoving.arrived(\"" + std::string(argv[2]) + "\", \"" + base64(bytes) + "\");\n");
+  } catch (const std::exception& error) {
+    std::cerr << "tumble_embed: " << error.what() << '\n';
+    return 2;
+  }
+}

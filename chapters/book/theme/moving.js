@@ -1,0 +1,242 @@
+// Figures that move. What is drawn is the chapter's own C++, compiled to WebAssembly: this script
+// passes settings in and puts the picture up. Without it, or where it fails, the still picture stays.
+const tumbleMoving = (function () {
+  const folder = document.currentScript.src.replace(/[^/]*$/, "moving/");
+  const arrivals = {}; // chapter → who waits for its bytes
+  const chapters = {}; // chapter → a promise of its module
+
+  // ── A chapter's module ──
+
+  function instantiate(base64) {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    let memory;
+    const text = (place, length) =>
+      new TextDecoder().decode(new Uint8Array(memory.buffer, place, length));
+    const imports = {
+      env: {
+        tumble_refused(place, length) {
+          throw new Error(text(place, length));
+        },
+      },
+    };
+    return WebAssembly.instantiate(bytes, imports).then(({ instance }) => {
+      const c = instance.exports;
+      memory = c.memory;
+      c._initialize();
+      return {
+        declaration: (i) => JSON.parse(text(c.declaration(i), c.text_size())),
+        draw: (i) => text(c.draw(i), c.text_size()),
+        drag: c.drag,
+        // A view of the memory, made anew each time: it moves when the memory grows.
+        settings: (i, count) => new Float64Array(memory.buffer, c.settings(i), count),
+      };
+    });
+  }
+
+  function load(chapter) {
+    chapters[chapter] ??= new Promise((resolve, reject) => {
+      arrivals[chapter] = (base64) => instantiate(base64).then(resolve, reject);
+      const script = document.createElement("script");
+      script.src = folder + chapter + ".js";
+      script.onerror = () => reject(new Error(script.src + " is missing"));
+      document.head.append(script);
+    });
+    return chapters[chapter];
+  }
+
+  // ── The controls of a figure ──
+
+  function made(tag, properties, ...children) {
+    const element = Object.assign(document.createElement(tag), properties);
+    element.append(...children);
+    return element;
+  }
+
+  function shown(control, value) {
+    const digits = Math.max(0, Math.ceil(-Math.log10(control.step) - 1e-9));
+    return value.toFixed(digits).replace("-", "−") + (control.unit ? " " + control.unit : "");
+  }
+
+  function field(control, changed) {
+    const id = "control-" + Math.random().toString(36).slice(2);
+    const label = made("label", { htmlFor: id }, control.label);
+    if (control.choices) {
+      const options = control.choices.split("|").map((name, i) => made("option", { value: i }, name));
+      const select = made("select", { id, onchange: () => changed(+select.value) }, ...options);
+      return { row: made("div", {}, label, select), show: (value) => (select.value = value) };
+    }
+    const { least: min, most: max, step } = control;
+    const range = made("input", { id, type: "range" });
+    Object.assign(range, { min, max, step, oninput: () => changed(+range.value) });
+    const output = made("output", { htmlFor: id });
+    const show = (value) => {
+      range.value = value;
+      output.value = shown(control, value);
+      range.setAttribute("aria-valuetext", output.value);
+    };
+    return { row: made("div", {}, label, range, output), show };
+  }
+
+  // ── A figure of the page ──
+
+  class Figure {
+    constructor(place, name, module, i) {
+      Object.assign(this, { place, name, module, i, playing: false, seen: true });
+      this.declared = module.declaration(i);
+      this.controls = this.declared.controls;
+      this.fields = this.controls.map((control, k) => field(control, (value) => this.set(k, value)));
+      this.place.after(this.panel());
+      if (this.declared.drags) this.listen();
+      this.showValues();
+    }
+
+    settings() {
+      return this.module.settings(this.i, this.controls.length);
+    }
+
+    panel() {
+      const button = (text, onclick) => made("button", { type: "button", onclick }, text);
+      const buttons = made("div", { className: "moving-buttons" });
+      if (this.declared.plays >= 0) {
+        this.playButton = button("Play", () => this.play(!this.playing));
+        buttons.append(this.playButton, button("Step", () => this.advance(1 / 30)));
+      }
+      buttons.append(button("Reset", () => this.reset()));
+      const rows = this.fields.map((each) => each.row);
+      const panel = made("div", { className: "moving-panel" }, buttons, ...rows);
+      panel.setAttribute("role", "group");
+      panel.setAttribute("aria-label", "Controls of the figure");
+      return panel;
+    }
+
+    set(k, value) {
+      this.settings()[k] = value;
+      this.changed();
+    }
+
+    reset() {
+      this.play(false);
+      this.settings().set(this.controls.map((control) => control.start));
+      this.changed();
+      if (location.hash.startsWith("#figure=")) history.replaceState(null, "", location.pathname);
+    }
+
+    changed() {
+      this.draw();
+      this.showValues();
+      clearTimeout(this.link);
+      if (!this.playing) this.link = setTimeout(() => this.writeLink(), 300);
+    }
+
+    draw() {
+      this.place.innerHTML = this.module.draw(this.i);
+    }
+
+    showValues() {
+      const settings = this.settings();
+      this.fields.forEach((each, k) => each.show(settings[k]));
+    }
+
+    // The settings stand in the address, so that a link leads to them.
+    writeLink() {
+      const settings = this.settings();
+      const values = this.controls.map((control, k) => "&" + control.name + "=" + +settings[k].toFixed(6));
+      history.replaceState(null, "", "#figure=" + this.name + values.join(""));
+    }
+
+    readLink() {
+      const wanted = new URLSearchParams(location.hash.slice(1));
+      if (wanted.get("figure") !== this.name) return;
+      const settings = this.settings();
+      this.controls.forEach((control, k) => {
+        const value = wanted.has(control.name) ? +wanted.get(control.name) : NaN;
+        if (value >= control.least && value <= control.most) settings[k] = value;
+      });
+      this.draw();
+      this.showValues();
+      this.place.scrollIntoView({ block: "center" });
+    }
+
+    play(on) {
+      this.playing = on;
+      if (this.playButton) this.playButton.textContent = on ? "Pause" : "Play";
+      if (!on) return;
+      let before = performance.now();
+      const frame = (now) => {
+        if (!this.playing) return;
+        if (this.seen) this.advance(Math.min(0.1, Math.max(0, now - before) / 1000));
+        before = now;
+        requestAnimationFrame(frame);
+      };
+      requestAnimationFrame(frame);
+    }
+
+    advance(seconds) {
+      const { least, most } = this.controls[this.declared.plays];
+      const next = this.settings()[this.declared.plays] + seconds;
+      this.set(this.declared.plays, next > most ? least : next);
+    }
+
+    // A pointer's place in the picture's own pixels.
+    at(event) {
+      const svg = this.place.querySelector("svg"), box = svg.getBoundingClientRect();
+      const scale = svg.viewBox.baseVal.width / box.width;
+      return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+    }
+
+    listen() {
+      this.place.classList.add("moving-drags");
+      let last = null;
+      const drag = (event) => {
+        const [x, y] = this.at(event);
+        this.module.drag(this.i, x, y, last ? x - last[0] : 0, last ? y - last[1] : 0);
+        last = [x, y];
+        this.changed();
+      };
+      this.place.addEventListener("pointerdown", (event) => {
+        if (event.button !== 0) return;
+        this.place.setPointerCapture(event.pointerId);
+        last = null;
+        drag(event);
+      });
+      this.place.addEventListener("pointermove", (event) => {
+        if (this.place.hasPointerCapture(event.pointerId)) drag(event);
+      });
+    }
+  }
+
+  // ── The page ──
+
+  function start(place, chapter, name, i) {
+    return load(chapter)
+      .then((module) => {
+        const figure = new Figure(place, name, module, i);
+        new IntersectionObserver((entries) => (figure.seen = entries.at(-1).isIntersecting)).observe(place);
+        figure.readLink();
+        window.addEventListener("hashchange", () => figure.readLink());
+        const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+        if (figure.declared.at_once && !still) figure.play(true);
+        return figure;
+      })
+      .catch((error) => place.after(made("p", { className: "moving-error" }, "This figure stands still here: " + error.message)));
+  }
+
+  return {
+    arrived: (chapter, base64) => arrivals[chapter](base64),
+    figures: [], // promises of those that were seen
+    /// figures: file of the picture → [chapter, name, number]
+    page(figures) {
+      for (const place of document.querySelectorAll("[data-figure]")) {
+        const found = figures[place.dataset.figure];
+        if (!found) continue;
+        const observer = new IntersectionObserver((entries) => {
+          if (!entries.some((entry) => entry.isIntersecting)) return;
+          observer.disconnect();
+          this.figures.push(start(place, ...found));
+        }, { rootMargin: "400px" });
+        observer.observe(place);
+        if (new URLSearchParams(location.hash.slice(1)).get("figure") === found[1]) place.scrollIntoView();
+      }
+    },
+  };
+})();
