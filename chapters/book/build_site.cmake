@@ -1,25 +1,7 @@
-# Builds the site: Doxygen's own header with our scripts instead of its (which would ask the network),
-# then Doxygen, then KaTeX beside the pages.
+# Builds the site: the tool writes what Doxygen reads beside the pages, then Doxygen, then KaTeX beside
+# the pages, and the tool completes them.
 cmake_minimum_required(VERSION 3.25)
-file(MAKE_DIRECTORY ${site})
-execute_process(COMMAND ${doxygen} -w html ${site}/header.html ${site}/footer.html ${site}/style.css
-  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-file(READ ${site}/header.html header)
-string(REGEX REPLACE "^<!DOCTYPE[^>]*>" "<!DOCTYPE html>" header "${header}")
-string(REPLACE "$mathjax" [[
-<meta name="viewport" content="width=device-width, initial-scale=1"/>
-<link rel="stylesheet" href="$relpath^katex/katex.min.css"/>
-<script src="$relpath^katex/katex.min.js"></script>
-<script src="$relpath^katex/contrib/auto-render.js"></script>
-<script src="$relpath^doxygen-awesome-darkmode-toggle.js"></script>
-<script src="$relpath^doxygen-awesome-fragment-copy-button.js"></script>
-<script src="$relpath^doxygen-awesome-paragraph-link.js"></script>
-<script src="$relpath^book.js"></script>
-]] header "${header}")
-if(NOT header MATCHES "katex.min.js")
-  message(FATAL_ERROR "Doxygen's header has no place for our scripts")
-endif()
-file(WRITE ${site}/header.html "${header}")
+execute_process(COMMAND ${tool} --root ${root} prepare ${theme} ${site} COMMAND_ERROR_IS_FATAL ANY)
 
 file(REMOVE_RECURSE ${site}/html)
 execute_process(COMMAND ${doxygen} ${doxyfile} RESULT_VARIABLE status)
@@ -27,10 +9,13 @@ if(status)
   message(FATAL_ERROR "the site is not built, see above")
 endif()
 
-execute_process(COMMAND ${tool} --root ${root} figures ${site}/html COMMAND_ERROR_IS_FATAL ANY)
 file(COPY ${katex}/katex.min.js ${katex}/katex.min.css ${katex}/fonts DESTINATION ${site}/html/katex
   FOLLOW_SYMLINK_CHAIN)
 file(COPY ${katex}/contrib/auto-render.js DESTINATION ${site}/html/katex/contrib FOLLOW_SYMLINK_CHAIN)
+execute_process(COMMAND ${tool} --root ${root} finish ${site} RESULT_VARIABLE status)
+if(status)
+  message(FATAL_ERROR "the site is not complete, see above")
+endif()
 message(STATUS "The book: ${site}/html/index.html")
 
 # The site is read offline: nothing in it may ask the network.

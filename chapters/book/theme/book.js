@@ -1,13 +1,67 @@
-// Sets the formulas once the page is there, and starts the theme's switches.
-DoxygenAwesomeDarkModeToggle.init();
-DoxygenAwesomeFragmentCopyButton.init();
-DoxygenAwesomeParagraphLink.init();
-document.addEventListener("DOMContentLoaded", function () {
-  renderMathInElement(document.body, {
-    delimiters: [
-      { left: "\\[", right: "\\]", display: true },
-      { left: "\\(", right: "\\)", display: false },
-    ],
-    throwOnError: false,
+// What a page does besides being read: the switch of colours, code to copy, links to sections, the
+// section that is read now, and details that open where a link leads into them.
+document.getElementById("mode").addEventListener("click", changeMode);
+applyMode();
+
+const text = document.getElementById("text");
+
+for (const fragment of text.querySelectorAll("div.fragment")) {
+  const button = document.createElement("button");
+  button.className = "copy";
+  button.textContent = "Copy";
+  button.addEventListener("click", () => {
+    const lines = [...fragment.querySelectorAll(".line")].map((line) => {
+      const code = line.cloneNode(true);
+      code.querySelectorAll(".lineno, .ttc").forEach((part) => part.remove());
+      return code.textContent;
+    });
+    navigator.clipboard.writeText(lines.join("\n") + "\n").then(() => {
+      button.textContent = "Copied";
+      setTimeout(() => (button.textContent = "Copy"), 2000);
+    });
   });
-});
+  fragment.append(button);
+}
+
+for (const anchor of text.querySelectorAll(":is(h1, h2, h3, h4) > a.anchor[id]")) {
+  const link = document.createElement("a");
+  link.className = "to-section";
+  link.href = "#" + anchor.id;
+  link.textContent = "#";
+  link.setAttribute("aria-label", "Link to this section");
+  anchor.parentElement.append(link);
+}
+
+const pageContents = document.querySelector(".page-contents");
+if (pageContents) {
+  // Beside the text it stays open; above the text it would push the text away.
+  const beside = matchMedia("(min-width: 1240px)");
+  const unfold = () => (pageContents.querySelector("details").open = beside.matches);
+  beside.addEventListener("change", unfold);
+  unfold();
+  const links = new Map();
+  for (const link of pageContents.querySelectorAll("a")) {
+    const target = document.getElementById(decodeURIComponent(link.hash.slice(1)));
+    if (target) links.set(target.closest("h1, h2, h3, h4") ?? target, link);
+  }
+  const mark = () => {
+    let now;
+    for (const heading of links.keys())
+      if (heading.getBoundingClientRect().top < innerHeight / 3) now = heading;
+    for (const [heading, link] of links)
+      heading === now ? link.setAttribute("aria-current", "true") : link.removeAttribute("aria-current");
+  };
+  document.addEventListener("scroll", mark, { passive: true });
+  mark();
+}
+
+function openDetails() {
+  let place = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const target = place;
+  for (; place; place = place.parentElement) if (place.tagName === "DETAILS") place.open = true;
+  target?.scrollIntoView();
+}
+addEventListener("hashchange", openDetails);
+
+document.querySelector("#sidebar [aria-current]")?.scrollIntoView({ block: "center" });
+scrollTo(scrollX, scrollY);

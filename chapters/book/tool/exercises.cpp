@@ -1,72 +1,39 @@
 #include "book/tool/exercises.hpp"
 
-#include <cctype>
 #include <sstream>
 
+#include "book/tool/contract.hpp"
 #include "book/tool/snippet.hpp"
 
 namespace tumble::book {
 
 namespace {
 
-const std::string announcement = "<!-- exercise: ", contract_heading = "// == ";
+const std::string announcement = "<!-- exercise: ";
 
-/// "9.1 pack: a state becomes thirteen numbers", as the contract says it.
-struct ContractHeading {
-  std::string number, name, title;
-};
-
-std::vector<ContractHeading> headings_of(const fs::path& contract) {
-  std::vector<ContractHeading> headings;
-  for (const std::string& line : read_page(contract).lines) {
-    const auto space = line.find(' ', contract_heading.size());
-    const auto colon = line.find(": ", contract_heading.size());
-    if (!line.starts_with(contract_heading) || colon == std::string::npos || space > colon)
-      continue;
-    headings.push_back({line.substr(contract_heading.size(), space - contract_heading.size()),
-                        line.substr(space + 1, colon - space - 1), line.substr(colon + 2)});
-  }
-  return headings;
-}
-
-ContractHeading heading_of(const Page& page, const ExerciseBlock& block, const fs::path& contract) {
-  for (const ContractHeading& heading : headings_of(contract))
-    if (heading.number == block.number) return heading;
+ContractPart part_of(const Page& page, const ExerciseBlock& block, const fs::path& contract) {
+  for (const ContractPart& part : read_contract(contract).parts)
+    if (part.number == block.number) return part;
   fail(page, block.comment, contract.string() + " has no exercise " + block.number);
 }
 
 /// The first of an exercise's hints, line by line.
 std::vector<std::string> first_hint(const Page& page, const ExerciseBlock& block,
-                                    const fs::path& hints) {
-  const std::string first = "1. ", next = "2. ";
-  std::vector<std::string> hint;
-  bool inside = false;
-  for (const std::string& line : read_page(hints).lines) {
-    if (line.starts_with("## ")) inside = line.starts_with("## " + block.number + " ");
-    if (!inside) continue;
-    if (line.starts_with(next)) break;
-    if (line.starts_with(first) || !hint.empty()) hint.push_back(line.substr(first.size()));
-  }
-  if (hint.empty()) fail(page, block.comment, hints.string() + " has no hint to " + block.number);
-  return hint;
-}
-
-/// "a state becomes …" → "A state becomes …."
-std::string as_sentence(std::string title) {
-  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title + (title.ends_with("?") ? "" : ".");
+                                    const fs::path& file) {
+  const std::vector<Hint> hints = hints_of(file, block.number);
+  if (hints.empty()) fail(page, block.comment, file.string() + " has no hint to " + block.number);
+  return hints.front();
 }
 
 /// The block, not quoted yet.
 std::string text_of(const fs::path& root, const Page& page, const ExerciseBlock& block) {
   const fs::path contract = contract_of(root, page);
-  const ContractHeading heading = heading_of(page, block, contract);
+  const ContractPart part = part_of(page, block, contract);
   const std::string place = contract.lexically_relative(root).string();
   std::ostringstream text;
-  text << "**Now write " << block.number << ": `" << heading.name << "`.** "
-       << as_sentence(heading.title) << "\n\n<!-- signature: " << place << "#" << heading.name
-       << " -->\n```cpp\n"
-       << signature(contract, heading.name) << "```\n\n[The contract]("
+  text << "**Now write " << block.number << ": `" << part.name << "`.** " << as_sentence(part.title)
+       << "\n\n<!-- signature: " << place << "#" << part.name << " -->\n```cpp\n"
+       << signature(contract, part.name) << "```\n\n[The contract]("
        << contract.lexically_relative(page.file.parent_path()).string()
        << ") says exactly what it takes and gives. Ask the judge:\n\n```sh\n./tumble check "
        << block.number << "\n```\n\n<details><summary>A hint</summary>\n\n";
@@ -100,7 +67,7 @@ fs::path contract_of(const fs::path& root, const Page& page) {
 
 std::vector<std::string> exercises_in(const fs::path& contract) {
   std::vector<std::string> numbers;
-  for (const ContractHeading& heading : headings_of(contract)) numbers.push_back(heading.number);
+  for (const ContractPart& part : read_contract(contract).parts) numbers.push_back(part.number);
   return numbers;
 }
 

@@ -1,7 +1,8 @@
 #include "book/tool/links.hpp"
 
 #include <algorithm>
-#include <cctype>
+
+#include "support/heading_anchor.hpp"
 
 namespace tumble::book {
 
@@ -27,17 +28,7 @@ std::vector<Link> links_in(const std::string& line) {
   return links;
 }
 
-std::string anchor_of(const std::string& heading) {
-  std::string anchor;
-  for (const char c : heading) {
-    const auto u = static_cast<unsigned char>(c);
-    if (c == ' ')
-      anchor += '-';
-    else if (std::isalnum(u) != 0 || c == '-' || c == '_' || u >= 0x80)
-      anchor += static_cast<char>(u < 0x80 ? std::tolower(u) : u);
-  }
-  return anchor;
-}
+std::string anchor_of(const std::string& heading) { return support::heading_anchor(heading); }
 
 Heading heading_in(const std::string& line) {
   const auto level = line.find_first_not_of('#');

@@ -3,8 +3,12 @@
 #include <iostream>
 
 #include "book/tool/check.hpp"
+#include "book/tool/converter.hpp"
+#include "book/tool/dead_ends.hpp"
 #include "book/tool/exercises.hpp"
-#include "book/tool/site.hpp"
+#include "book/tool/finish.hpp"
+#include "book/tool/prepare.hpp"
+#include "book/tool/search_index.hpp"
 #include "book/tool/sources.hpp"
 #include "book/tool/terms.hpp"
 #include "support/command_line.hpp"
@@ -26,11 +30,18 @@ void write_all(const Places& places) {
   write_page(fresh_terms(places.root));
 }
 
-int print_mistakes(const Places& places) {
-  const std::vector<std::string> mistakes = mistakes_in(places);
+int print_mistakes(const std::vector<std::string>& mistakes) {
   for (const std::string& mistake : mistakes) std::cout << mistake << "\n";
   using namespace tumble::support;
   return mistakes.empty() ? exit_status::achieved : exit_status::not_achieved;
+}
+
+int finish(const fs::path& root, const fs::path& site) {
+  finish_site(root, site / "html");
+  write_search_index(root, site / "names.tag", site / "html/search_index.js");
+  std::vector<std::string> dead = dead_ends(site / "html");
+  for (std::string& link : dead) link = "a link of the site leads nowhere: " + link;
+  return print_mistakes(dead);
 }
 
 }  // namespace
@@ -39,20 +50,23 @@ int main(int argc, char** argv) {
   CLI::App app("the pages of the book", "tumble_book");
   app.require_subcommand(1);
   Places places;
-  fs::path file;
+  fs::path file, theme;
   app.add_option("--root", places.root, "of the project")->required();
   app.add_option("--programs", places.programs, "folder with the chapters' programs");
   CLI::App* checking = app.add_subcommand("check", "code, numbers, formulas and links are true");
   CLI::App* writing = app.add_subcommand("write", "fill in code and numbers anew");
   CLI::App* filter = app.add_subcommand("filter", "one page for Doxygen");
   filter->add_option("file", file)->required();
-  CLI::App* figures = app.add_subcommand("figures", "put the drawings into Doxygen's pages");
-  figures->add_option("folder", file)->required();
+  CLI::App* preparing = app.add_subcommand("prepare", "write what Doxygen reads beside the pages");
+  preparing->add_option("theme", theme)->required();
+  CLI::App* finishing = app.add_subcommand("finish", "complete the pages that Doxygen has made");
+  for (CLI::App* each : {preparing, finishing}) each->add_option("site", file)->required();
   return tumble::support::run_command_line(app, argc, argv, [&] {
-    if (*checking) return print_mistakes(places);
+    if (*checking) return print_mistakes(mistakes_in(places));
     if (*writing) write_all(places);
-    if (*figures) fill_in_figures(places.root, file);
     if (*filter) std::cout << for_doxygen(places.root, read_page(file));
+    if (*preparing) prepare_site(places.root, theme, file);
+    if (*finishing) return finish(places.root, file);
     return tumble::support::exit_status::achieved;
   });
 }

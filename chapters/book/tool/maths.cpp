@@ -27,6 +27,34 @@ std::vector<InlineFormula> formulas_in(const std::string& line) {
   return formulas;
 }
 
+namespace {
+
+/// Where the text ends that stays in the formula's line: the comma behind it, or "-axis".
+std::size_t attached_behind(const std::string& text, std::size_t at) {
+  const auto end = text.find_first_of(" *_[]<|`$\\\"", at);
+  return end == std::string::npos ? text.size() : end;
+}
+
+}  // namespace
+
+std::string with_formulas(const std::string& text) {
+  const bool in_table = text.starts_with("|");  // Doxygen tears other elements there
+  std::string result;
+  std::size_t at = 0;
+  for (const InlineFormula& formula : formulas_in(text)) {
+    if (formula.begin < at) continue;
+    result += text.substr(at, formula.begin - at);
+    at = in_table ? formula.end : attached_behind(text, formula.end);
+    const bool opened = !in_table && result.ends_with("(") && !result.ends_with("](");
+    if (opened) result.pop_back();
+    const bool alone = at == formula.end && !opened;
+    result += std::string(alone ? "" : "<span class='unbroken'>") + (opened ? "(" : "") + "\\f$" +
+              formula.tex + "\\f$" + text.substr(formula.end, at - formula.end) +
+              (alone ? "" : "</span>");
+  }
+  return result + text.substr(at);
+}
+
 std::string markdown_trap_in(const std::string& tex) {
   const auto is_punctuation = [&tex](std::size_t i) {
     return std::ispunct(static_cast<unsigned char>(tex[i])) != 0;

@@ -22,4 +22,8 @@ std::vector<InlineFormula> formulas_in(const std::string& line);
 /// (escapes) or }_ (emphasis): such a formula has to be written with backticks. Empty if nothing.
 std::string markdown_trap_in(const std::string& tex);
 
+/// The line with Doxygen's formulas; what touches one, such as a comma behind it, stays in its
+/// line.
+std::string with_formulas(const std::string& text);
+
 }  // namespace tumble::book

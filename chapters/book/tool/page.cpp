@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 namespace tumble::book {
 
@@ -58,6 +59,13 @@ void write_page(const Page& page) {
     throw PageError(page.file.string() + ":1: cannot be written");
   }
   fs::rename(fresh, page.file);
+}
+
+Page page_of(const fs::path& file, const std::string& text) {
+  Page page{file, {}};
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) page.lines.push_back(line);
+  return page;
 }
 
 bool is_quoted(const std::string& line) { return line == ">" || line.starts_with("> "); }

@@ -46,6 +46,9 @@ bool is_inside(const std::vector<Fence>& fences, std::size_t line);
 Page read_page(const fs::path& file);
 void write_page(const Page& page);
 
+/// A page that is in no folder, with these lines.
+Page page_of(const fs::path& file, const std::string& text);
+
 /// All fences in order.
 /// @throws PageError if one is not closed, or a snippet's comment has no fence below it
 std::vector<Fence> fences_of(const Page& page);

@@ -109,6 +109,8 @@ int export_command(const Course& course, const PackageOrder& order);
 int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.
 int matrix(const Course& course, const std::string& what, std::uint64_t seed);
+/// What students get wrong: a page of the book.
+int misconceptions_page(const Course& course, const std::string& what);
 /// The judge survives answers and evaluations of any size and with any numbers: tries them.
 int odd_answers(const Course& course, const std::string& what, std::uint64_t seed);
 /// Every exercise in the tree is the untouched stub, and fails every case of its spec.

@@ -218,10 +218,13 @@ class CommandLine {
   void add_proofs() {
     CLI::App& kills = command(
         "matrix", "every spec against every misconception",
-        [this](const Course& course) { return matrix(course, what_, seed_); },
+        [this](const Course& course) {
+          return page_ ? misconceptions_page(course, what_) : matrix(course, what_, seed_);
+        },
         [this](const Course& course) { return specs_of(course.select(what_)); });
     kills.add_option("what", what_, "exercise, chapter, all")->capture_default_str();
     kills.add_option("--seed", seed_, "of the random inputs")->capture_default_str();
+    kills.add_flag("--page", page_, "the page of the book instead: what students get wrong");
     CLI::App& odd = command(
         "odd-answers", "every answer and evaluation put out of shape: the judge survives",
         [this](const Course& course) { return odd_answers(course, what_, seed_); },
@@ -248,6 +251,7 @@ class CommandLine {
   PlatformOptions platform_;
   std::string what_ = "all";
   std::uint64_t seed_ = 1;
+  bool page_ = false;
 };
 
 }  // namespace

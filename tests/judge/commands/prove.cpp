@@ -4,6 +4,7 @@
 
 #include "judge/commands/commands.hpp"
 #include "judge/commands/matrix.hpp"
+#include "judge/commands/misconceptions_page.hpp"
 #include "judge/course/contract.hpp"
 #include "judge/course/hints.hpp"
 #include "judge/verdict/judge_all.hpp"
@@ -13,6 +14,11 @@ namespace tumble::judge {
 
 int matrix(const Course& course, const std::string& what, std::uint64_t seed) {
   return print_kill_matrix(std::cout, course, course.select(what), seed) ? 0 : 1;
+}
+
+int misconceptions_page(const Course& course, const std::string& what) {
+  print_misconceptions(std::cout, course, course.select(what));
+  return 0;
 }
 
 namespace {

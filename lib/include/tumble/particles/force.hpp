@@ -68,6 +68,7 @@ concept SystemForce = requires(const F& force, T t, const ParticlesView<T>& part
   force(t, particles, push);
 };
 
+/// A force of either kind.
 template <class F, class T>
 concept Force = ParticleForce<F, T> || SystemForce<F, T>;
 

@@ -38,6 +38,15 @@ TEST_CASE("the table of misconceptions in the tree is the one that the specs giv
   CHECK_MESSAGE(table.ends_with(now), "write it anew: ./tumble matrix all --seed 1");
 }
 
+TEST_CASE("the page of what students get wrong is the one that the specs give") {
+  const char* root = std::getenv("TUMBLE_ROOT");
+  REQUIRE(root != nullptr);
+  std::ifstream file(std::string(root) + "/chapters/for_instructors/what_students_get_wrong.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  CHECK_MESSAGE(page == judge("matrix all --page").output,
+                "write it anew: ./tumble matrix all --page");
+}
+
 TEST_CASE("every stub is untouched, has its hints, and fails every case of its spec") {
   const CommandResult stubs = judge("stubs");
   CHECK_MESSAGE(stubs.status == 0, stubs.output);

@@ -1,0 +1,104 @@
+#include "book/tool/number_tables.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "support/svg.hpp"
+
+namespace tumble::book {
+
+namespace {
+
+using Characters = std::vector<std::string>;  // of UTF-8
+
+Characters characters_of(const std::string& line) {
+  Characters characters;
+  for (const char c : line) {
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
+    if (continues && !characters.empty())
+      characters.back() += c;
+    else
+      characters.emplace_back(1, c);
+  }
+  return characters;
+}
+
+struct Column {
+  std::size_t begin = 0, end = 0;
+  bool holds_text = false;
+};
+
+/// One column per run of ─; none if anything else is in the line.
+std::vector<Column> columns_under(const Characters& rule) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    if (rule[i] != "─" && rule[i] != " ") return {};
+    if (rule[i] != "─") continue;
+    if (columns.empty() || columns.back().end != i) columns.push_back({i, i});
+    columns.back().end = i + 1;
+  }
+  return columns;
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(' ');
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+using Row = std::vector<std::string>;
+
+/// The cells of a line; none if a character stands between two columns.
+Row cells_of(const Characters& line, const std::vector<Column>& columns) {
+  Row cells;
+  std::size_t used = 0;
+  for (const Column& column : columns) {
+    std::string cell;
+    for (std::size_t i = column.begin; i < std::min(column.end, line.size()); ++i) {
+      cell += line[i];
+      used += line[i] != " ";
+    }
+    cells.push_back(trimmed(cell));
+  }
+  const auto there = line.size() - static_cast<std::size_t>(
+                                       std::count(line.begin(), line.end(), std::string(" ")));
+  return used == there ? cells : Row{};
+}
+
+bool is_number(const std::string& cell) {
+  if (cell.empty() || cell == "–" || cell == "-") return true;
+  return cell.find_first_of("0123456789") < 6 && cell.find_first_of("0123456789") <= cell.find(' ');
+}
+
+std::string row_html(const Row& cells, const std::vector<Column>& columns, const std::string& tag) {
+  std::string html = "<tr>";
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    html += "<" + tag + (columns[k].holds_text ? " class=\"words\">" : ">") +
+            support::svg_text(cells[k]) + "</" + tag + ">";
+  return html + "</tr>";
+}
+
+}  // namespace
+
+std::string number_table_html(const std::string& text) {
+  std::vector<Characters> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(characters_of(line));
+  if (lines.size() < 3) return {};
+  std::vector<Column> columns = columns_under(lines[1]);
+  if (columns.empty()) return {};
+  lines.erase(lines.begin() + 1);
+  std::vector<Row> rows;
+  for (const Characters& line : lines) rows.push_back(cells_of(line, columns));
+  if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.empty(); })) return {};
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    columns[k].holds_text = std::any_of(rows.begin() + 1, rows.end(),
+                                        [k](const Row& row) { return !is_number(row[k]); });
+  std::string html = "<div class=\"scroll\" tabindex=\"0\"><table class=\"numbers\"><thead>" +
+                     row_html(rows[0], columns, "th") + "</thead><tbody>";
+  for (std::size_t i = 1; i < rows.size(); ++i) html += row_html(rows[i], columns, "td");
+  return html + "</tbody></table></div>";
+}
+
+}  // namespace tumble::book
