@@ -2,65 +2,20 @@
 /// The free handle by the right law in two forms, and by two wrong ones.
 
 #include "common.hpp"
+#include "laws.hpp"
 #include "parts.hpp"
 
 namespace rigid_body_chapter {
 
 namespace {
 
-/// q, and L or ω in body axes.
-using Seven = Eigen::Matrix<double, 7, 1>;
-
-Quat orientation_in(const Seven& y) { return {y[0], y[1], y[2], y[3]}; }
-
-Seven seven(const Quat& q, const Vec3& three) {
-  Seven y;
-  y << coefficients(q), three;
-  return y;
-}
-
-/// A law of motion for a body that nothing pushes, and what its last three numbers are.
-struct Law {
-  std::string name;
-  Seven (*rate)(double, const Seven&);
-  bool of_L;  ///< L in world axes; else ω in body axes
-};
-
-Vec3 omega_of(const Quat& q, const Vec3& L) { return angular_velocity(handle(), to_matrix(q), L); }
-
-Seven L_stays(double, const Seven& y) {
-  const Quat q = orientation_in(y);
-  return seven(rotation::quaternion_dot<double>(q, omega_of(q, y.tail<3>())), Vec3::Zero());
-}
-
-Seven by_euler(double, const Seven& y) {
-  const Vec3 omega = y.tail<3>(), L = handle().I_body() * omega;
-  return seven(rotation::quaternion_dot_body<double>(orientation_in(y), omega),
-               handle().I_body_inv() * L.cross(omega));
-}
-
-Seven omega_stays(double, const Seven& y) {
-  return seven(rotation::quaternion_dot_body<double>(orientation_in(y), y.tail<3>()), Vec3::Zero());
-}
-
-Seven with_the_term_in_the_world(double, const Seven& y) {
-  const Quat q = orientation_in(y);
-  const Vec3 L = y.tail<3>(), omega = omega_of(q, L);
-  return seven(rotation::quaternion_dot<double>(q, omega), L.cross(omega));
-}
-
-const std::array<Law, 4> laws{Law{"rate of L: 0", L_stays, true},
-                              {"rate of ω: I⁻¹ (−ω × I ω)", by_euler, false},
-                              {"rate of ω: 0, term left out", omega_stays, false},
-                              {"rate of L: −ω × L, term put in", with_the_term_in_the_world, true}};
-
 /// The handle's state by a law after the time t.
 RigidBodyState<> by_law(const Law& law, double t) {
   const RigidBodyState<> start = handle_start();
   const Vec3 omega = derived(handle(), start).omega;
   const Vec3 three = law.of_L ? start.L : to_matrix(start.q).transpose() * omega;
-  const Seven y =
-      integrate_adaptive<Dop853>(law.rate, seven(start.q, three), 0.0, t, {1e-13, 1e-13}).y;
+  const auto rate = [&law](double, const Seven& y) { return law.rate(handle(), y); };
+  const Seven y = integrate_adaptive<Dop853>(rate, seven(start.q, three), 0.0, t, {1e-13, 1e-13}).y;
   const Quat q = orientation_in(y);
   const Vec3 last = y.tail<3>();
   const Vec3 L = law.of_L ? last : to_matrix(q) * (handle().I_body() * last);
@@ -98,7 +53,7 @@ Table laws_table() {
     const double off = turned_apart(end, exact);
     double turned = 0;
     for (int i = 1; i <= 100; ++i) turned = std::max(turned, angle_apart(start.L, at(0.1 * i).L));
-    table.add({law.name, std::to_string(flips_in(handle(), at, 30)),
+    table.add({std::string(law.name), std::to_string(flips_in(handle(), at, 30)),
                off < 1e-7 ? "< 1e-7 rad" : number(off) + " rad",
                kept(kinetic_energy(handle(), end) / kinetic_energy(handle(), start) - 1),
                kept(end.L.norm() / start.L.norm() - 1),

@@ -1,5 +1,6 @@
 /// @file
 /// Chapter 9: the whole rigid body, its thirteen numbers and their rates.
+#include "09_rigid_body/moving/figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   chapter.figure("frames", frames_figure);
   chapter.figure("seen", seen_figure);
   chapter.figure("spin", spin_figure);
+  chapter.figure(tumble::figures::handle);
   chapter.figure("polhode", polhode_figure);
   chapter.figure("laws", laws_figure);
   chapter.figure("mug", mug_figure);

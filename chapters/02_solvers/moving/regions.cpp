@@ -14,7 +14,7 @@
 #include "tumble/ode/midpoint.hpp"
 #include "tumble/ode/rk4.hpp"
 
-namespace solvers_chapter {
+namespace solvers_chapter::regions_figure {
 
 namespace {
 
@@ -145,7 +145,8 @@ void drag(std::span<double> settings, const Drag& pointer) {
 
 }  // namespace
 
-}  // namespace solvers_chapter
+}  // namespace solvers_chapter::regions_figure
 
 const tumble::support::MovingFigure tumble::figures::regions{
-    "regions", solvers_chapter::controls, solvers_chapter::draw, solvers_chapter::drag};
+    "regions", solvers_chapter::regions_figure::controls, solvers_chapter::regions_figure::draw,
+    solvers_chapter::regions_figure::drag};

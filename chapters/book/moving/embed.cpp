@@ -9,7 +9,7 @@
 
 namespace {
 
-constexpr std::size_t most = 60 * 1024;  // of a page's weight on a slow line
+constexpr std::size_t most = 112 * 1024;  // some 50 KB of what a reader downloads
 
 std::string base64(const std::string& bytes) {
   constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -75,5 +75,6 @@ void* realloc(void* memory, std::size_t size) {
 }
 
 void* operator new(std::size_t size) { return malloc(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return malloc(size); }
 void operator delete(void* memory) noexcept { free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { free(memory); }

@@ -16,8 +16,9 @@ std::string with_drawings(const fs::path& root, const std::string& text) {
   for (auto start = text.find(drawing_start); start != std::string::npos;
        start = text.find(drawing_start, at)) {
     const std::size_t name = start + drawing_start.size(), end = text.find(drawing_end, name);
-    filled += text.substr(at, start - at) + text_of(root / text.substr(name, end - name));
-    at = end + drawing_end.size();
+    // The place keeps its name: a script finds it there, if the figure can be moved.
+    filled += text.substr(at, end + 2 - at) + text_of(root / text.substr(name, end - name));
+    at = end + 2;
   }
   return filled + text.substr(at);
 }

@@ -1,0 +1,148 @@
+#include <doctest/doctest.h>
+
+#include <map>
+
+#include "project/browser/site.hpp"
+#include "project/harness/command.hpp"
+
+using namespace tumble::test;
+using Json = nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A figure that moves, and the page that it stands in.
+struct Moving {
+  std::string picture, chapter, name, page;
+};
+
+std::vector<Moving> figures_that_move() {
+  const std::string index = tumble::support::read_text(site_folder() / "moving/index.js");
+  const std::size_t begin = index.find('{'), end = index.rfind(',');
+  if (end == std::string::npos || begin == std::string::npos) return {};
+  std::vector<Moving> figures;
+  const Json list = Json::parse(index.substr(begin, end - begin) + "}");
+  for (const auto& [picture, where] : list.items())
+    for (const std::string& page : pages_of_the_book())
+      if (tumble::support::read_text(site_folder() / page).find("data-figure=\"" + picture) !=
+          std::string::npos)
+        figures.push_back({picture, where[0], where[1], page});
+  return figures;
+}
+
+/// Waits for the figure, and leaves it in `figure`.
+std::string find(const Moving& moving) {
+  return R"js((async () => {
+    const place = document.querySelector('[data-figure=")js" +
+         moving.picture + R"js("]');
+    place.scrollIntoView({ block: "center", behavior: "instant" });
+    for (let i = 0; i < 200; ++i) {
+      for (const each of await Promise.all(tumbleMoving.figures))
+        if (each && each.place === place) { window.figure = each; each.play(false); return true; }
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    return false;
+  })())js";
+}
+
+/// Sets each control to this part of its range, and gives what the program is told for it.
+Json set_all(Chromium& browser, double part) {
+  return browser.evaluate(
+      "(() => { const s = figure.settings(); const said = []; figure.controls."
+      "forEach((c, k) => { const n = Math.round((c.most - c.least) * " +
+      std::to_string(part) +
+      " / c.step); s[k] = c.least + n * c.step; said.push(c.name + '=' + s[k]); "
+      "}); return said; })()");
+}
+
+/// Empty if two pictures are the same; else what each has at the first place where they differ.
+std::string difference(const std::string& page, const std::string& program) {
+  if (page == program) return "";
+  const auto at = std::mismatch(page.begin(), page.end(), program.begin(), program.end()).first;
+  const auto i = static_cast<std::size_t>(at - page.begin()), from = i < 40 ? 0 : i - 40;
+  return "page: …" + page.substr(from, 80) + "…\nprogram: …" + program.substr(from, 80) + "…";
+}
+
+std::string program_of(const Moving& moving) {
+  return std::string(std::getenv("TUMBLE_CHAPTERS")) + "/" + moving.chapter;
+}
+
+}  // namespace
+
+TEST_CASE("moving figures: the page draws what the program draws, byte for byte") {
+  if (!can_look()) return;
+  const auto figures = figures_that_move();
+  if (figures.empty()) return skip("nothing was compiled for the browser");
+  Chromium browser;
+  browser.resize(1280, 900);
+  for (const Moving& moving : figures) {
+    CAPTURE(moving.picture);
+    browser.open(address_of(moving.page));
+    REQUIRE(browser.evaluate(find(moving)) == true);
+    browser.evaluate("figure.reset()");
+    const fs::path root = std::getenv("TUMBLE_ROOT");
+    const auto drawn = [&] {
+      return browser.evaluate("figure.module.draw(figure.i)").get<std::string>();
+    };
+    CHECK(difference(drawn(), tumble::support::read_text(root / moving.picture)) == "");
+    for (const double part : {0.3, 0.77}) {
+      std::string command = program_of(moving) + " --figure " + moving.name;
+      for (const Json& setting : set_all(browser, part))
+        command += " --set " + setting.get<std::string>();
+      const CommandResult native = run_command(command);
+      REQUIRE(native.status == 0);
+      CHECK(difference(drawn(), native.output) == "");
+    }
+    CHECK(browser.complaints() == std::vector<std::string>{});
+  }
+}
+
+TEST_CASE("moving figures: controls, keys and the pointer change them, and a link brings it back") {
+  if (!can_look()) return;
+  const auto figures = figures_that_move();
+  if (figures.empty()) return skip("nothing was compiled for the browser");
+  Chromium browser;
+  browser.resize(1280, 1000);
+  for (const Moving& moving : figures) {
+    CAPTURE(moving.picture);
+    browser.open(address_of(moving.page));
+    REQUIRE(browser.evaluate(find(moving)) == true);
+    const auto picture = [&] { return browser.evaluate("figure.place.innerHTML"); };
+    browser.evaluate("figure.reset()");
+    const Json still = picture();
+    // As a reader does: each control, by its element.
+    const int controls = browser.evaluate("figure.controls.length");
+    for (int k = 0; k < controls; ++k) {
+      browser.evaluate(
+          "(() => { const e = figure.fields[" + std::to_string(k) +
+          "].row.querySelector('input, select'); e.value = e.tagName === 'SELECT' ? "
+          "(e.selectedIndex + 1) % e.options.length : (+e.value + +e.max) / 2; "
+          "e.dispatchEvent(new Event(e.tagName === 'SELECT' ? 'change' : 'input')); })()");
+      CHECK(picture() != still);
+      browser.evaluate("figure.reset()");
+      CHECK(picture() == still);
+    }
+    if (browser.evaluate("figure.declared.drags") == true) {
+      const Json box = browser.evaluate(
+          "(() => { const b = figure.place.querySelector('svg').getBoundingClientRect(); return "
+          "[b.left, b.top, b.width, b.height]; })()");
+      const double x = box[0], y = box[1], width = box[2];
+      browser.drag(x + 0.4 * width, y + 0.3 * width, x + 0.35 * width, y + 0.26 * width);
+      CHECK(picture() != still);
+      const Json settings = browser.evaluate("[...figure.settings()]");
+      const std::string link = browser.evaluate("(figure.writeLink(), location.href)");
+      browser.open(link);
+      REQUIRE(browser.evaluate(find(moving)) == true);
+      const Json again = browser.evaluate("[...figure.settings()]");
+      for (std::size_t k = 0; k < settings.size(); ++k)
+        CHECK(std::abs(again[k].get<double>() - settings[k].get<double>()) < 1e-5);
+    }
+    const double frame = browser.evaluate(
+        "(() => { const n = 30, begin = performance.now(); for (let i = 0; i < n; ++i) { "
+        "figure.draw(); figure.place.getBoundingClientRect(); } return (performance.now() - begin) "
+        "/ n; })()");
+    MESSAGE(moving.picture << ": " << frame << " ms a frame");
+    CHECK(browser.complaints() == std::vector<std::string>{});
+  }
+}

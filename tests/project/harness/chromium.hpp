@@ -1,0 +1,61 @@
+#pragma once
+/// @file
+/// A headless Chromium that a test drives, by the DevTools protocol over two pipes.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "project/harness/temporary_folder.hpp"
+
+namespace tumble::test {
+
+/// The program of Chromium, or empty if there is none.
+std::string chromium_program();
+
+/// One browser with one page.
+class Chromium {
+ public:
+  /// @throws std::runtime_error if it does not start
+  Chromium();
+  Chromium(const Chromium&) = delete;
+  Chromium& operator=(const Chromium&) = delete;
+  ~Chromium();
+
+  /// The size of the page from now on [px]; `phone` means touch, and no mouse.
+  void resize(int width, int height, bool phone = false);
+  /// Whether pages are told that the reader wants dark colours.
+  void prefer_dark(bool dark);
+  /// Opens a page, and waits until it is loaded and its scripts have run.
+  void open(const std::string& address);
+  /// What an expression of JavaScript gives; of a promise, what it resolves to.
+  /// @throws std::runtime_error with the page's own message if it throws
+  nlohmann::json evaluate(const std::string& expression);
+  /// Presses the mouse at a point of the window, moves it, and lets go [px].
+  void drag(double x, double y, double to_x, double to_y);
+  /// A picture of the window, as PNG.
+  void screenshot(const std::filesystem::path& file);
+
+  /// Errors in the console, exceptions, and requests to the network, since the page was opened.
+  const std::vector<std::string>& complaints() const { return complaints_; }
+
+ private:
+  nlohmann::json call(const std::string& method,
+                      nlohmann::json parameters = nlohmann::json::object());
+  nlohmann::json receive();
+  void take(const nlohmann::json& event);
+  void wait_for(const std::string& event);
+
+  TemporaryFolder profile_;
+  pid_t process_ = -1;
+  int to_ = -1, from_ = -1;
+  int last_ = 0;
+  std::string session_, unread_;
+  std::vector<std::string> complaints_, seen_;
+};
+
+}  // namespace tumble::test
