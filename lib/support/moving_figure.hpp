@@ -40,8 +40,6 @@ struct MovingFigure {
   /// Changes settings as the reader drags; nullptr if nothing can be dragged.
   void (*drag)(std::span<double>, const Drag&) = nullptr;
   int plays = -1;  ///< the control that goes on by itself, by 1 per second; -1 if none does
-  bool at_once =
-      false;  ///< whether it plays as soon as it is seen, where the reader's system moves
 };
 
 /// The nearest value that a control can have.

@@ -26,17 +26,15 @@ inline std::string of(const support::Control& control) {
 
 }  // namespace declaration_detail
 
-/// A figure: name, plays, at_once, drags, and the controls with name, label, unit, choices, least,
+/// A figure: name, plays, drags, and the controls with name, label, unit, choices, least,
 /// most, step, start.
 inline std::string declaration_of(const support::MovingFigure& figure) {
   using namespace declaration_detail;
-  const auto flag = [](bool value) { return value ? "true" : "false"; };
   std::string controls;
   for (const support::Control& control : figure.controls)
     controls += (controls.empty() ? "" : ",") + of(control);
   return "{\"name\":" + quoted(figure.name) + ",\"plays\":" + std::to_string(figure.plays) +
-         ",\"at_once\":" + flag(figure.at_once) + ",\"drags\":" + flag(figure.drag != nullptr) +
-         ",\"controls\":[" + controls + "]}";
+         ",\"drags\":" + (figure.drag ? "true" : "false") + ",\"controls\":[" + controls + "]}";
 }
 
 }  // namespace tumble::book

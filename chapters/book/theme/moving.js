@@ -157,6 +157,11 @@ const tumbleMoving = (function () {
       this.place.scrollIntoView({ block: "center" });
     }
 
+    open(playing) {
+      this.draw();
+      if (playing) this.play(true);
+    }
+
     play(on) {
       this.playing = on;
       if (this.playButton) this.playButton.textContent = on ? "Pause" : "Play";
@@ -215,7 +220,8 @@ const tumbleMoving = (function () {
         figure.readLink();
         window.addEventListener("hashchange", () => figure.readLink());
         const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-        if (figure.declared.at_once && !still) figure.play(true);
+        // It stands in for another picture, as the front page's.
+        if (!place.dataset.figure.endsWith("/" + name + ".svg")) figure.open(!still);
         return figure;
       })
       .catch((error) => place.after(made("p", { className: "moving-error" }, "This figure stands still here: " + error.message)));

@@ -15,6 +15,9 @@ namespace fs = std::filesystem;
 /// A figure that moves, and the page that it stands in.
 struct Moving {
   std::string picture, chapter, name, page;
+
+  /// Whether it is the picture that moves; else it stands in for that.
+  bool is_its_own() const { return fs::path(picture).stem() == name; }
 };
 
 std::vector<Moving> figures_that_move() {
@@ -85,7 +88,8 @@ TEST_CASE("moving figures: the page draws what the program draws, byte for byte"
     const auto drawn = [&] {
       return browser.evaluate("figure.module.draw(figure.i)").get<std::string>();
     };
-    CHECK(difference(drawn(), tumble::support::read_text(root / moving.picture)) == "");
+    if (moving.is_its_own())
+      CHECK(difference(drawn(), tumble::support::read_text(root / moving.picture)) == "");
     for (const double part : {0.3, 0.77}) {
       std::string command = program_of(moving) + " --figure " + moving.name;
       for (const Json& setting : set_all(browser, part))
