@@ -1,6 +1,6 @@
 /// @file
 /// Chapter 2: steps that suit the motion, steps that stiffness forces, and what each error costs.
-#include "02_solvers/moving/figures.hpp"
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 

@@ -1,6 +1,6 @@
 /// @file
 /// Chapter 9: the whole rigid body, its thirteen numbers and their rates.
-#include "09_rigid_body/moving/figures.hpp"
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 

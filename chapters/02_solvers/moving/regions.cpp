@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "02_solvers/moving/figures.hpp"
+#include "02_solvers/moving_figures.hpp"
 #include "02_solvers/stability_function.hpp"
 #include "tumble/ode/backward_euler.hpp"
 #include "tumble/ode/dop853.hpp"

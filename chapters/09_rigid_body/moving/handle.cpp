@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "09_rigid_body/laws.hpp"
-#include "09_rigid_body/moving/figures.hpp"
+#include "09_rigid_body/moving_figures.hpp"
 #include "09_rigid_body/polhodes.hpp"
 #include "objects/t_handle.hpp"
 #include "support/space_sketch.hpp"

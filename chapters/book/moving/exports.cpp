@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "book/moving/declaration.hpp"
+#include "support/moving_declaration.hpp"
 #include TUMBLE_CHAPTER
 
 namespace {
@@ -46,7 +46,7 @@ extern "C" {
 
 /// A figure and its controls, as JSON.
 [[clang::export_name("declaration")]] const char* declaration(int i) {
-  return hand_over(tumble::book::declaration_of(figure(i)));
+  return hand_over(tumble::support::declaration_of(figure(i)));
 }
 /// The figure's settings, one double each: the page reads and writes them.
 [[clang::export_name("settings")]] double* settings_of(int i) { return settings(i).data(); }

@@ -59,6 +59,16 @@ TEST_CASE("chapter: one table and nothing else, or the figures and nothing else"
   CHECK(files_with(".csv").empty());
 }
 
+TEST_CASE("chapter: one figure and nothing else") {
+  const CommandResult result = chapter("--figure order");
+  CHECK(result.status == 0);
+  CHECK(result.output.starts_with("<svg"));
+  CHECK(result.output.ends_with("</svg>\n"));
+  CHECK(mentions(chapter("--figure disorder").output, "no figure 'disorder'", "there are: "));
+  CHECK(mentions(chapter("--figure order --set h=1").output, "nothing can be set", "order"));
+  CHECK(mentions(chapter("--set h=1").output, "--figure"));
+}
+
 TEST_CASE("chapter: says what it cannot do") {
   CommandResult result = chapter("--only disorder");
   CHECK(result.status == 2);
@@ -69,6 +79,6 @@ TEST_CASE("chapter: says what it cannot do") {
   CHECK(chapter("--help").status == 0);
   CHECK(mentions(chapter("--help").output, "Usage: ./tumble chapter 3"));
   CHECK(chapter("--unknown").status == 2);
-  CHECK(mentions(chapter("--figure x").output, "tumble: ", "did you mean --figures?"));
+  CHECK(mentions(chapter("--figurs x").output, "tumble: ", "did you mean --figure"));
   CHECK(chapter("--only order >/dev/full").status == 2);
 }

@@ -7,16 +7,16 @@
 #include "support/moving_figure.hpp"
 #include "support/svg.hpp"
 
-namespace tumble::book {
+namespace tumble::support {
 
 namespace declaration_detail {
 
 /// Names and labels have neither quotes nor control characters: a test looks at all of them.
 inline std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
-inline std::string of(const support::Control& control) {
+inline std::string of(const Control& control) {
   const auto value = [](std::string_view key, double number) {
-    return "," + quoted(key) + ":" + support::svg_number(number, 6);
+    return "," + quoted(key) + ":" + svg_number(number, 6);
   };
   return "{\"name\":" + quoted(control.name) + ",\"label\":" + quoted(control.label) +
          ",\"unit\":" + quoted(control.unit) + ",\"choices\":" + quoted(control.choices) +
@@ -28,13 +28,13 @@ inline std::string of(const support::Control& control) {
 
 /// A figure: name, plays, drags, and the controls with name, label, unit, choices, least,
 /// most, step, start.
-inline std::string declaration_of(const support::MovingFigure& figure) {
+inline std::string declaration_of(const MovingFigure& figure) {
   using namespace declaration_detail;
   std::string controls;
-  for (const support::Control& control : figure.controls)
+  for (const Control& control : figure.controls)
     controls += (controls.empty() ? "" : ",") + of(control);
   return "{\"name\":" + quoted(figure.name) + ",\"plays\":" + std::to_string(figure.plays) +
          ",\"drags\":" + (figure.drag ? "true" : "false") + ",\"controls\":[" + controls + "]}";
 }
 
-}  // namespace tumble::book
+}  // namespace tumble::support
