@@ -43,12 +43,12 @@ std::vector<std::string> local_and_global(const std::string& name) {
           number(runge_kutta::observed_order(steps, global), 3)};
 }
 
-support::Series error_curve(const std::string& name, auto method, double (*abscissa)(int, int),
-                            int evaluations) {
+template <class Method>
+support::Series error_curve(const std::string& name) {
   support::Series series{name, {}, {}};
   for (int steps = 1 << 17; steps >= 64; steps /= 2) {
-    series.x.push_back(abscissa(steps, evaluations));
-    series.y.push_back(distance(after<decltype(method)>(1, steps), at_perigee()));
+    series.x.push_back(period() / steps);
+    series.y.push_back(distance(after<Method>(1, steps), at_perigee()));
   }
   return series;
 }
@@ -84,21 +84,8 @@ std::string error_figure() {
                      {"step h [s]", support::Scale::log},
                      {"distance from where it should be [m]", support::Scale::log},
                      {}};
-  for_each_method([&](const std::string& name, auto method, int evaluations) {
-    const auto step = [](int steps, int) { return period() / steps; };
-    plot.series.push_back(error_curve(name, method, step, evaluations));
-  });
-  return support::to_svg(plot);
-}
-
-std::string price_figure() {
-  support::Plot plot{"error against cost, one revolution",
-                     {"evaluations of the right-hand side", support::Scale::log},
-                     {"distance from where it should be [m]", support::Scale::log},
-                     {}};
-  for_each_method([&](const std::string& name, auto method, int evaluations) {
-    const auto cost = [](int steps, int each) { return 1. * steps * each; };
-    plot.series.push_back(error_curve(name, method, cost, evaluations));
+  for_each_method([&](const std::string& name, auto method, int) {
+    plot.series.push_back(error_curve<decltype(method)>(name));
   });
   return support::to_svg(plot);
 }

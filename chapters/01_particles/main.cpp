@@ -1,5 +1,6 @@
 /// @file
 /// Chapter 1: what moves particles, three ways to follow it, and what each step costs and misses.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -37,6 +38,6 @@ int main(int argc, char** argv) {
   chapter.figure("growth", growth_figure);
   chapter.figure("one_step", one_step_figure);
   chapter.figure("error", error_figure);
-  chapter.figure("price", price_figure);
+  chapter.figure(tumble::figures::price);
   return chapter.run(argc, argv);
 }

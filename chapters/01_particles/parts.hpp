@@ -48,8 +48,6 @@ std::string spring_figure();
 Table order_table();
 /// Error after one revolution. The slopes are the orders 1, 2 and 4.
 std::string error_figure();
-/// The same errors against their price.
-std::string price_figure();
 /// Evaluations of the right-hand side that an error asks for.
 Table price_table();
 

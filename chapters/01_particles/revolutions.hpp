@@ -14,11 +14,6 @@ namespace particles_chapter {
 
 constexpr double km = 1000;
 
-/// Of one revolution [s].
-inline double period() {
-  return 2 * std::numbers::pi * std::sqrt(semi_major_axis * semi_major_axis * semi_major_axis / GM);
-}
-
 inline double distance(const Orbit& a, const Orbit& b) { return (a - b).head<2>().norm(); }
 
 /// After so many whole revolutions the satellite is where it was at the start.

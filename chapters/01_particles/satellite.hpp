@@ -6,8 +6,13 @@
 /// Earth.
 
 #include <cmath>
+#include <numbers>
 
-#include "tumble/ode.hpp"
+#include "tumble/ode/c_interface.hpp"
+#include "tumble/ode/euler.hpp"
+#include "tumble/ode/integrate_fixed.hpp"
+#include "tumble/ode/midpoint.hpp"
+#include "tumble/ode/rk4.hpp"
 
 namespace particles_chapter {
 
@@ -28,6 +33,11 @@ inline void satellite(double, const double y[], double ydot[]) {
 using Orbit = Eigen::Vector4d;
 
 constexpr double semi_major_axis = (perigee + apogee) / 2;
+
+/// Of one revolution [s].
+inline double period() {
+  return 2 * std::numbers::pi * std::sqrt(semi_major_axis * semi_major_axis * semi_major_axis / GM);
+}
 
 /// At the perigee, across the line to the Earth, as fast as the ellipse asks for.
 inline Orbit at_perigee() {
