@@ -16,8 +16,7 @@ contact::ContactScene contact_scene(const Scene& scene) {
 double contact_tolerance(const Scene& scene) {
   constexpr double most = 1e-8;  // more would blur the lowest hops
   double least = scene.bodies.front().shape->convex.reach();
-  for (const SceneBody& body : scene.bodies)
-    least = std::min(least, body.shape->convex.reach());
+  for (const SceneBody& body : scene.bodies) least = std::min(least, body.shape->convex.reach());
   return least * std::min(most, scene.task.tolerance);
 }
 

@@ -15,8 +15,7 @@ constexpr double start_difference = 1e-9;
 contact::ContactBody disturbed(contact::ContactBody body, const Vec3& gravity) {
   const Derived<> now = derived(body.body, body.start);
   const double reach = body.shape.reach();
-  const double speed =
-      now.v.norm() + reach * now.omega.norm() + std::sqrt(gravity.norm() * reach);
+  const double speed = now.v.norm() + reach * now.omega.norm() + std::sqrt(gravity.norm() * reach);
   const Vec3 by = start_difference * speed * Vec3::Ones().normalized();
   body.start = state_of_motion<double>(body.body, body.start.x, body.start.q, now.v + by,
                                        now.omega + by / reach);

@@ -56,15 +56,20 @@ std::vector<std::vector<Vec3>> lines_on(const collide::HalfSpace& plane, const V
         1.2 * Eigen::Vector2d::Constant(scene.bodies[picture.body].shape->convex.reach());
     box.extend(Eigen::Vector2d(at - room)).extend(Eigen::Vector2d(at + room));
   }
-  const auto point = [&](double a, double b) -> Vec3 { return a * u + b * v + n.dot(plane.point) * n; };
-  const Eigen::Vector2d low = box.min(), high = box.max();
-  constexpr int squares = 6;  // of the shorter side
+  const auto point = [&](const Eigen::Vector2d& at) -> Vec3 {
+    return at.x() * u + at.y() * v + n.dot(plane.point) * n;
+  };
+  constexpr double squares = 5;  // of the shorter side
   const double square = box.sizes().minCoeff() / squares;
   std::vector<std::vector<Vec3>> lines;
-  for (double a = low.x(); a <= high.x() + square / 2; a += square)
-    lines.push_back({point(a, low.y()), point(a, high.y())});
-  for (double b = low.y(); b <= high.y() + square / 2; b += square)
-    lines.push_back({point(low.x(), b), point(high.x(), b)});
+  for (int k = 0; k < 2; ++k) {
+    const int count = static_cast<int>(std::min(40., std::round(box.sizes()[k] / square)));
+    for (int i = 0; i <= count; ++i) {
+      Eigen::Vector2d from = box.min(), to = box.max();
+      from[k] = to[k] = box.min()[k] + box.sizes()[k] * i / count;
+      lines.push_back({point(from), point(to)});
+    }
+  }
   return lines;
 }
 
@@ -80,7 +85,7 @@ bool is_drawn(const Scene& scene, const Motions& motions, std::size_t wall) {
 
 std::vector<FilmPicture> take_pictures(const Scene& scene, const Motions& motions, double end) {
   const int bodies = static_cast<int>(scene.bodies.size());
-  const int gaps = std::clamp(40 / bodies, 1, 11);
+  const int gaps = std::clamp(30 / bodies, 1, 11);
   std::vector<FilmPicture> pictures;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     for (int k = 0; k <= gaps; ++k)

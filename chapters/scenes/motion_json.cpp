@@ -1,5 +1,5 @@
-#include "scenes/error_growth.hpp"
 #include "scenes/contact_motion.hpp"
+#include "scenes/error_growth.hpp"
 #include "scenes/motion_output.hpp"
 #include "tumble/body/model.hpp"
 

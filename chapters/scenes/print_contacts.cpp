@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iostream>
 
 #include "scenes/contact_motion.hpp"
@@ -8,9 +9,11 @@
 namespace tumble::scenes {
 namespace {
 
+/// What only rounding has left of a component is 0.
 std::string three_digits(const Vec3& v) {
   std::string text;
-  for (const double x : v) text += (text.empty() ? "" : " ") + support::number(x == 0 ? 0 : x);
+  for (const double x : v)
+    text += (text.empty() ? "" : " ") + support::number(std::abs(x) > 1e-12 * v.norm() ? x : 0);
   return text;
 }
 

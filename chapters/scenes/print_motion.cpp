@@ -50,8 +50,7 @@ void print_end(const Scene& scene, const Motions& motions) {
               << "xyz"[stop.coordinate] << " of " << scene.bodies[stop.body].name
               << " has not passed " << support::number(stop.level, 6) << " m by then\n";
   }
-  if (scene.contact && !motions.contacts)
-    print_line("nothing can touch: no collision code ran");
+  if (scene.contact && !motions.contacts) print_line("nothing can touch: no collision code ran");
   std::cout << '\n';
 }
 
@@ -65,8 +64,8 @@ void print_motion(const Scene& scene, const Motions& motions) {
     const Derived<> now = derived(body.body, s);
     support::Table table({body.name, "at the end", "unit"});
     table.add({"position", nine_digits(s.x), "m"});
-    table.add({"orientation (w x y z)",
-               support::number(s.q.w(), 9) + "  " + nine_digits(s.q.vec()), ""});
+    table.add(
+        {"orientation (w x y z)", support::number(s.q.w(), 9) + "  " + nine_digits(s.q.vec()), ""});
     table.add({"velocity", nine_digits(now.v), "m/s"});
     table.add({"angular velocity", nine_digits(now.omega), "rad/s"});
     table.add({"linear momentum", nine_digits(s.P), "kg m/s"});

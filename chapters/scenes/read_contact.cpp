@@ -53,9 +53,9 @@ void require_apart(const Place& root, const Scene& scene) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     for (const SceneWall& wall : scene.contact->walls) {
       const SceneBody& body = scene.bodies[i];
-      const double gap = distance(body.shape->convex, {body.start.x, to_matrix(body.start.q)},
-                                  wall.half_space)
-                             .gap;
+      const double gap =
+          distance(body.shape->convex, {body.start.x, to_matrix(body.start.q)}, wall.half_space)
+              .gap;
       require(gap >= -contact_tolerance(scene), bodies[i].name(), ": ", body.name, " starts ", -gap,
               " m deep in the ", wall.name);
     }

@@ -77,7 +77,7 @@ BodyShape shape_around(const Round& round, const Vec3& centre) {
 }
 
 BodyShape shape_around(const PolygonMesh& mesh, const Vec3& centre) {
-  constexpr int many = 3000, cells = 24;  // triangles to draw
+  constexpr int many = 600, cells = 18;  // of what is drawn
   const PolygonMesh centred = moved(mesh, -centre);
   const collide::Convex hull = collide::Convex::hull(collide::hull_points(centred.vertices));
   const bool convex = bulges(centred, hull) <= 1e-6 * hull.reach();

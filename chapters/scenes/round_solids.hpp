@@ -46,7 +46,9 @@ inline std::vector<int> add_ring(PolygonMesh& mesh, const OutlinePoint& at, int 
 /// The band between two rings, of quads, or of triangles to a tip.
 inline void join(PolygonMesh& mesh, const std::vector<int>& low, const std::vector<int>& high) {
   const std::size_t sides = std::max(low.size(), high.size());
-  const auto at = [&](const std::vector<int>& ring, std::size_t j) { return ring[j % ring.size()]; };
+  const auto at = [&](const std::vector<int>& ring, std::size_t j) {
+    return ring[j % ring.size()];
+  };
   for (std::size_t j = 0; j < sides; ++j)
     if (low.size() == 1)
       mesh.add_face({low[0], at(high, j + 1), at(high, j)});
@@ -98,7 +100,8 @@ inline Polyhedron polyhedron_in(const Capsule& solid, int sides) {
       // Without a cylinder both hemispheres share their rim.
       if (solid.height == 0 && side < 0 && k == quarter) outline.pop_back();
     }
-  // A point of the surface is no farther from its meridian's chord, which is no farther from a face.
+  // A point of the surface is no farther from its meridian's chord, which is no farther from a
+  // face.
   return {turned(outline, sides), 2 * beyond_chord(solid.radius, 2 * std::numbers::pi / sides)};
 }
 

@@ -12,8 +12,8 @@ void write_files(const SimulateCommand& command, const Scene& scene, const Motio
   if (!command.csv.empty()) support::write_text(command.csv, states_csv(scene, motions));
   if (!command.impacts.empty()) support::write_text(command.impacts, impacts_csv(scene, motions));
   if (!command.svg.empty())
-    support::write_text(command.svg, scene.contact ? film_strip(scene, motions)
-                                                   : spin_plot(scene, motions));
+    support::write_text(command.svg,
+                        scene.contact ? film_strip(scene, motions) : spin_plot(scene, motions));
 }
 
 bool tolerances_reached(const Scene& scene, const Motions& motions) {

@@ -18,6 +18,8 @@ namespace tumble::collide {
 /// lie inside.
 /// @throws std::invalid_argument if the hull has no volume, or a point is not finite
 inline std::vector<Vec3> hull_points(std::span<const Vec3> points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    require(points[i].allFinite(), "hull_points: point ", i, " is not finite");
   std::vector<Vec3> kept = tumble::detail::extreme_points(points);
   const Convex inner = Convex::hull(kept);
   if (kept.size() == points.size()) return kept;

@@ -47,6 +47,33 @@ inline bool reaches(const collide::Parabola& a, const collide::Parabola& b, doub
   return !((apart + nearest * v).norm() > radii + rounding);
 }
 
+/// The same of two bodies of a scene.
+inline bool reach_each_other(const ContactBody& a, const ContactBody& b, const Vec3& gravity,
+                             double until) {
+  return reaches(free_path(a, gravity), free_path(b, gravity), a.shape.reach() + b.shape.reach(),
+                 until);
+}
+
+/// Whether any two bodies meet. Of many, those are looked at whose swept bounds overlap.
+inline bool any_pair_meets(const ContactScene& scene, double until) {
+  constexpr std::size_t few = 4;
+  const std::vector<ContactBody>& bodies = scene.bodies;
+  if (bodies.size() <= few) {
+    for (auto a = bodies.begin(); a != bodies.end(); ++a)
+      for (auto b = bodies.begin(); b != a; ++b)
+        if (reach_each_other(*a, *b, scene.gravity, until)) return true;
+    return false;
+  }
+  std::vector<collide::Bounds> swept;
+  for (const ContactBody& b : bodies)
+    swept.push_back(collide::swept_bounds(free_path(b, scene.gravity), until, b.shape.reach()));
+  bool meet = false;
+  collide::sort_and_sweep(swept, [&](int i, int j) {
+    meet = meet || reach_each_other(scene.body(i), scene.body(j), scene.gravity, until);
+  });
+  return meet;
+}
+
 }  // namespace tumble::contact::detail
 
 namespace tumble::contact {
@@ -55,30 +82,20 @@ namespace tumble::contact {
 /// @{
 
 /// Whether any body can touch a wall or another body from t = 0 to `until`: whether the balls
-/// around the centres of mass which hold the bodies meet on their flights. It takes some products a
-/// body, and a sort.
+/// around the centres of mass which hold the bodies meet on their flights. It takes some products
+/// per body, and a sort.
 /// @param until [s], finite and ≥ 0
 /// @return false only if nothing touches, to rounding. True is no promise that something does.
-/// @throws std::invalid_argument if `until` is none, or a start is not finite
+/// @throws std::invalid_argument if `until` is none
 inline bool can_touch(const ContactScene& scene, double until) {
   require(until >= 0 && std::isfinite(until), "contacts: until = ", until,
           " s is not finite and ≥ 0");
-  std::vector<collide::Bounds> swept;
   for (const ContactBody& b : scene.bodies) {
     const collide::Parabola path = detail::free_path(b, scene.gravity);
     for (const collide::HalfSpace& wall : scene.walls)
       if (detail::reaches(path, b.shape.reach(), wall, until)) return true;
-    if (scene.bodies.size() > 1)
-      swept.push_back(collide::swept_bounds(path, until, b.shape.reach()));
   }
-  bool meet = false;
-  collide::sort_and_sweep(swept, [&](int i, int j) {
-    const ContactBody &a = scene.body(i), &b = scene.body(j);
-    meet = meet || detail::reaches(detail::free_path(a, scene.gravity),
-                                   detail::free_path(b, scene.gravity),
-                                   a.shape.reach() + b.shape.reach(), until);
-  });
-  return meet;
+  return detail::any_pair_meets(scene, until);
 }
 
 /// @}
