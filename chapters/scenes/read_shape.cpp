@@ -47,7 +47,7 @@ PolygonMesh moved(PolygonMesh mesh, const Vec3& by) {
 double bulges(const PolygonMesh& mesh, const collide::Convex& hull) {
   double most = 0;
   for_each_triangle(mesh, [&](int, const std::array<int, 3>& corners) {
-    const Vec3 a = mesh.vertex(corners[0]);
+    const Vec3& a = mesh.vertex(corners[0]);
     const Vec3 normal = (mesh.vertex(corners[1]) - a).cross(mesh.vertex(corners[2]) - a);
     if (normal.norm() == 0) return;
     const Vec3 out = normal.normalized();

@@ -65,6 +65,7 @@ inline bool any_pair_meets(const ContactScene& scene, double until) {
     return false;
   }
   std::vector<collide::Bounds> swept;
+  swept.reserve(bodies.size());
   for (const ContactBody& b : bodies)
     swept.push_back(collide::swept_bounds(free_path(b, scene.gravity), until, b.shape.reach()));
   bool meet = false;
