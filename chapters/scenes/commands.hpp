@@ -21,7 +21,7 @@ struct MassCommand {
 };
 
 struct SimulateCommand {
-  std::string file, csv, svg;
+  std::string file, csv, svg, impacts;
   bool json = false;
 };
 
@@ -33,7 +33,7 @@ struct SimulateCommand {
 int run(const MassCommand& command);
 
 /// Simulates a scene file and prints the motion and what it took.
-/// @return 0, or 1 if a tolerance was not reached
+/// @return 0, or 1 if a tolerance was not reached, or contact lasted and was not followed
 /// @throws std::invalid_argument if the file says something that is not a scene
 /// @throws std::runtime_error if a motion cannot be followed to its end
 int run(const SimulateCommand& command);

@@ -51,7 +51,10 @@ int main(int argc, char** argv) {
                    "your scene file; chapters/scenes/README.md says what it holds")
       ->required();
   simulate_app->add_option("--csv", simulate.csv, "we write the recorded states into this file");
-  simulate_app->add_option("--svg", simulate.svg, "we draw into this file how the bodies turn");
+  simulate_app->add_option(
+      "--svg", simulate.svg,
+      "we draw into this file how the bodies turn, or a film strip if they can touch things");
+  simulate_app->add_option("--impacts", simulate.impacts, "we write all impacts into this file");
   simulate_app->add_flag("--json", simulate.json,
                          "all digits, and all that we have chosen and spent, as JSON");
   return tumble::support::run_command_line(

@@ -7,9 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "tumble/collide/convex.hpp"
 #include "tumble/simulate/held.hpp"
 
 namespace tumble::scenes {
+
+/// What a body is to others that it hits, and what it looks like. Both in body coordinates.
+struct BodyShape {
+  collide::Convex convex;
+  PolygonMesh drawn;   ///< for pictures
+  std::string as;      ///< what collides, in words
+  double missing = 0;  ///< how far the shape reaches beyond what collides, at most [m]
+};
 
 /// A body as it starts, and what pushes it.
 struct SceneBody {
@@ -18,7 +27,20 @@ struct SceneBody {
   RigidBodyState<> start;
   SteadyForces steady;
   std::vector<SpringToWorld> springs;
-  std::optional<HeldBody> held = {};  ///< if a point of it stays where it is
+  std::optional<HeldBody> held = {};    ///< if a point of it stays where it is
+  std::optional<BodyShape> shape = {};  ///< if the scene has contact
+};
+
+/// A floor or a wall.
+struct SceneWall {
+  std::string name;
+  collide::HalfSpace half_space;
+};
+
+/// What bodies can hit beside each other, and how they come off.
+struct SceneContact {
+  std::vector<SceneWall> walls;  ///< floors, too
+  double restitution = 0.5, friction = 0.3;
 };
 
 /// When to stop: a coordinate of one body passes a level.
@@ -30,13 +52,21 @@ struct StopWhen {
 
 struct Scene {
   std::vector<SceneBody> bodies;
+  Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   SimulationTask task;
   double every = 0;  ///< between two records [s]; 0: only the end is asked for
   std::optional<StopWhen> stop;
+  std::optional<SceneContact> contact;  ///< if bodies can hit things
 };
 
 /// Reads a scene; files that it names are looked for beside it.
 /// @throws std::invalid_argument that says where in the file, and what
 Scene read_scene(const std::filesystem::path& file);
+
+/// The same of a text.
+/// @param name   of the file, for messages
+/// @param folder where files that it names are looked for
+Scene parse_scene(const std::string& text, const std::string& name,
+                  const std::filesystem::path& folder);
 
 }  // namespace tumble::scenes

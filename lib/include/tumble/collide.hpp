@@ -14,6 +14,7 @@
 #include "tumble/collide/distance.hpp"
 #include "tumble/collide/first_contact.hpp"
 #include "tumble/collide/first_meeting.hpp"
+#include "tumble/collide/hull_points.hpp"
 #include "tumble/collide/motion.hpp"
 #include "tumble/collide/nearest_in_simplex.hpp"
 #include "tumble/collide/penetration.hpp"

@@ -5,6 +5,7 @@
 /// @defgroup contact Contact
 /// Everything about bodies that hit each other.
 
+#include "tumble/contact/can_touch.hpp"
 #include "tumble/contact/contact_events.hpp"
 #include "tumble/contact/contact_matrix.hpp"
 #include "tumble/contact/contact_run.hpp"

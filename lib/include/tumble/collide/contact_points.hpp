@@ -64,7 +64,7 @@ inline std::vector<Flat> left_of(const std::vector<Flat>& polygon, const Flat& a
     const Flat &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const double at_p = turn(a, b, p) + beside, at_q = turn(a, b, q) + beside;
     if (at_p >= 0) kept.push_back(p);
-    if ((at_p < 0) != (at_q < 0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
+    if ((at_p < 0) != (at_q < 0)) kept.emplace_back(p + at_p / (at_p - at_q) * (q - p));
   }
   return kept;
 }

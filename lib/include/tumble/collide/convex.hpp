@@ -45,7 +45,7 @@ class Convex {
     std::vector<Vec3> corners;
     for (int i = 0; i < 8; ++i) {
       const Vec3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-      corners.push_back(centre + R * Vec3(signs.cwiseProduct(size) / 2));
+      corners.emplace_back(centre + R * Vec3(signs.cwiseProduct(size) / 2));
     }
     Convex made(std::move(corners), 0);
     made.edges_ = {R.col(0), R.col(1), R.col(2)};

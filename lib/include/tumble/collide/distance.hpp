@@ -80,7 +80,7 @@ class Search {
 
   /// The corner nearest to the origin along n, and the gap that this certifies.
   Corner corner_along(const Vec3& n) {
-    const Corner corner = difference_.nearest_along(n);
+    Corner corner = difference_.nearest_along(n);
     if (const double gap = n.dot(corner.w); gap > lower_) lower_ = gap, normal_ = n;
     return corner;
   }

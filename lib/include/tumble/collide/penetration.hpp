@@ -96,7 +96,7 @@ class Polytope {
     }
     std::vector<Vec3> directions;
     for (int k = 0; k < 3; ++k)
-      for (const double sign : {1., -1.}) directions.push_back(sign * axes.col(k));
+      for (const double sign : {1., -1.}) directions.emplace_back(sign * axes.col(k));
     return directions;
   }
 

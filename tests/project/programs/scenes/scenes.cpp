@@ -9,66 +9,13 @@
 #include <sstream>
 #include <string>
 
-#include "project/harness/command.hpp"
 #include "project/harness/refusal.hpp"
 #include "project/harness/scanned_meshes.hpp"
+#include "project/programs/scenes/run_scenes.hpp"
 #include "support/wrapped.hpp"
 
 using namespace tumble::test;
 using nlohmann::json;
-
-namespace {
-
-const std::filesystem::path folder = std::filesystem::temp_directory_path() / "tumble_test_scenes";
-
-CommandResult scenes(const std::string& arguments) {
-  return run_command("cd " + folder.string() + " && " + std::getenv("TUMBLE_SCENES") + " " +
-                     arguments);
-}
-
-void write(const std::string& name, const std::string& text) {
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / name) << text;
-}
-
-std::string content(const std::string& file) {
-  std::ifstream stream(folder / file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// The result of a scene, as --json gives it.
-json simulated(const json& scene) {
-  write("scene.json", scene.dump());
-  const CommandResult result = scenes("simulate scene.json --json");
-  CAPTURE(result.output);
-  REQUIRE(result.status == 0);
-  return json::parse(result.output);
-}
-
-/// What is said to a scene that is refused.
-std::string refusal(const json& scene) {
-  write("scene.json", scene.dump());
-  const CommandResult result = scenes("simulate scene.json");
-  CHECK(result.status == 2);
-  return result.output;
-}
-
-json thrown_ball() {
-  return {{"bodies", {{{"shape", {{"ball", 0.5}}}, {"density", 2}, {"velocity", {1, 0, 10}}}}},
-          {"gravity", {0, 0, -10}},
-          {"duration", 1}};
-}
-
-double distance(const json& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < b.size(); ++i) sum += std::pow(a.at(i).get<double>() - b[i], 2);
-  return std::sqrt(sum);
-}
-
-const std::string tetrahedron =
-    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-
-}  // namespace
 
 TEST_CASE("simulate: a thrown ball, with its momenta") {
   const json result = simulated(thrown_ball());

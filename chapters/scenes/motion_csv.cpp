@@ -1,0 +1,48 @@
+#include <sstream>
+
+#include "scenes/contact_motion.hpp"
+#include "scenes/motion_output.hpp"
+#include "support/csv.hpp"
+
+namespace tumble::scenes {
+namespace {
+
+void add(std::ostringstream& csv, const Vec3& v) {
+  csv << ',' << v.x() << ',' << v.y() << ',' << v.z();
+}
+
+}  // namespace
+
+std::string states_csv(const Scene& scene, const Motions& motions) {
+  std::ostringstream csv;
+  csv.precision(17);
+  csv << "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,omega_x,omega_y,omega_z,Px,Py,Pz,Lx,Ly,Lz\n";
+  for (const double t : record_times(scene, motions))
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const RigidBodyState<> s = motions.at(i, t);
+      const Derived<> now = derived(scene.bodies[i].body, s);
+      csv << t << ',' << support::csv_field(scene.bodies[i].name);
+      add(csv, s.x);
+      csv << ',' << s.q.w();
+      for (const Vec3& v : {Vec3(s.q.vec()), now.v, now.omega, s.P, s.L}) add(csv, v);
+      csv << '\n';
+    }
+  return csv.str();
+}
+
+std::string impacts_csv(const Scene& scene, const Motions& motions) {
+  std::ostringstream csv;
+  csv.precision(17);
+  csv << "time,body,other,x,y,z,nx,ny,nz,jx,jy,jz,energy_lost\n";
+  if (!motions.contacts) return csv.str();
+  for (const contact::ImpactEvent& impact : motions.contacts->run.impacts) {
+    const std::string& body = scene.bodies[static_cast<std::size_t>(impact.body)].name;
+    csv << motions.start + impact.t << ',' << support::csv_field(body) << ','
+        << support::csv_field(hit_name(scene, impact));
+    for (const Vec3& v : {impact.point, impact.normal, impact.impulse}) add(csv, v);
+    csv << ',' << -impact.energy << '\n';
+  }
+  return csv.str();
+}
+
+}  // namespace tumble::scenes

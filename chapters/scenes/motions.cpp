@@ -1,0 +1,70 @@
+#include "scenes/motions.hpp"
+
+#include <stdexcept>
+
+#include "scenes/contact_motion.hpp"
+#include "scenes/contact_scene.hpp"
+#include "tumble/contact/can_touch.hpp"
+#include "tumble/simulate/first_event.hpp"
+#include "tumble/simulate/simulate.hpp"
+
+namespace tumble::scenes {
+namespace {
+
+Trajectory motion_of(const SceneBody& body, const SimulationTask& task) {
+  const auto simulated = [&](const auto&... forces) {
+    return body.held ? simulate(*body.held, body.start, task, forces...)
+                     : simulate(body.body, body.start, task, forces...);
+  };
+  if (body.springs.empty()) return simulated(body.steady);
+  const auto springs = [list = body.springs](double t, const RigidBody<>& b,
+                                             const Derived<>& now) -> Wrench<> {
+    Wrench<> sum;
+    for (const SpringToWorld& spring : list) sum += spring(t, b, now);
+    return sum;
+  };
+  return simulated(body.steady, springs);
+}
+
+Motions move_each(const Scene& scene) {
+  Motions motions{.start = scene.task.t0, .end = scene.task.t1};
+  for (const SceneBody& body : scene.bodies) {
+    try {
+      motions.trajectories.push_back(motion_of(body, scene.task));
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(body.name + ": " + error.what());
+    }
+  }
+  if (!scene.stop) return motions;
+  const StopWhen& stop = *scene.stop;
+  const auto height = [&](double, const RigidBodyState<>& s) {
+    return s.x[stop.coordinate] - stop.level;
+  };
+  if (const auto event = first_event(motions.trajectories[stop.body], height)) {
+    motions.end = event->t;
+    motions.stopped = true;
+  }
+  return motions;
+}
+
+}  // namespace
+
+Motions move(const Scene& scene) {
+  if (!scene.contact) return move_each(scene);
+  const contact::ContactScene with_walls = contact_scene(scene);
+  if (!can_touch(with_walls, scene.task.t1 - scene.task.t0)) return move_each(scene);
+  return move_in_contact(scene, with_walls);
+}
+
+std::vector<double> record_times(const Scene& scene, const Motions& motions) {
+  std::vector<double> times;
+  for (int i = 0; scene.every > 0; ++i) {
+    const double t = motions.start + i * scene.every;
+    if (t >= motions.end - 1e-9 * scene.every) break;
+    times.push_back(t);
+  }
+  times.push_back(motions.end);
+  return times;
+}
+
+}  // namespace tumble::scenes

@@ -1,0 +1,69 @@
+#include <cmath>
+#include <iostream>
+
+#include "scenes/contact_motion.hpp"
+#include "scenes/error_growth.hpp"
+#include "scenes/motion_output.hpp"
+#include "support/terminal.hpp"
+
+namespace tumble::scenes {
+namespace {
+
+/// What only rounding has left of a component is 0.
+std::string three_digits(const Vec3& v) {
+  std::string text;
+  for (const double x : v)
+    text += (text.empty() ? "" : " ") + support::number(std::abs(x) > 1e-12 * v.norm() ? x : 0);
+  return text;
+}
+
+/// Of many impacts the first ones and the last ones.
+void print_impacts(const Scene& scene, const Motions& motions) {
+  constexpr std::size_t first = 12, last = 4;
+  const std::vector<contact::ImpactEvent>& impacts = motions.contacts->run.impacts;
+  std::cout << "impacts: " << impacts.size();
+  if (impacts.size() > first + last)
+    std::cout << "; here are the first " << first << " and the last " << last
+              << ". --json and --impacts FILE give all of them";
+  std::cout << "\n\n";
+  support::Table table({"time [s]", "body", "on", "normal", "impulse [N s]", "lost [J]"});
+  for (std::size_t k = 0; k < impacts.size(); ++k) {
+    if (impacts.size() > first + last && k == first) k = impacts.size() - last;
+    const contact::ImpactEvent& impact = impacts[k];
+    table.add({support::number(motions.start + impact.t, 9),
+               scene.bodies[static_cast<std::size_t>(impact.body)].name, hit_name(scene, impact),
+               three_digits(impact.normal), three_digits(impact.impulse),
+               support::number(-impact.energy)});
+  }
+  if (!impacts.empty()) std::cout << support::fitted(table) << '\n';
+}
+
+void print_energy(const contact::EnergyLedger& energy) {
+  support::Table table({"energy of all bodies", "[J]"});
+  table.add({"at the start", support::number(energy.start, 9)});
+  table.add({"lost in impacts", support::number(-energy.impacts, 9)});
+  table.add({"lost when put to rest", support::number(-energy.settled, 9)});
+  table.add({"at the end", support::number(energy.end, 9)});
+  std::cout << support::fitted(table) << '\n';
+}
+
+void print_growth(const Contacts& contacts) {
+  const ErrorGrowth growth = error_growth(contacts);
+  std::cout << support::fitted(
+                   "Each flight is exact, but each impact makes earlier errors larger. We have "
+                   "followed a second start, with speeds that differ by " +
+                   support::number(growth.start) + " of themselves: at the end a body is up to " +
+                   support::error_number(growth.distance) + " m elsewhere, and turned by up to " +
+                   support::error_number(growth.angle) + " rad.")
+            << '\n';
+}
+
+}  // namespace
+
+void print_contacts(const Scene& scene, const Motions& motions) {
+  print_impacts(scene, motions);
+  print_energy(motions.contacts->run.energy);
+  print_growth(*motions.contacts);
+}
+
+}  // namespace tumble::scenes

@@ -1,0 +1,27 @@
+#pragma once
+/// @file
+/// The shape of a body in a scene file: what it weighs, what it collides as, what it looks like.
+
+#include <filesystem>
+#include <variant>
+
+#include "scenes/scene.hpp"
+#include "support/place.hpp"
+#include "tumble/mass.hpp"
+
+namespace tumble::scenes {
+
+/// A shape in its own coordinates.
+struct ReadShape {
+  std::variant<Ball, Box, Ellipsoid, Cylinder, Cone, Capsule, PolygonMesh> solid;
+  MassProperties unit;  ///< at 1 kg/m³
+};
+
+/// @throws std::invalid_argument that says where in the file, and what
+ReadShape read_shape(const support::Place& shape, const std::filesystem::path& folder);
+
+/// What collides of it, and its picture, around its centre of mass.
+/// @throws std::invalid_argument if its hull has no volume
+BodyShape body_shape(const ReadShape& shape);
+
+}  // namespace tumble::scenes
