@@ -16,6 +16,7 @@
 #include "tumble/collide/first_meeting.hpp"
 #include "tumble/collide/hull_points.hpp"
 #include "tumble/collide/motion.hpp"
+#include "tumble/collide/moving_gap.hpp"
 #include "tumble/collide/nearest_in_simplex.hpp"
 #include "tumble/collide/penetration.hpp"
 #include "tumble/collide/sort_and_sweep.hpp"

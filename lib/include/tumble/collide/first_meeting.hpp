@@ -7,9 +7,8 @@
 /// which no point of one can reach a point of the other. The bound is quadratic in time, as the
 /// flight is: a ball meets a wall in one step, other bodies converge quadratically.
 
-#include "tumble/collide/contact_points.hpp"
 #include "tumble/collide/first_contact.hpp"
-#include "tumble/collide/motion.hpp"
+#include "tumble/collide/moving_gap.hpp"
 
 namespace tumble::collide {
 
@@ -31,81 +30,6 @@ struct Meeting {
 
 namespace tumble::collide::detail {
 
-/// Two bodies at one time.
-template <Motion A, Motion B>
-class TwoBodies {
- public:
-  TwoBodies(const Moving<A>& a, const Moving<B>& b) : a_(a), b_(b) {}
-
-  Distance look(double t) {
-    now_a_ = a_.motion.at(t);
-    now_b_ = b_.motion.at(t);
-    return collide::distance(a_.body, pose_of(now_a_), b_.body, pose_of(now_b_));
-  }
-  /// The gap along n between the points that are nearest at the time s from now.
-  Reach gap_along(const Vec3& n, double s) const {
-    const Reach a = farthest_reach(a_.body, now_a_, n, s);
-    const Reach b = farthest_reach(b_.body, now_b_, -n, s);
-    return {n.dot(now_b_.x - now_a_.x) - a.value - b.value, -a.rate - b.rate};
-  }
-  /// Bound from below on the acceleration of any such gap.
-  double acceleration(const Vec3& n) const {
-    return n.dot(b_.motion.acceleration() - a_.motion.acceleration()) - turning_of(a_) -
-           turning_of(b_);
-  }
-  /// Bound on how fast a point of one comes to a point of the other within a time.
-  double speed(double within) const {
-    const Vec3 faster = within * (b_.motion.acceleration() - a_.motion.acceleration());
-    return (now_b_.v - now_a_.v).norm() + faster.norm() + a_.body.reach() * a_.motion.most_spin() +
-           b_.body.reach() * b_.motion.most_spin();
-  }
-  ContactPoints touching(const Distance& found, double tolerance) const {
-    return contact_points(a_.body, pose_of(now_a_), b_.body, pose_of(now_b_), found, tolerance);
-  }
-  /// The velocity of b's point less that of a's.
-  Vec3 parting(const Vec3& arm) const {
-    const Vec3 arm_b = arm - (now_b_.x - now_a_.x);
-    return now_b_.v + now_b_.omega.cross(arm_b) - now_a_.v - now_a_.omega.cross(arm);
-  }
-
- private:
-  Moving<A> a_;
-  Moving<B> b_;
-  Derived<> now_a_{}, now_b_{};
-};
-
-/// A body and a wall at one time.
-template <Motion A>
-class BodyAndWall {
- public:
-  BodyAndWall(const Moving<A>& a, const HalfSpace& wall) : a_(a), wall_(wall) {}
-
-  Distance look(double t) {
-    now_ = a_.motion.at(t);
-    return collide::distance(a_.body, pose_of(now_), wall_);
-  }
-  Reach gap_along(const Vec3& n, double s) const {
-    const Reach a = farthest_reach(a_.body, now_, n, s);
-    return {n.dot(wall_.point - now_.x) - a.value, -a.rate};
-  }
-  double acceleration(const Vec3& n) const {
-    return -n.dot(a_.motion.acceleration()) - turning_of(a_);
-  }
-  double speed(double within) const {
-    return now_.v.norm() + within * a_.motion.acceleration().norm() +
-           a_.body.reach() * a_.motion.most_spin();
-  }
-  ContactPoints touching(const Distance& found, double tolerance) const {
-    return contact_points(a_.body, pose_of(now_), found, tolerance);
-  }
-  Vec3 parting(const Vec3& arm) const { return -(now_.v + now_.omega.cross(arm)); }
-
- private:
-  Moving<A> a_;
-  HalfSpace wall_;
-  Derived<> now_{};
-};
-
 /// How long, up to `most`, the planes with the normal n keep two things apart for sure. The gap is
 /// the least one of pairs of points. Each pair's bound is a parabola, so the first zero of the one
 /// that is lowest at some time is a better time, until none is lower there.
@@ -121,6 +45,13 @@ double time_apart(const Things& things, const Vec3& n, double most) {
     s = zero;
   }
   return 0;
+}
+
+/// How long they keep the balls around the bodies apart, which may turn as they like.
+template <class Things>
+double time_balls_apart(const Things& things, const Vec3& n) {
+  const GapOfBalls gap = things.balls_along(n);
+  return gap.value > 0 ? landing_time(gap.value, gap.rate, gap.acceleration) : 0;
 }
 
 /// The search, for two bodies or a body and a wall.
@@ -145,8 +76,9 @@ Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) 
     if (meeting.t >= t1) return meeting;
     // In this time nothing moves by more than a quarter of the tolerance.
     const double left = t1 - meeting.t, still = tolerance / (4 * things.speed(left));
-    const double next = meeting.t + std::fmax(still, time_apart(things, n, left));
-    meeting.t = std::fmin(t1, std::fmax(next, std::nextafter(meeting.t, t1)));
+    const double apart = std::fmax(time_balls_apart(things, n), time_apart(things, n, left));
+    meeting.t = std::fmin(
+        t1, std::fmax(meeting.t + std::fmax(still, apart), std::nextafter(meeting.t, t1)));
   }
 }
 

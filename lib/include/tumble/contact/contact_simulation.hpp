@@ -76,6 +76,9 @@ class ContactSimulation {
     fly_on(event.body, a.state, coming);
     if (b) fly_on(event.other, b->state, coming);
     settle(event, a, {normal, coming, parting});
+    // Between several others its impacts can follow each other ever faster.
+    if (run_.ending == Ending::time && landings(event.body).faint >= 1000)
+      end_undecided(event.body);
     if (++handled_ >= settings_.most_impacts && run_.ending == Ending::time)
       run_.ending = Ending::too_many_events;
   }
@@ -90,7 +93,7 @@ class ContactSimulation {
 
   void fly_on(int i, const RigidBodyState<>& state, double coming) {
     rest_since(i) = std::numeric_limits<double>::infinity();
-    landings(i).fastest = std::max(landings(i).fastest, coming);
+    landings(i).count(coming, lowest_hop(i, -scene_.gravity.normalized()));
     run_.flights[static_cast<std::size_t>(i)].push_back({run_.t, state, -1});
     events_.fly(i, state, run_.t);
   }
@@ -127,7 +130,7 @@ class ContactSimulation {
     } else if (is_at_rest(a, scene_.body(event.body).shape, speeds.normal, scene_.gravity,
                           scene_.mu, lift())) {
       rest(event, a, run_.t);
-    } else if (landings(event.body).fade(speeds.coming, lowest_hop(event.body, speeds.normal))) {
+    } else if (landings(event.body).faint >= 30) {  // no hop goes on
       end_undecided(event.body);
     }
   }

@@ -8,6 +8,7 @@
 /// body's turning, hop by hop; lift_to_hop() brings it back. Source: Mirtich, "Impulse-based
 /// Dynamic Simulation of Rigid Body Systems", PhD thesis, Berkeley (1996), §3.6, "microcollisions".
 
+#include <algorithm>
 #include <cmath>
 
 #include "tumble/contact/several_points.hpp"
@@ -22,11 +23,9 @@ struct Landings {
 
   /// Counts a landing.
   /// @param lowest speed of a hop [m/s]
-  /// @return whether there were many in turn with next to no speed: then no hop goes on
-  bool fade(double coming, double lowest) {
-    constexpr int many = 30;
+  void count(double coming, double lowest) {
+    fastest = std::max(fastest, coming);
     faint = coming <= 1e-2 * lowest ? faint + 1 : 0;
-    return faint >= many;
   }
 };
 

@@ -183,3 +183,17 @@ TEST_CASE("contact_points: a face on a face, an edge on a face, and edges along 
   REQUIRE(across.size() == 1);
   CHECK((across[0] - Vec3(0.3, 0, half)).norm() < 1e-9);
 }
+
+TEST_CASE("first_meeting: what comes from far away costs no more than what comes from near") {
+  const auto queries = [](double height, const Vec3& omega) {
+    const Thrown brick(Vec3(1, 1, 1), Vec3(0, 0, height), Quat::Identity(), Vec3::Zero(), omega, g);
+    const auto meeting =
+        collide::first_meeting(brick.moving(), collide::HalfSpace{}, 0, 1e6, tolerance);
+    REQUIRE(meeting.found);
+    CHECK(meeting.t > std::sqrt(2 * (height - 1) / g.norm()));
+    return meeting.queries;
+  };
+  const Vec3 slow(1, 2, 1), fast(1e4, 2e4, 1e4);
+  CHECK(queries(1e8, slow) <= queries(3, slow) + 5);
+  CHECK(queries(1e8, fast) <= queries(3, fast) + 5);
+}
