@@ -89,7 +89,6 @@ const std::string top = R"(<!DOCTYPE html>
 
 const std::string bottom = R"(</main>
 <script src="katex/katex.min.js"></script>
-<script src="katex/contrib/auto-render.js"></script>
 <script>function openDetails() {}</script>
 <script src="formulas.js"></script>
 </body>
