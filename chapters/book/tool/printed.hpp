@@ -16,8 +16,8 @@ namespace tumble::book {
 std::string printed_article(const std::string& page, const std::string& id,
                             const std::vector<std::string>& others);
 
-/// Writes print.html into `folder`, which has the finished site: a title, the contents, the chapters
-/// and the terms.
+/// Writes print.html into `folder`, which has the finished site: a title, the contents, the
+/// chapters and the terms.
 void write_printed_book(const fs::path& root, const SiteFiles& files, const fs::path& folder);
 
 }  // namespace tumble::book

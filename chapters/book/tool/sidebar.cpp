@@ -36,7 +36,8 @@ class Sidebar {
 
   std::string html() const {
     return section("Chapters", chapters()) + section("Beside them", pages("chapters")) +
-           section("The library", item(root_ / "lib/README.md") + topics()) +
+           section("The library", item(root_ / "lib/README.md") + "<li>" +
+                                      link_html("files.html", "All headers") + "</li>" + topics()) +
            section("The project", pages("tests") + pages(".github") + pages("CHANGELOG.md"));
   }
 

@@ -10,6 +10,8 @@
 #include "book/tool/exercise_pages.hpp"
 #include "book/tool/html.hpp"
 #include "book/tool/prepare.hpp"
+#include "book/tool/printed.hpp"
+#include "book/tool/reference_links.hpp"
 #include "book/tool/search_index.hpp"
 #include "book/tool/sidebar.hpp"
 #include "book/tool/site_files.hpp"
@@ -146,6 +148,28 @@ TEST_CASE("the search knows headings, terms, text and names") {
   CHECK(script_of({{"a", "b \"c\"", "", "", "d\\e"}}) ==
         "// Written by the book's tool: [address, page, section, terms, text].\n"
         "const tumbleIndex = [\n[\"a\",\"b \\\"c\\\"\",\"\",\"\",\"d\\\\e\"],\n];\n");
+}
+
+TEST_CASE("the names of the library's page lead to their reference, each in its namespace") {
+  const std::vector<Entry> names{{"a.html", "Reference", "tumble::pack", "", ""},
+                                 {"b.html", "Reference", "tumble::rotation::pack", "", ""}};
+  CHECK(
+      with_reference_links("<code>pack</code>, <code>more</code>; <code>tumble::rotation</code>: "
+                           "<code>pack</code>.",
+                           names) ==
+      "<a href=\"a.html\"><code>pack</code></a>, <code>more</code>; <code>tumble::rotation</code>: "
+      "<a href=\"b.html\"><code>pack</code></a>.");
+}
+
+TEST_CASE("what is printed: unfolded, without what steers a screen, with links inside the book") {
+  const std::string page =
+      "<h1 class=\"title\">1 One</h1><div class=\"contents\"><nav class=\"page-contents\">x</nav>"
+      "<details><a href=\"two.html\">a</a><a href=\"two.html#two-b\">b</a></details>"
+      "<a href=\"group.html\">c</a><a href=\"https://d\">d</a></div><!-- contents --> rest";
+  CHECK(printed_article(page, "one", {"one", "two"}) ==
+        "<article id=\"one\"><h1>1 One</h1>\n<div class=\"contents\"><details open=\"open\">"
+        "<a href=\"#two\">a</a><a href=\"#two-b\">b</a></details><a >c</a>"
+        "<a href=\"https://d\">d</a></div></article>\n");
 }
 
 TEST_CASE("the search knows the library's names, without its internals") {
