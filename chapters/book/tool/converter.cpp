@@ -107,7 +107,9 @@ class Converter {
       return html_block("<" + tag + " id=\"" + name + "\">" + inline_html(heading.text) + "</" +
                         tag + ">");
     }
-    return std::string(heading.level, '#') + " " + heading.text + " {#" +
+    std::string title = heading.text;
+    std::erase(title, '`');  // Doxygen would show its tags
+    return std::string(heading.level, '#') + " " + title + " {#" +
            (heading.level == 1 ? id : name) + "}";
   }
 

@@ -75,6 +75,7 @@ TEST_CASE("below the title stand the neighbours and the contents of a page") {
   const std::string site = project.converted(
       "# One\n\n## A `b`\n\n### C\n\n## D\n\n[Terms](../terms/README.md) · [2 Two "
       "→](../02_two/README.md)\n");
+  CHECK(mentions(site, "## A b {#chapters-01_one-a-b}"));
   const std::string top = site.substr(0, site.find("## A"));
   CHECK(mentions(top, "<a rel=\"next\" href=\"chapters-02_two.html\">2 Two →</a>",
                  "<a href=\"chapters-terms.html\">Terms</a>",
