@@ -11,7 +11,6 @@ endif()
 
 file(COPY ${katex}/katex.min.js ${katex}/katex.min.css ${katex}/fonts DESTINATION ${site}/html/katex
   FOLLOW_SYMLINK_CHAIN)
-file(COPY ${katex}/contrib/auto-render.js DESTINATION ${site}/html/katex/contrib FOLLOW_SYMLINK_CHAIN)
 file(COPY ${moving}/ DESTINATION ${site}/html/moving)
 execute_process(COMMAND ${tool} --root ${root} finish ${site} RESULT_VARIABLE status)
 if(status)

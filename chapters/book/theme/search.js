@@ -4,11 +4,11 @@ const query = document.getElementById("query");
 const found = document.getElementById("found");
 const foundCount = document.getElementById("found-count");
 const most = 20;
-let index, selected;
+let index, selected = -1, loading = false;
 
 function loadIndex() {
-  if (index) return;
-  index = [];
+  if (loading) return;
+  loading = true;
   const script = document.createElement("script");
   script.src = "search_index.js";
   script.onload = () => {
@@ -42,7 +42,8 @@ function score(entry, words) {
     if (points === 0) return 0;
     sum += points + Math.min(entry.text_.split(word).length - 1, 5);
   }
-  return sum + (entry.head === words.join(" ") ? 40 : 0) - (entry.page === "Reference" ? 8 : 0);
+  const chapter = /^chapters-\d/.test(entry.address) ? 10 : 0; // before exercises and names
+  return sum + (entry.head === words.join(" ") ? 40 : 0) + chapter;
 }
 
 // The words of the text around the first word that was looked for, which is marked.
@@ -85,6 +86,7 @@ function search() {
   found.hidden = words.length === 0;
   foundCount.textContent = "";
   if (words.length === 0) return;
+  if (!index) return loadIndex();
   const best = index.map((entry) => [score(entry, words), entry]).filter(([points]) => points > 0)
     .sort(([a], [b]) => b - a);
   found.append(...best.slice(0, most).map(([, entry], i) => item(entry, words, i)));
@@ -104,7 +106,7 @@ function close() {
 }
 
 query.addEventListener("focus", loadIndex);
-query.addEventListener("input", () => { loadIndex(); search(); });
+query.addEventListener("input", search);
 query.addEventListener("keydown", (event) => {
   if (event.key === "ArrowDown") select(selected + 1);
   else if (event.key === "ArrowUp") select(selected - 1);

@@ -143,7 +143,6 @@ std::vector<std::string> mistakes_of_style(const fs::path& root,
   std::vector<std::string> mistakes;
   for (const fs::path& file : pages) {
     const Page page = read_page(file);
-    if (file == place_of_terms(root)) continue;  // the other pages' sentences
     std::vector<std::string> bad = mistakes_of_voice(page, idioms);
     if (is_chapter(file))
       for (const std::string& mistake : mistakes_of_form(root, page, pages)) bad.push_back(mistake);

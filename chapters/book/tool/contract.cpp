@@ -1,5 +1,6 @@
 #include "book/tool/contract.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 namespace tumble::book {
@@ -59,6 +60,8 @@ class Reader {
   Contract read(const Page& page) {
     for (const std::string& line : page.lines) add(line);
     end_part();
+    const auto title_ends = std::find(about_file_.begin(), about_file_.end(), "");
+    about_file_.erase(about_file_.begin(), title_ends);
     contract_.introduction = markdown_of_comment(about_file_);
     return contract_;
   }

@@ -7,6 +7,7 @@
 #include "book/tool/addresses.hpp"
 #include "book/tool/boxes.hpp"
 #include "book/tool/contents.hpp"
+#include "book/tool/exercises.hpp"
 #include "book/tool/figures.hpp"
 #include "book/tool/html.hpp"
 #include "book/tool/links.hpp"
@@ -16,8 +17,6 @@
 namespace tumble::book {
 
 namespace {
-
-const std::string announcement = "<!-- exercise: ";
 
 /// The place of a drawing of 100 kB, which Doxygen's scanner could not take: finish_site() fills
 /// it.
@@ -52,10 +51,9 @@ class Converter {
   }
 
   std::string line(std::size_t i) {
-    if (page_.lines[i].starts_with(announcement))
-      exercise_ = page_.lines[i].substr(announcement.size(),
-                                        page_.lines[i].find(" -->") - announcement.size());
-    if (i == 1 && page_.lines[i].empty()) return top_html();
+    if (const std::string number = announced_exercise(page_.lines[i]); !number.empty())
+      exercise_ = number;
+    if (i == 1 && page_.lines[i].empty() && page_.lines[0].starts_with("# ")) return top_html();
     if (i + 1 == page_.lines.size())
       if (const std::string links = neighbours_html(root_, page_); !links.empty())
         return html_block(links);
@@ -109,7 +107,9 @@ class Converter {
       return html_block("<" + tag + " id=\"" + name + "\">" + inline_html(heading.text) + "</" +
                         tag + ">");
     }
-    return std::string(heading.level, '#') + " " + heading.text + " {#" +
+    std::string title = heading.text;
+    std::erase(title, '`');  // Doxygen would show its tags
+    return std::string(heading.level, '#') + " " + title + " {#" +
            (heading.level == 1 ? id : name) + "}";
   }
 

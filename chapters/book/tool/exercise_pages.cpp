@@ -5,6 +5,7 @@
 
 #include "book/tool/addresses.hpp"
 #include "book/tool/contract.hpp"
+#include "book/tool/exercises.hpp"
 #include "book/tool/html.hpp"
 #include "book/tool/links.hpp"
 
@@ -20,14 +21,15 @@ std::string section_of(const Page& chapter, const std::string& number) {
     if (const Heading heading = heading_in(chapter.lines[i]);
         heading.level > 1 && !is_inside(fences, i))
       section = heading.text;
-    if (chapter.lines[i] == "<!-- exercise: " + number + " -->") return section;
+    if (announced_exercise(chapter.lines[i]) == number) return section;
   }
   return {};
 }
 
 /// Hints within hints: whoever unfolds one sees that there is another, and not what it says.
 std::string hints_text(const std::vector<Hint>& hints) {
-  static const std::vector<std::string> names{"A nudge", "An idea", "Almost the code"};
+  static const std::vector<std::string> names{"Hint 1: a nudge", "Hint 2: an idea",
+                                              "Hint 3: almost the code"};
   std::string text, ends;
   for (std::size_t i = 0; i < hints.size(); ++i) {
     text += "<details><summary>" + names.at(std::min(i, names.size() - 1)) + "</summary>\n\n";

@@ -26,7 +26,7 @@ std::vector<std::string> first_hint(const Page& page, const ExerciseBlock& block
 }
 
 /// The block, not quoted yet.
-std::string text_of(const fs::path& root, const Page& page, const ExerciseBlock& block) {
+std::string block_text(const fs::path& root, const Page& page, const ExerciseBlock& block) {
   const fs::path contract = contract_of(root, page);
   const ContractPart part = part_of(page, block, contract);
   const std::string place = contract.lexically_relative(root).string();
@@ -45,7 +45,7 @@ std::string text_of(const fs::path& root, const Page& page, const ExerciseBlock&
 
 std::vector<std::string> wanted_lines(const fs::path& root, const Page& page,
                                       const ExerciseBlock& block) {
-  std::istringstream text(text_of(root, page, block));
+  std::istringstream text(block_text(root, page, block));
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);)
     lines.push_back(line.empty() ? ">" : "> " + line);
@@ -71,13 +71,17 @@ std::vector<std::string> exercises_in(const fs::path& contract) {
   return numbers;
 }
 
+std::string announced_exercise(const std::string& line) {
+  if (!line.starts_with(announcement) || !line.ends_with(" -->")) return {};
+  return line.substr(announcement.size(), line.size() - announcement.size() - 4);
+}
+
 std::vector<ExerciseBlock> exercise_blocks(const Page& page) {
   std::vector<ExerciseBlock> blocks;
   for (std::size_t i = 0; i < page.lines.size(); ++i) {
-    const std::string& line = page.lines[i];
-    if (!line.starts_with(announcement) || !line.ends_with(" -->")) continue;
     ExerciseBlock block;
-    block.number = line.substr(announcement.size(), line.size() - announcement.size() - 4);
+    block.number = announced_exercise(page.lines[i]);
+    if (block.number.empty()) continue;
     block.comment = i;
     for (block.end = i + 1; block.end < page.lines.size() && is_quoted(page.lines[block.end]);)
       ++block.end;

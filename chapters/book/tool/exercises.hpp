@@ -18,6 +18,9 @@ struct ExerciseBlock {
   std::size_t end = 0;      ///< the line behind the block
 };
 
+/// "9.1" of the line `<!-- exercise: 9.1 -->`; empty for any other line.
+std::string announced_exercise(const std::string& line);
+
 std::vector<ExerciseBlock> exercise_blocks(const Page& page);
 
 /// The numbers of all exercises in a contract, in its order.

@@ -1,5 +1,6 @@
 #include "book/tool/finish.hpp"
 
+#include <set>
 #include <string>
 
 #include "book/tool/html.hpp"
@@ -10,14 +11,26 @@ namespace {
 
 const std::string drawing_start = "<div data-figure=\"", drawing_end = "\"></div>";
 
+/// Drawings have the same styles, and those of the first hold for the page.
+std::string without_known_style(std::string svg, std::set<std::string>& known) {
+  const std::string end = "</style>";
+  const auto begin = svg.find("<style>"), at = svg.find(end);
+  if (begin == std::string::npos || at == std::string::npos) return svg;
+  const std::string style = svg.substr(begin, at + end.size() - begin);
+  if (!known.insert(style).second) svg.erase(begin, style.size());
+  return svg;
+}
+
 std::string with_drawings(const fs::path& root, const std::string& text) {
+  std::set<std::string> styles;
   std::string filled;
   std::size_t at = 0;
   for (auto start = text.find(drawing_start); start != std::string::npos;
        start = text.find(drawing_start, at)) {
     const std::size_t name = start + drawing_start.size(), end = text.find(drawing_end, name);
     // The place keeps its name: a script finds it there, if the figure can be moved.
-    filled += text.substr(at, end + 2 - at) + text_of(root / text.substr(name, end - name));
+    filled += text.substr(at, end + 2 - at) +
+              without_known_style(text_of(root / text.substr(name, end - name)), styles);
     at = end + 2;
   }
   return filled + text.substr(at);
@@ -45,6 +58,29 @@ void make_headings(std::string& text) {
   replace_behind(text, "<h1 class=\"title\">", "</div>", "</h1>");
 }
 
+/// Doxygen's sections are <h1>, as the title is: one level down with them.
+void lower_sections(std::string& text) {
+  const auto begin = text.find("<div class=\"textblock\">");
+  if (begin == std::string::npos || text.find("<h1>", begin) == std::string::npos) return;
+  for (auto at = text.find("<h", begin); at != std::string::npos; at = text.find("<h", at + 1)) {
+    char& level = text[at + 2];
+    if (level < '1' || level > '5' || text[at + 3] != '>') continue;
+    const auto end = text.find(std::string("</h") + level + ">", at);
+    text[end + 3] = ++level;
+  }
+}
+
+/// Tables of Markdown scroll in themselves, as those of numbers do.
+void frame_tables(std::string& text) {
+  const std::string start = "<table class=\"markdownTable\">", end = "</table>";
+  const std::string frame = "<div class=\"scroll\" tabindex=\"0\">";
+  for (auto at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
+    text.insert(at, frame);
+    at = text.find(end, at) + end.size();
+    text.insert(at, "</div>");
+  }
+}
+
 /// Doxygen's links to the parts of a class, at its top: some lead to parts that it leaves out.
 void drop_summary(std::string& text) {
   const std::string start = "<div class=\"summary\">";
@@ -70,6 +106,8 @@ void finish_site(const fs::path& root, const fs::path& folder) {
     mark_this_page(text, entry.path().filename().string());
     make_headings(text);
     drop_summary(text);
+    lower_sections(text);
+    frame_tables(text);
     close_up_formulas(text);
     write_text(entry.path(), text);
   }

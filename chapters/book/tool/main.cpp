@@ -7,8 +7,12 @@
 #include "book/tool/dead_ends.hpp"
 #include "book/tool/exercises.hpp"
 #include "book/tool/finish.hpp"
+#include "book/tool/html.hpp"
 #include "book/tool/prepare.hpp"
+#include "book/tool/printed.hpp"
+#include "book/tool/reference_links.hpp"
 #include "book/tool/search_index.hpp"
+#include "book/tool/site_files.hpp"
 #include "book/tool/sources.hpp"
 #include "book/tool/terms.hpp"
 #include "support/command_line.hpp"
@@ -38,7 +42,10 @@ int print_mistakes(const std::vector<std::string>& mistakes) {
 
 int finish(const fs::path& root, const fs::path& site) {
   finish_site(root, site / "html");
-  write_search_index(root, site / "names.tag", site / "html/search_index.js");
+  write_printed_book(fs::canonical(root), site_files(root), site / "html");
+  const fs::path library = site / "html/lib.html", tags = site / "names.tag";
+  write_text(library, with_reference_links(text_of(library), names_in(text_of(tags))));
+  write_search_index(root, tags, site / "html/search_index.js");
   std::vector<std::string> dead = dead_ends(site / "html");
   for (std::string& link : dead) link = "a link of the site leads nowhere: " + link;
   return print_mistakes(dead);

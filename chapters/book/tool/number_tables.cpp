@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "book/tool/page.hpp"
 #include "support/svg.hpp"
 
 namespace tumble::book {
@@ -41,12 +42,6 @@ std::vector<Column> columns_under(const Characters& rule) {
   return columns;
 }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 using Row = std::vector<std::string>;
 
 /// The cells of a line; none if a character stands between two columns.
@@ -66,7 +61,7 @@ Row cells_of(const Characters& line, const std::vector<Column>& columns) {
   return used == there ? cells : Row{};
 }
 
-bool is_number(const std::string& cell) {
+bool is_number_cell(const std::string& cell) {
   if (cell.empty() || cell == "–" || cell == "-") return true;
   return cell.find_first_of("0123456789") < 6 && cell.find_first_of("0123456789") <= cell.find(' ');
 }
@@ -94,7 +89,7 @@ std::string number_table_html(const std::string& text) {
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.empty(); })) return {};
   for (std::size_t k = 0; k < columns.size(); ++k)
     columns[k].holds_text = std::any_of(rows.begin() + 1, rows.end(),
-                                        [k](const Row& row) { return !is_number(row[k]); });
+                                        [k](const Row& row) { return !is_number_cell(row[k]); });
   std::string html = "<div class=\"scroll\" tabindex=\"0\"><table class=\"numbers\"><thead>" +
                      row_html(rows[0], columns, "th") + "</thead><tbody>";
   for (std::size_t i = 1; i < rows.size(); ++i) html += row_html(rows[i], columns, "td");

@@ -6,13 +6,13 @@
 
 namespace tumble::book {
 
-namespace {
-
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
+
+namespace {
 
 /// Reads "<!-- snippet: path#region -->" into the fence that follows.
 /// @return whether the line is such a comment

@@ -61,6 +61,9 @@ std::string at(const Page& page, std::size_t line);
 
 [[noreturn]] void fail(const Page& page, std::size_t line, const std::string& what);
 
+/// The text without blanks around it.
+std::string trimmed(const std::string& text);
+
 /// The text without code spans: `` `a $x$` `` is no formula.
 std::string without_code_spans(const std::string& line);
 

@@ -27,7 +27,7 @@ std::string visible_text(const std::string& markdown) {
   return text;
 }
 
-std::string quoted(const std::string& text) {
+std::string string_of(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -108,8 +108,9 @@ std::string script_of(const std::vector<Entry>& entries) {
       "// Written by the book's tool: [address, page, section, terms, text].\n"
       "const tumbleIndex = [\n";
   for (const Entry& entry : entries)
-    script += "[" + quoted(entry.address) + "," + quoted(entry.page) + "," + quoted(entry.section) +
-              "," + quoted(entry.terms) + "," + quoted(entry.text) + "],\n";
+    script += "[" + string_of(entry.address) + "," + string_of(entry.page) + "," +
+              string_of(entry.section) + "," + string_of(entry.terms) + "," +
+              string_of(entry.text) + "],\n";
   return script + "];\n";
 }
 

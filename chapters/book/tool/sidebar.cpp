@@ -12,7 +12,9 @@ namespace tumble::book {
 
 namespace {
 
-std::string title_of(const fs::path& file) { return heading_in(read_page(file).lines.at(0)).text; }
+std::string page_title(const fs::path& file) {
+  return heading_in(read_page(file).lines.at(0)).text;
+}
 
 /// Where a title alone does not say what a page is about.
 std::string name_of(const fs::path& root, const fs::path& file) {
@@ -21,7 +23,7 @@ std::string name_of(const fs::path& root, const fs::path& file) {
       {"tests/README.md", "How we test"},
       {"lib/README.md", "All names by topic"}};
   const auto name = names.find(fs::relative(file, root).string());
-  return name == names.end() ? title_of(file) : name->second;
+  return name == names.end() ? page_title(file) : name->second;
 }
 
 std::string section(const std::string& title, const std::string& items) {
@@ -34,7 +36,8 @@ class Sidebar {
 
   std::string html() const {
     return section("Chapters", chapters()) + section("Beside them", pages("chapters")) +
-           section("The library", item(root_ / "lib/README.md") + topics()) +
+           section("The library", item(root_ / "lib/README.md") + "<li>" +
+                                      link_html("files.html", "All headers") + "</li>" + topics()) +
            section("The project", pages("tests") + pages(".github") + pages("CHANGELOG.md"));
   }
 

@@ -27,7 +27,7 @@ std::string about(const fs::path& file) {
 }
 
 /// What the folders of a chapter hold, as a title.
-std::string title_of(const fs::path& path) {
+std::string folder_title(const fs::path& path) {
   const std::string chapter = path.filename().string();
   if (*path.begin() == "solutions") return "Solutions: " + chapter;
   if (*path.begin() == "tests" && path.string().find('/') == path.string().rfind('/'))
@@ -40,7 +40,7 @@ Page folder_page(const fs::path& root, const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.is_regular_file()) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  std::string text = "# " + title_of(fs::relative(folder, root)) + "\n\nThe files of `" +
+  std::string text = "# " + folder_title(fs::relative(folder, root)) + "\n\nThe files of `" +
                      fs::relative(folder, root).string() + "`.\n\n";
   for (const fs::path& file : files)
     text += "## " + file.filename().string() + "\n\n" + about(file) +

@@ -40,6 +40,13 @@ std::size_t find_words(const std::string& text, const std::string& words) {
   return std::string::npos;
 }
 
+/// "<!-- This page is written by `./tumble …`": from sentences that stand elsewhere.
+bool is_collected(const Page& page) {
+  return std::any_of(page.lines.begin(), page.lines.end(), [](const std::string& line) {
+    return line.starts_with("<!-- This page is written by `./tumble ");
+  });
+}
+
 }  // namespace
 
 std::vector<Idiom> read_idioms(const fs::path& file) {
@@ -71,6 +78,7 @@ double you_and_we(const Page& page) {
 
 std::vector<std::string> mistakes_of_voice(const Page& page, const std::vector<Idiom>& idioms) {
   std::vector<std::string> mistakes;
+  if (is_collected(page)) return mistakes;
   for (const Paragraph& paragraph : paragraphs_of(page)) {
     if (paragraph.excused || paragraph.section == "Sources") continue;
     const std::string text = lower_case(spoken(paragraph.text));

@@ -22,7 +22,8 @@ std::vector<Idiom> read_idioms(const fs::path& file);
 /// "you", "we" and their forms in a thousand words of prose; the sources of a page do not count.
 double you_and_we(const Page& page);
 
-/// "file:line: …" for each idiom, and for a page with fewer than 12 in a thousand.
+/// "file:line: …" for each idiom, and for a page with fewer than 12 in a thousand. Of a page that a
+/// command writes from sentences of elsewhere, nothing is asked.
 std::vector<std::string> mistakes_of_voice(const Page& page, const std::vector<Idiom>& idioms);
 
 }  // namespace tumble::book

@@ -175,6 +175,16 @@ TEST_CASE("a page speaks to its reader, without the idioms of the list") {
   CHECK(book.mistakes(with("You and us.", "It stops like you do.")) == "");
 }
 
+TEST_CASE("a page that a command writes has the voice of where its sentences stand") {
+  const tumble::test::TemporaryFolder folder;
+  folder.write("page.md",
+               "# All\n\n<!-- This page is written by `./tumble x`. -->\n\nOne has to.\n");
+  const std::vector<Idiom> idioms{{"one has to", "you must"}};
+  CHECK(mistakes_of_voice(read_page(folder.path() / "page.md"), idioms).empty());
+  folder.write("page.md", "# All\n\nOne has to.\n");
+  CHECK(mistakes_of_voice(read_page(folder.path() / "page.md"), idioms).size() == 2);
+}
+
 TEST_CASE("a page on the list of those to rewrite may be anything but ready") {
   const Chapters book;
   book.write("chapters/book/pages_to_rewrite.txt",

@@ -1,14 +1,14 @@
 /// @file
-/// What Doxygen is given for a page.
-#include "book/tool/site.hpp"
-
+/// What Doxygen is given for a page, and what becomes of its own.
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 
+#include "book/tool/addresses.hpp"
+#include "book/tool/converter.hpp"
+#include "book/tool/finish.hpp"
+#include "book/tool/html.hpp"
 #include "project/harness/refusal.hpp"
 #include "project/harness/temporary_folder.hpp"
 
@@ -47,9 +47,77 @@ TEST_CASE("headings have names, and links lead to them") {
   CHECK(mentions(project.converted("# One\n\n## What it costs\n"), "# One {#chapters-01_one}",
                  "## What it costs {#chapters-01_one-what-it-costs}"));
   CHECK(mentions(project.converted("See [two](../02_two/README.md) and [below](#costs).\n"),
-                 "[two](@ref chapters-02_two)", "[below](@ref chapters-01_one-costs)"));
-  CHECK(project.converted("[code](../../lib/a.cpp)\n") == "code\n");
+                 "[two](chapters-02_two.html)",
+                 "[below](chapters-01_one.html#chapters-01_one-costs)"));
+  CHECK(project.converted("[code](../../lib/a.cpp)\n") == "[code](lib-a_cpp.html)\n");
+  CHECK(project.converted("[all](../../solutions/01_one)\n") == "[all](solutions-01_one.html)\n");
+  CHECK(project.converted("[up](../../README.md#the-chapters)\n") ==
+        "[up](index.html#readme-the-chapters)\n");
+  CHECK(project.converted("[a force](../../lib/include/tumble/body/forces.hpp)\n") ==
+        "[a force](@ref tumble/body/forces.hpp)\n");
   CHECK(project.converted("[far](https://a.b/c)\n") == "[far](https://a.b/c)\n");
+}
+
+TEST_CASE("contract and hints are one page, and the box of an exercise leads to its place there") {
+  const Project project;
+  CHECK(project.converted("[hints](../../exercises/01_one/hints.md)\n") ==
+        "[hints](exercises-01_one.html)\n");
+  const std::string box = project.converted(
+      "Text.\n\n<!-- exercise: 1.2 -->\n> **Now write 1.2: `f`.** F.\n>\n"
+      "> [The contract](../../exercises/01_one/contract.hpp) says it.\n\n"
+      "[All](../../exercises/01_one/contract.hpp)\n");
+  CHECK(mentions(box, "[The contract](exercises-01_one.html#exercises-01_one-1.2) says it.",
+                 "[All](exercises-01_one.html)"));
+}
+
+TEST_CASE("below the title stand the neighbours and the contents of a page") {
+  const Project project;
+  const std::string site = project.converted(
+      "# One\n\n## A `b`\n\n### C\n\n## D\n\n[Terms](../terms/README.md) · [2 Two "
+      "→](../02_two/README.md)\n");
+  CHECK(mentions(site, "## A b {#chapters-01_one-a-b}"));
+  const std::string top = site.substr(0, site.find("## A"));
+  CHECK(mentions(top, "<a rel=\"next\" href=\"chapters-02_two.html\">2 Two →</a>",
+                 "<a href=\"chapters-terms.html\">Terms</a>",
+                 "<li class=\"level2\"><a href=\"#chapters-01_one-a-b\">A <code>b</code></a></li>",
+                 "<li class=\"level3\"><a href=\"#chapters-01_one-c\">C</a></li>"));
+  CHECK(std::count(site.begin(), site.end(), '\n') == 9);
+  CHECK(site.rfind("rel=\"next\"") > site.find("## D"));
+  CHECK_FALSE(mentions(project.converted("# One\n\n## A\n\n## B\n"), "On this page"));
+}
+
+TEST_CASE("the front page's sections are not the site's") {
+  const Project project;
+  project.write("README.md", "# Front\n\n## The chapters\n");
+  CHECK(for_doxygen(project.path(), read_page(project.path() / "README.md")) ==
+        "# Front {#readme}\n\n\\htmlonly[block] <h2 id=\"readme-the-chapters\">The chapters</h2> "
+        "\\endhtmlonly\n");
+}
+
+TEST_CASE("output in columns becomes a table: numbers flush right, words flush left") {
+  const Project project;
+  const std::string site = project.converted(
+      "<!-- output: 01_one#a -->\n```text\n  method   h [s]    error\n  ──────   ─────   ──────\n"
+      "  RK4 < 2   0.1   1.5e-3\n  Euler     –         2\n```\nEnd.\n");
+  CHECK_FALSE(mentions(site, "<table"));  // "2" stands between two columns
+  const std::string table = project.converted(
+      "<!-- output: 01_one#a -->\n```text\n  method   h [s]    error\n  ──────   ─────   ──────\n"
+      "  a < b      0.1   1.5e-3\n  Euler        –        2\n```\nEnd.\n");
+  CHECK(mentions(table, "<th class=\"words\">method</th><th>h [s]</th><th>error</th>",
+                 "<td class=\"words\">a &lt; b</td><td>0.1</td><td>1.5e-3</td>",
+                 "<td class=\"words\">Euler</td><td>–</td><td>2</td>"));
+  CHECK(std::count(table.begin(), table.end(), '\n') == 8);
+  CHECK(mentions(project.converted("<!-- output: 01_one#a -->\n```text\nno table\n```\n"),
+                 "```text\nno table\n```"));
+}
+
+TEST_CASE("what touches a formula stays in its line") {
+  const Project project;
+  CHECK(project.converted("As $x$, and ($y$) is $z$-like: *$u$*.\n") ==
+        "As <span class='unbroken'>\\f$x\\f$,</span> and <span "
+        "class='unbroken'>(\\f$y\\f$)</span> is <span "
+        "class='unbroken'>\\f$z\\f$-like:</span> *\\f$u\\f$*.\n");
+  CHECK(project.converted("| $x$, | ($y$) |\n") == "| \\f$x\\f$, | (\\f$y\\f$) |\n");
 }
 
 TEST_CASE("formulas are set, and code and dollars are not") {
@@ -77,7 +145,8 @@ TEST_CASE("a box is a division with its content unquoted, and other quotations s
       "Text.\n\n> **Try it.** What is $x$?\n>\n> ```sh\n> ls\n> ```\n\n> A quotation.\n");
   CHECK(site ==
         "Text.\n\\htmlonly[block] <div class=\"try-it\"> \\endhtmlonly\n**Try it.** What is "
-        "\\f$x\\f$?\n\n```sh\nls\n```\n\\htmlonly[block] </div> \\endhtmlonly\n> A quotation.\n");
+        "<span class='unbroken'>\\f$x\\f$?</span>\n\n```sh\nls\n```\n\\htmlonly[block] </div> "
+        "\\endhtmlonly\n> A quotation.\n");
   CHECK_THROWS_WITH(project.converted("Text.\n> **Try it.** What?\n"),
                     doctest::Contains("line above a box is empty"));
   CHECK_THROWS_WITH(project.converted("\n> **Try it.** What?\nText.\n"),
@@ -96,9 +165,13 @@ TEST_CASE("two boxes below each other are two") {
                  "What?\n\\htmlonly[block] </div><div class=\"curious\"> \\endhtmlonly\n**For"));
 }
 
-TEST_CASE("a second page of a chapter has a name of its own") {
+TEST_CASE("a second page of a chapter has a name of its own, and so have files and folders") {
   CHECK(page_id("/p", "/p/chapters/08_eight/README.md") == "chapters-08_eight");
   CHECK(page_id("/p", "/p/chapters/08_eight/digits.md") == "chapters-08_eight-digits");
+  CHECK(page_id("/p", "/p/README.md") == "readme");
+  CHECK(page_id("/p", "/p/CHANGELOG.md") == "CHANGELOG");
+  CHECK(page_id("/p", "/p/.github/SECURITY.md") == "github-SECURITY");
+  CHECK(page_id("/p", "/p/lib/reference/a.hpp") == "lib-reference-a_hpp");
 }
 
 TEST_CASE("a figure's place is kept, and the drawing is put there when Doxygen is through") {
@@ -108,9 +181,20 @@ TEST_CASE("a figure's place is kept, and the drawing is put there when Doxygen i
   CHECK(mentions(project.converted("![If $a<b$ & c.](figures/a.svg)\n"),
                  "<figcaption>If \\(a&lt;b\\) &amp; c.</figcaption>"));
   project.write("html/page.html", "before " + site + " after");
-  fill_in_figures(project.path(), project.path() / "html");
-  std::ifstream in(project.path() / "html/page.html");
-  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  finish_site(project.path(), project.path() / "html");
+  const std::string page = text_of(project.path() / "html/page.html");
   CHECK(mentions(page, "before", "<svg>drawn</svg>", "after"));
   CHECK_FALSE(mentions(page, "data-figure"));
+}
+
+TEST_CASE("a finished page has a heading, its own link marked, and tables in frames") {
+  const Project project;
+  project.write("html/a.html",
+                "<nav id=\"sidebar\"><a href=\"b.html\">B</a><a href=\"a.html\">A</a></nav>"
+                "<div class=\"title\">A </div><p>A.</p><table class=\"markdownTable\"></table>");
+  finish_site(project.path(), project.path() / "html");
+  CHECK(text_of(project.path() / "html/a.html") ==
+        "<nav id=\"sidebar\"><a href=\"b.html\">B</a><a aria-current=\"page\" href=\"a.html\">A</a>"
+        "</nav><h1 class=\"title\">A </h1><p>A.</p><div class=\"scroll\" tabindex=\"0\"><table "
+        "class=\"markdownTable\"></table></div>");
 }

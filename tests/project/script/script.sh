@@ -170,6 +170,34 @@ run completion fish
 expect 2 "there is no shell 'fish'"
 called_nothing
 
+what='the book on paper'
+pretend chromium <<'STUB'
+echo "chromium $*" >>"$CALLS"
+[ -z "${CHROMIUM_FAILS:-}" ] || { echo 'no fonts'; exit 1; }
+for argument in "$@"; do
+  case $argument in --print-to-pdf=*) echo '%PDF' >"${argument#*=}" ;; esac
+done
+STUB
+run book --pdf
+expect 0 "$tree/build/release/book/tumble.pdf"
+called 'ninja book'
+called "--no-sandbox"
+called "file://$tree/build/release/book/html/print.html"
+ID=1000 run book --pdf
+expect 0 tumble.pdf
+if grep -q no-sandbox "$CALLS"; then complain 'without root the sandbox stays'; fi
+CHROMIUM_FAILS=yes run book --pdf
+expect 2 'no fonts' 'tumble: the PDF is not printed, see above'
+rm "$bin/chromium"
+mkdir -p "$work/tools"
+for each in sh sed grep cat mkdir rm dirname basename awk tr id; do ln -sf "$(command -v "$each")" "$work/tools/$each"; done
+: >"$CALLS"
+output=$(PATH="$work/tools" "$(command -v "$shell")" "$tree/tumble" book --pdf 2>&1)
+status=$?
+expect 2 'a PDF is printed by Chromium or Chrome, and neither is installed here'
+called_nothing
+fresh
+
 what='a link on PATH'
 ln -s "$tree/tumble" "$work/link"
 ln -s ../link "$bin/tumble"

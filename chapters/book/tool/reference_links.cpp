@@ -1,0 +1,28 @@
+#include "book/tool/reference_links.hpp"
+
+#include <map>
+
+#include "book/tool/html.hpp"
+
+namespace tumble::book {
+
+std::string with_reference_links(const std::string& html, const std::vector<Entry>& names) {
+  std::map<std::string, std::string> addresses;
+  for (const Entry& name : names) addresses.try_emplace(name.section, name.address);
+  const std::string start = "<code>", end = "</code>";
+  std::string result, scope = "tumble";
+  std::size_t at = 0;
+  for (auto begin = html.find(start); begin != std::string::npos; begin = html.find(start, at)) {
+    const auto stop = html.find(end, begin);
+    const std::string name = html.substr(begin + start.size(), stop - begin - start.size());
+    if (name.starts_with("tumble::")) scope = name;
+    const auto address = addresses.find(scope + "::" + name);
+    const std::string code = html.substr(begin, stop + end.size() - begin);
+    result += html.substr(at, begin - at) +
+              (address == addresses.end() ? code : link_html(address->second, code));
+    at = stop + end.size();
+  }
+  return result + html.substr(at);
+}
+
+}  // namespace tumble::book
