@@ -85,7 +85,7 @@ const tumbleMoving = (function () {
       this.declared = module.declaration(i);
       this.controls = this.declared.controls;
       this.fields = this.controls.map((control, k) => field(control, (value) => this.set(k, value)));
-      this.place.after(this.panel());
+      (place.closest(".scroll") ?? place).after(this.panel()); // it stays where a wide picture scrolls
       if (this.declared.drags) this.listen();
       this.showValues();
     }
