@@ -67,7 +67,7 @@ std::vector<Trial> sweep(const Entrant& entrant, double longest_run) {
 Timed timed(const Trial& trial, const Budget& budget) {
   const double affordable = std::max(1.0, budget.longest_run / 2 / trial.seconds);
   const int repetitions = static_cast<int>(std::min<double>(budget.repetitions, affordable));
-  return {trial.attempt.run, repetitions, budget.seconds};
+  return {trial.attempt.run, repetitions, budget.seconds, Clock::thread};
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ struct Entrant {
 struct Point {
   double setting;
   double error;
-  double seconds;  ///< the least of all repetitions
+  double seconds;  ///< of the processor, the least of all repetitions
 };
 
 /// The settings of a method that are more exact than all coarser ones.

@@ -14,7 +14,7 @@ namespace tumble::bench {
 namespace {
 
 struct Options {
-  Budget budget{0.5, 2, 3, 0.002};
+  Budget budget{0.5, 1.5, 9, 0.002};
   std::vector<int> crowds = {10, 100, 1000, 10'000};
   bool with_peers = true;
   std::string only, svg_folder;

@@ -14,12 +14,16 @@ int right(const Problem& problem, const Curve& curve) {
   return static_cast<int>(std::lround((1 - std::fmin(1, curve.best_error())) * problem.count));
 }
 
-/// Of the others, the one with the least error.
+/// Of the others, the one with the least error, and of several such the fastest.
 const Curve* best_other(const std::vector<Curve>& curves) {
   const Curve* best = nullptr;
+  const auto rank = [](const Curve& c) {
+    return std::pair(c.best_error(), c.points.back().seconds);
+  };
   for (const Curve& curve : curves)
-    if (!curve.is_ours() && (!best || curve.best_error() < best->best_error())) best = &curve;
-  return best && std::isfinite(best->best_error()) ? best : nullptr;
+    if (!curve.is_ours() && !curve.points.empty() && (!best || rank(curve) < rank(*best)))
+      best = &curve;
+  return best;
 }
 
 std::string errors(const Problem& problem, const Curve& ours, const Curve& other) {
