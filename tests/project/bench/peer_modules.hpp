@@ -1,7 +1,8 @@
 #pragma once
 /// @file
 /// Other software. Each is a module that is loaded beside the others, not linked with them:
-/// Bullet's two precisions have the same names, and Simbody brings functions of SUNDIALS of its own.
+/// Bullet's two precisions have the same names, and Simbody brings functions of SUNDIALS of its
+/// own.
 
 #include <sstream>
 #include <string>

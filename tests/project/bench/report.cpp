@@ -110,8 +110,7 @@ Table ratio_table(const std::vector<Curve>& curves) {
     };
     const bool both = ours && others;
     table.add(
-        {mark_name(mark), ours ? ours->name : "none", time(ours), name(others),
-         time(others),
+        {mark_name(mark), ours ? ours->name : "none", time(ours), name(others), time(others),
          both ? support::number(others->seconds_to_reach(mark) / ours->seconds_to_reach(mark), 3)
               : "–"});
   }
@@ -120,8 +119,7 @@ Table ratio_table(const std::vector<Curve>& curves) {
 
 support::Plot figure(const std::string& title, const std::string& error,
                      const std::vector<Curve>& curves) {
-  support::Plot plot{
-      title, {"time [s]", support::Scale::log}, {error, support::Scale::log}, {}};
+  support::Plot plot{title, {"time [s]", support::Scale::log}, {error, support::Scale::log}, {}};
   for (const Curve* curve : to_be_drawn(curves)) plot.series.push_back(front(*curve));
   return plot;
 }

@@ -30,8 +30,8 @@ Problem for_ever() {
   };
   // Each of ten contacts may be off by what places have digits for, and with it all later flights.
   constexpr double contacts = 10, digits = 16 * eps * (radius + height + radius);
-  return {"ball", "BALL: dropped from 5 m, e = 1, 20 s", "error of its height [m]", scene, duration,
-          at_end(scene, duration, error), 2 * contacts * digits};
+  return {"ball",   "BALL: dropped from 5 m, e = 1, 20 s", "error of its height [m]", scene,
+          duration, at_end(scene, duration, error),        2 * contacts * digits};
 }
 
 // ── e = 0.8: ever lower ──
@@ -67,18 +67,22 @@ Problem bounces() {
   constexpr int k = 10;
   const long double truth = time_of_contact(k);
   const auto off = [truth](double t) { return static_cast<double>(std::abs(t - truth)); };
-  const Question question{
-      [off](Simulation& simulation, double h, int steps) {
-        return off(time_of_contact(simulation, h, steps, k));
-      },
-      [off](const contact::ContactScene&, const contact::ContactRun& run) {
-        return run.impacts.size() < k ? infinity : off(run.impacts[k - 1].t);
-      }};
+  const Question question{[off](Simulation& simulation, double h, int steps) {
+                            return off(time_of_contact(simulation, h, steps, k));
+                          },
+                          [off](const contact::ContactScene&, const contact::ContactRun& run) {
+                            return run.impacts.size() < k ? infinity : off(run.impacts[k - 1].t);
+                          }};
   const double duration = static_cast<double>(truth + time_of_contact(k + 1)) / 2;
   // Ten contacts, each found to what places have digits for, at the slowest by 0.6 m/s.
   constexpr double promised = k * 16 * eps * (from + 2 * radius) / 0.6;
-  return {"bounces", "BOUNCES: dropped from 1 m, e = 0.8: the time of contact 10",
-          "error of the time [s]", dropped(from, lossy), duration, question, promised};
+  return {"bounces",
+          "BOUNCES: dropped from 1 m, e = 0.8: the time of contact 10",
+          "error of the time [s]",
+          dropped(from, lossy),
+          duration,
+          question,
+          promised};
 }
 
 // ── When is it over? ──
@@ -121,8 +125,13 @@ Problem stops() {
       }};
   // As for BOUNCES; what a late contact is off by shifts all later ones, its time by digits/speed.
   const double promised = 16 * eps * (from + 2 * radius) / (slow * (1 - lossy));
-  return {"stops",  "STOPS: dropped from 1 m, e = 0.8: from when on it is slower than 1 mm/s",
-          "error of the time [s]", dropped(from, lossy), 5, question, promised};
+  return {"stops",
+          "STOPS: dropped from 1 m, e = 0.8: from when on it is slower than 1 mm/s",
+          "error of the time [s]",
+          dropped(from, lossy),
+          5,
+          question,
+          promised};
 }
 
 // ── It lands with a slip ──
@@ -145,12 +154,8 @@ Problem slipping(const std::string& name, const std::string& title, double mu) {
   const double duration = static_cast<double>(fall) + after;
   // Rounding of an impact: some tens of operations on numbers of this size.
   const double promised = 100 * eps * (v + radius * std::abs(omega));
-  return {name,
-          title,
-          "error of its velocities [m/s]",
-          scene,
-          duration,
-          at_end(scene, duration, error),
+  return {name,    title,    "error of its velocities [m/s]",
+          scene,   duration, at_end(scene, duration, error),
           promised};
 }
 
@@ -171,8 +176,12 @@ Problem cradle() {
   };
   constexpr double duration = 0.2;
   // Of each of four impacts some tens of roundings.
-  return {"cradle", "CRADLE: Newton's, five balls with gaps of 10 µm, e = 1",
-          "error of their velocities [m/s]", scene, duration, at_end(scene, duration, error),
+  return {"cradle",
+          "CRADLE: Newton's, five balls with gaps of 10 µm, e = 1",
+          "error of their velocities [m/s]",
+          scene,
+          duration,
+          at_end(scene, duration, error),
           4 * 100 * eps * speed};
 }
 

@@ -31,6 +31,11 @@ struct Body {
   Motion start;
 
   double radius() const { return size.x() / 2; }
+  /// Of a box, i = 0 … 7 [m], body coordinates.
+  Vec3 corner(int i) const {
+    const Vec3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    return signs.cwiseProduct(size) / 2;
+  }
   /// Of the ball around the centre that holds it [m].
   double reach() const { return form == Form::ball ? radius() : size.norm() / 2; }
 };

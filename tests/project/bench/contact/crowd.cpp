@@ -29,8 +29,7 @@ Scene balls_in_room(int count) {
   for (int i = 0; i < count; ++i) {
     const Vec3 place(i % side, i / side % side, i / side / side);
     const Vec3 x = spacing * (place + Vec3::Constant(0.5)) - Vec3::Constant(size / 2);
-    scene.bodies.push_back(
-        ball(radius, 1, x + random.vector(jitter), speed * random.direction()));
+    scene.bodies.push_back(ball(radius, 1, x + random.vector(jitter), speed * random.direction()));
   }
   return scene;
 }
@@ -57,7 +56,8 @@ double overlap(const Ours& all) {
   std::vector<Vec3> places;
   for (int i = 0; i < static_cast<int>(all.scene.bodies.size()); ++i) {
     places.push_back(all.run.state(all.scene, i, all.run.t).x);
-    bounds.push_back({places.back() - Vec3::Constant(radius), places.back() + Vec3::Constant(radius)});
+    bounds.push_back(
+        {places.back() - Vec3::Constant(radius), places.back() + Vec3::Constant(radius)});
   }
   double most = 0;
   for (const auto& [i, j] : collide::overlapping_pairs(bounds)) {
@@ -77,7 +77,8 @@ std::string broken_promises(const Ours& all) {
   // Some tens of roundings of the energy of two balls in each impact.
   const double strays = std::abs(all.run.energy.end / all.run.energy.start - 1);
   const double allowed = 100 * std::numeric_limits<double>::epsilon() * impacts;
-  if (strays > allowed) broken += name() + "their energy strays by " + support::error_number(strays);
+  if (strays > allowed)
+    broken += name() + "their energy strays by " + support::error_number(strays);
   return broken;
 }
 
@@ -133,8 +134,8 @@ std::string growth_text(const std::vector<int>& sizes, const std::vector<double>
   const double grown = costs.back() / costs.front();
   const double logs = std::log2(sizes.back()) / std::log2(sizes.front());
   return "A collision among " + std::to_string(sizes.back()) + " costs " +
-         support::number(grown, 2) + " times what it costs among " +
-         std::to_string(sizes.front()) + "; log n has grown by " + support::number(logs, 2) + '\n';
+         support::number(grown, 2) + " times what it costs among " + std::to_string(sizes.front()) +
+         "; log n has grown by " + support::number(logs, 2) + '\n';
 }
 
 }  // namespace
@@ -143,7 +144,8 @@ Crowd crowd(const std::vector<int>& sizes, const std::vector<Stepper>& steppers,
             const Budget& budget) {
   Crowd made{support::Table({"balls", "method", "µs per collision", "µs per body and step",
                              "× with " + std::to_string(sizes.front())}),
-             {}, {}};
+             {},
+             {}};
   std::map<std::string, double> first;
   std::vector<double> own_costs;
   for (const int size : sizes) {

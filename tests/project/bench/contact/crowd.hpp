@@ -14,8 +14,8 @@ struct Crowd {
   std::string broken;  ///< what of ours is not as we promise; empty if all is
 };
 
-/// Balls that fill 15 % of a room, e = 1, for each of the sizes: ours takes all collisions in order,
-/// the others steps in which a ball goes a tenth of its radius.
+/// Balls that fill 15 % of a room, e = 1, for each of the sizes: ours takes all collisions in
+/// order, the others steps in which a ball goes a tenth of its radius.
 Crowd crowd(const std::vector<int>& sizes, const std::vector<Stepper>& steppers,
             const Budget& budget);
 

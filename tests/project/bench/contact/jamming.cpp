@@ -17,8 +17,8 @@ constexpr int steps = 2000;
 Scene sliding_rod() {
   constexpr double length = 1, thick = 0.002;
   const double pi = std::acos(-1.), tilt = std::atan(2);
-  const Quat q = from_axis_angle(Vec3(Vec3::UnitY()), tilt) *
-                 from_axis_angle(Vec3(Vec3::UnitX()), pi / 4);
+  const Quat q =
+      from_axis_angle(Vec3(Vec3::UnitY()), tilt) * from_axis_angle(Vec3(Vec3::UnitX()), pi / 4);
   const double low = length / 2 * std::sin(tilt) + thick / std::sqrt(2) * std::cos(tilt);
   Scene scene{{box({length, thick, thick}, 1, {0, 0, low + 1e-4}, q)},
               {plane(Vec3::UnitZ())},
@@ -33,11 +33,8 @@ Scene sliding_rod() {
 /// The corner that hits.
 Vec3 tip(const Body& body) {
   Vec3 lowest = Vec3::Zero();
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    const Vec3 corner = signs.cwiseProduct(body.size) / 2;
-    if ((body.start.q * corner).z() < (body.start.q * lowest).z()) lowest = corner;
-  }
+  for (int i = 0; i < 8; ++i)
+    if ((body.start.q * body.corner(i)).z() < (body.start.q * lowest).z()) lowest = body.corner(i);
   return lowest;
 }
 

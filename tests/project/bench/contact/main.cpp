@@ -31,8 +31,9 @@ Options quick(Options options) {
 
 std::vector<Problem> problems() {
   std::vector<Problem> all = ball_problems();
-  for (const auto& more : {corner_problems(), long_problems()})
-    all.insert(all.end(), more.begin(), more.end());
+  for (const Problem& problem : corner_problems()) all.push_back(problem);
+  all.push_back(billiard_break());
+  all.push_back(brick_in_room());
   return all;
 }
 
@@ -49,9 +50,11 @@ void show(const Problem& problem, const std::vector<Stepper>& steppers, const Op
   const support::Table table =
       problem.count > 0 ? counts_table(problem, curves) : times_table(curves);
   std::cout << problem.title << '\n' << table.text() << standing(problem, curves) << std::endl;
-  if (!options.svg_folder.empty())
+  if (!options.svg_folder.empty()) {
+    const std::string title = problem.title.substr(0, problem.title.find(':'));
     support::write_text(options.svg_folder + "/" + problem.name + ".svg",
-                        support::to_svg(figure(problem.title, problem.error, curves)));
+                        support::to_svg(figure(title, problem.error, curves)));
+  }
   check_promises(problem.name, problem.error, curves);
 }
 
@@ -83,9 +86,10 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   tumble::bench::Options options;
-  CLI::App app("Bodies that hit each other: time to reach an error, ours and others' on the same "
-               "scenes.",
-               "./tumble bench contact");
+  CLI::App app(
+      "Bodies that hit each other: time to reach an error, ours and others' on the same "
+      "scenes.",
+      "./tumble bench contact");
   app.add_option("--only", options.only, "one scene")
       ->check(CLI::IsMember({"ball", "bounces", "stops", "rolls", "slips", "cradle", "rod", "brick",
                              "break", "room", "crowd", "jamming"}));

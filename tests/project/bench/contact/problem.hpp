@@ -34,8 +34,13 @@ Question at_end(const Scene& scene, double duration, const EndError& error);
 std::vector<Problem> ball_problems();
 /// A rod and a brick that land on a corner.
 std::vector<Problem> corner_problems();
-/// A billiard break, and a brick in a room: how long does an answer stay right?
-std::vector<Problem> long_problems();
+// Scenes that forget how they began: how many contacts does an answer stay right?
+Problem billiard_break();
+Problem brick_in_room();
+/// What is right of all, as an error.
+inline double share_missed(std::size_t right, std::size_t all) {
+  return 1 - static_cast<double>(right) / static_cast<double>(all);
+}
 
 /// The scene as the library takes it.
 contact::ContactScene contact_scene(const Scene& scene);

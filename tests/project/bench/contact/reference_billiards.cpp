@@ -48,7 +48,8 @@ class Table {
     time_ = within;
     next_ = {-1, 0};
     for (int i = 0; i < static_cast<int>(x_.size()); ++i) {
-      for (int j = i + 1; j < static_cast<int>(x_.size()); ++j) consider(time_of_pair(i, j), {i, j});
+      for (int j = i + 1; j < static_cast<int>(x_.size()); ++j)
+        consider(time_of_pair(i, j), {i, j});
       for (int w = 0; w < static_cast<int>(scene_.walls.size()); ++w)
         consider(time_of_wall(i, w), {i, -1 - w});
     }

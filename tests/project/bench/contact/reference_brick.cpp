@@ -88,8 +88,7 @@ ReferenceBrick::Lowest ReferenceBrick::lowest() const {
   Lowest lowest{{0, Vec3::Zero()}, std::numeric_limits<double>::infinity()};
   for (std::size_t w = 0; w < walls_.size(); ++w)
     for (int i = 0; i < 8; ++i) {
-      const Vec3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-      const Vec3 corner = signs.cwiseProduct(body_.size) / 2;
+      const Vec3 corner = body_.corner(i);
       const double gap = walls_[w].normal.dot(now.x + now.q * corner - walls_[w].point);
       if (gap < lowest.gap) lowest = {{w, corner}, gap};
     }

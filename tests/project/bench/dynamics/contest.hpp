@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "project/bench/speed_against_error.hpp"
 #include "project/bench/plain_types.hpp"
+#include "project/bench/speed_against_error.hpp"
 
 namespace tumble::bench {
 

@@ -20,8 +20,9 @@ Entrant entrant(const Problem& problem, const Method& method) {
     return {[run] { return run().w(); },
             [run, &problem] { return angle_between(run().normalized(), problem.end); }};
   };
-  return {method.software, method.name, method.knob, coarsest(method.knob, problem), prepare,
-          method.roundings * problem.condition * eps};
+  return {method.software, method.name,
+          method.knob,     coarsest(method.knob, problem),
+          prepare,         method.roundings * problem.condition * eps};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Box2D, which computes in floats: planar scenes. No threshold for restitution, nobody sleeps, bodies
-// are told to be bullets, so that they never pass through each other.
+// Box2D, which computes in floats: planar scenes. No threshold for restitution, nobody sleeps,
+// bodies are told to be bullets, so that they never pass through each other.
 #include <box2d/box2d.h>
 
 #include <array>
@@ -80,11 +80,8 @@ class World {
       return;
     }
     std::array<b2Vec2, 8> corners;  // as the box is seen along y
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-      corners[static_cast<std::size_t>(i)] =
-          vector(Vec3(body.start.q * Vec3(signs.cwiseProduct(body.size) / 2)));
-    }
+    for (int i = 0; i < 8; ++i)
+      corners[static_cast<std::size_t>(i)] = vector(Vec3(body.start.q * body.corner(i)));
     b2PolygonShape polygon;
     polygon.Set(corners.data(), 8);
     const b2FixtureDef definition = surface(polygon, scene);
@@ -104,8 +101,7 @@ extern "C" void tumble_add_peer(std::vector<tumble::bench::Stepper>& steppers) {
   using namespace tumble::bench;
   const auto make = [](const Scene& scene, double h) -> std::unique_ptr<Simulation> {
     if (!scene.planar) return nullptr;
-    return std::make_unique<Fresh<World>>(
-        [scene, h] { return std::make_unique<World>(scene, h); });
+    return std::make_unique<Fresh<World>>([scene, h] { return std::make_unique<World>(scene, h); });
   };
   steppers.push_back({"Box2D (float)", "continuous", make});
 }

@@ -1,8 +1,9 @@
 // Bullet, in double precision: its world of rigid bodies, no threshold for restitution, nobody
-// sleeps. By default it pushes bodies apart that will touch within a step, by so much that they just
-// don't; where they bounce, part of the bounce is lost. And it adds to a bounce what pushes bodies out
-// of each other. So it also goes without both. Its continuous detection holds bodies up at the time of impact for the rest of a step; that
-// keeps them from tunnelling, which none does here, and costs accuracy, so it is off, as by default.
+// sleeps. By default it pushes bodies apart that will touch within a step, by so much that they
+// just don't; where they bounce, part of the bounce is lost. And it adds to a bounce what pushes
+// bodies out of each other. So it also goes without both. Its continuous detection holds bodies up
+// at the time of impact for the rest of a step; that keeps them from tunnelling, which none does
+// here, and costs accuracy, so it is off, as by default.
 #include <btBulletDynamicsCommon.h>
 
 #include "project/bench/contact/contest.hpp"
@@ -16,13 +17,12 @@ Vec3 vector(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 /// What can be chosen.
 struct Options {
   double contact_to = BT_LARGE_FLOAT;  ///< the distance up to which two are in contact [m]
-  double split_from = -0.04;           ///< the gap from which places are put right by themselves [m]
+  double split_from = -0.04;  ///< the gap from which places are put right by themselves [m]
 };
 
 class World {
  public:
-  World(const Scene& scene, double h, const Options& options)
-      : h_(h), options_(options) {
+  World(const Scene& scene, double h, const Options& options) : h_(h), options_(options) {
     world_.setGravity(vector(scene.gravity));
     btContactSolverInfo& info = world_.getSolverInfo();
     info.m_restitutionVelocityThreshold = 0;
@@ -38,7 +38,8 @@ class World {
   }
 
   void advance(int steps) {
-    for (int i = 0; i < steps; ++i) world_.stepSimulation(h_, 0);  // 0: one step of just this length
+    for (int i = 0; i < steps; ++i)
+      world_.stepSimulation(h_, 0);  // 0: one step of just this length
   }
   Motion motion(std::size_t i) const {
     const btRigidBody& body = *bodies_[i];
@@ -50,8 +51,8 @@ class World {
  private:
   /// Of two in contact, the products of their coefficients count.
   void add(const Wall& wall) {
-    shapes_.push_back(std::make_unique<btStaticPlaneShape>(vector(wall.normal),
-                                                           wall.normal.dot(wall.point)));
+    shapes_.push_back(
+        std::make_unique<btStaticPlaneShape>(vector(wall.normal), wall.normal.dot(wall.point)));
     walls_.push_back(std::make_unique<btRigidBody>(0, nullptr, shapes_.back().get()));
     walls_.back()->setRestitution(1);
     walls_.back()->setFriction(1);
@@ -70,8 +71,7 @@ class World {
     made.setFriction(scene.mu);
     made.setContactProcessingThreshold(options_.contact_to);
     made.setActivationState(DISABLE_DEACTIVATION);
-    made.setCenterOfMassTransform(
-        btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), vector(x)));
+    made.setCenterOfMassTransform(btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), vector(x)));
     made.setLinearVelocity(vector(v));
     made.setAngularVelocity(vector(omega));
     world_.addRigidBody(&made);
@@ -90,9 +90,8 @@ class World {
 
 Stepper stepper(const std::string& name, const Options& options) {
   return {"Bullet (double)", name, [options](const Scene& scene, double h) {
-            return std::make_unique<Fresh<World>>([scene, h, options] {
-              return std::make_unique<World>(scene, h, options);
-            });
+            return std::make_unique<Fresh<World>>(
+                [scene, h, options] { return std::make_unique<World>(scene, h, options); });
           }};
 }
 

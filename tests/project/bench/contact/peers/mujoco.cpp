@@ -1,5 +1,6 @@
-// MuJoCo: it has no coefficient of restitution. Contacts are springs with dampers; ours are as stiff
-// as the step allows, and damped so that a body that hits a wall keeps the part e of its speed.
+// MuJoCo: it has no coefficient of restitution. Contacts are springs with dampers; ours are as
+// stiff as the step allows, and damped so that a body that hits a wall keeps the part e of its
+// speed.
 #include <cmath>
 #include <sstream>
 
@@ -31,8 +32,9 @@ class Model {
     text_.precision(17);
     const std::size_t contacts = 16 + 4 * scene.bodies.size();  // what is larger takes long to make
     const double rate = 0.1 / h, damping = 2 * damping_for(scene.e) * rate;
-    text_ << "<mujoco><compiler boundmass=\"0\" boundinertia=\"0\"/><size nconmax=\""
-          << contacts << "\" njmax=\"" << 4 * contacts << "\"/><option timestep=\"" << h << "\" gravity=\"" << scene.gravity.transpose()
+    text_ << "<mujoco><compiler boundmass=\"0\" boundinertia=\"0\"/><size nconmax=\"" << contacts
+          << "\" njmax=\"" << 4 * contacts << "\"/><option timestep=\"" << h << "\" gravity=\""
+          << scene.gravity.transpose()
           << "\" cone=\"elliptic\" tolerance=\"1e-14\" iterations=\"200\"/><default><geom "
              "solref=\""
           << -rate * rate << ' ' << -damping << "\" solimp=\"0.9999 0.9999 1\" friction=\""

@@ -1,6 +1,6 @@
 // Simbody: elastic balls by Hertz' law and an adaptive integrator. For other restitutions than 1 it
-// has a dissipation, which gives none that is the same at all speeds; and a stepper with impacts, said
-// to be experimental, which Debian's version 3.7 prints all its thoughts with.
+// has a dissipation, which gives none that is the same at all speeds; and a stepper with impacts,
+// said to be experimental, which Debian's version 3.7 prints all its thoughts with.
 #include <Simbody.h>
 
 #include <algorithm>
@@ -57,8 +57,8 @@ class World {
         SimTK::ContactSurface(SimTK::ContactGeometry::HalfSpace(), material));
   }
   void add(const Body& ball, const SimTK::ContactMaterial& material) {
-    SimTK::Body::Rigid body(SimTK::MassProperties(ball.mass, SimTK::Vec3(0),
-                                                  SimTK::Inertia(vector(ball.moments))));
+    SimTK::Body::Rigid body(
+        SimTK::MassProperties(ball.mass, SimTK::Vec3(0), SimTK::Inertia(vector(ball.moments))));
     body.addContactSurface(
         SimTK::Transform(),
         SimTK::ContactSurface(SimTK::ContactGeometry::Sphere(ball.radius()), material));
