@@ -67,6 +67,11 @@ class DoubleDoubleTurning {
     return series_.col(1);
   }
 
+  /// ω jumps, as it does in an impact [rad/s], body coordinates.
+  void kick(const Eigen::Matrix<simd::DoubleDouble, 3, 1>& change) {
+    for (int i = 0; i < 3; ++i) now_[i] += change[i];
+  }
+
   /// Goes on, or back, by a time so short that t need not know of it.
   void shift(double h) {
     expand();

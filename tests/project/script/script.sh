@@ -157,7 +157,7 @@ expect 2 "there is no command 'xyzzy'; there are: tour chapter"
 run bench mas
 expect 2 'did you mean mass?'
 run bench
-expect 2 'mass, dynamics, judge'
+expect 2 'mass, dynamics, contact, judge'
 run test dve
 expect 2 'did you mean dev?'
 run chapter

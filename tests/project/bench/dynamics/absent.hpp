@@ -3,7 +3,7 @@
 /// What is not there costs nothing: forces that a scene does not have, numbers that a body does not
 /// need.
 
-#include "project/bench/dynamics/work_precision.hpp"
+#include "project/bench/speed_against_error.hpp"
 #include "support/table.hpp"
 
 namespace tumble::bench {

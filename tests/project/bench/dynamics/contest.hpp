@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tumble/core/types.hpp"
+#include "project/bench/plain_types.hpp"
+#include "project/bench/speed_against_error.hpp"
 
 namespace tumble::bench {
 
@@ -54,9 +55,6 @@ struct Problem {
 
 /// One integration, prepared: what is not part of it has been done.
 using Run = std::function<Quat()>;
-
-/// Whether a method is told how exact to be, or how many steps to take.
-enum class Knob { tolerance, steps };
 
 /// A way from a problem's start to its end.
 struct Method {

@@ -7,7 +7,8 @@
 #include "project/bench/dynamics/long_run.hpp"
 #include "project/bench/dynamics/many_bodies.hpp"
 #include "project/bench/dynamics/problems.hpp"
-#include "project/bench/dynamics/report.hpp"
+#include "project/bench/dynamics/work_precision.hpp"
+#include "project/bench/report.hpp"
 #include "support/command_line.hpp"
 #include "support/text_file.hpp"
 
@@ -40,6 +41,8 @@ Contestants contestants(bool with_peers) {
   return all;
 }
 
+constexpr auto orientation_error = "orientation error [rad]";
+
 void show_precision(const Problem& problem, const std::vector<Method>& methods,
                     const Options& options) {
   const std::vector<Curve> curves = work_precision(problem, methods, options.budget);
@@ -48,8 +51,8 @@ void show_precision(const Problem& problem, const std::vector<Method>& methods,
   std::cout << std::flush;
   if (!options.svg_folder.empty())
     support::write_text(options.svg_folder + "/" + problem.name + ".svg",
-                        support::to_svg(figure(problem, curves)));
-  check_promises(problem, curves);
+                        support::to_svg(figure(problem.title, orientation_error, curves)));
+  check_promises(problem.name, orientation_error, curves);
 }
 
 void show_long(const Problem& free, const std::vector<Stepper>& steppers, int steps) {

@@ -2,7 +2,7 @@
 /// @file
 /// Many free bodies in one call, a second in steps of 1/240 s.
 
-#include "project/bench/dynamics/work_precision.hpp"
+#include "project/bench/dynamics/contest.hpp"
 #include "support/table.hpp"
 
 namespace tumble::bench {

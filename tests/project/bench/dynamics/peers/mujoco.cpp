@@ -1,13 +1,9 @@
 // MuJoCo: its integrators, on bodies with a free joint each and nothing else in the world.
-#include <mujoco/mujoco.h>
-
-#include <cstdio>
-#include <cstring>
 #include <limits>
 #include <sstream>
 
 #include "project/bench/dynamics/contest.hpp"
-#include "tumble/core/require.hpp"
+#include "project/bench/mujoco_model.hpp"
 
 namespace tumble::bench {
 namespace {
@@ -25,19 +21,6 @@ std::string model_of(const Scene& scene, double h, const std::string& integrator
         << ' ' << body.moments[1] << ' ' << body.moments[2] << "\"/></body>";
   xml << "</worldbody></mujoco>";
   return xml.str();
-}
-
-mjModel* load(const std::string& xml) {
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), "scene.xml", static_cast<int>(xml.size()) + 1);
-  std::memcpy(files->filedata[mj_findFileVFS(files.get(), "scene.xml")], xml.c_str(),
-              xml.size() + 1);
-  char error[1000] = "";
-  mjModel* model = mj_loadXML("scene.xml", files.get(), error, sizeof error);
-  mj_deleteVFS(files.get());
-  require(model != nullptr, "MuJoCo: ", error);
-  return model;
 }
 
 class World : public Simulation {

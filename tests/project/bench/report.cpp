@@ -1,4 +1,4 @@
-#include "project/bench/dynamics/report.hpp"
+#include "project/bench/report.hpp"
 
 #include <map>
 #include <tuple>
@@ -7,10 +7,6 @@ namespace tumble::bench {
 namespace {
 
 using support::Table;
-
-std::string full_name(const Method& method) { return method.software + ", " + method.name; }
-
-bool is_ours(const Curve& curve) { return curve.method->software == "tumble"; }
 
 /// 1e-3 rather than 0.001
 std::string mark_name(double mark) { return "1e" + std::to_string(std::lround(std::log10(mark))); }
@@ -35,7 +31,7 @@ const Curve* fastest(const std::vector<Curve>& curves, double mark, bool ours) {
   const Curve* best = nullptr;
   for (const Curve& curve : curves) {
     const double seconds = curve.seconds_to_reach(mark);
-    if (is_ours(curve) != ours || std::isinf(seconds)) continue;
+    if (curve.is_ours() != ours || std::isinf(seconds)) continue;
     if (!best || seconds < best->seconds_to_reach(mark)) best = &curve;
   }
   return best;
@@ -43,7 +39,7 @@ const Curve* fastest(const std::vector<Curve>& curves, double mark, bool ours) {
 
 /// Without the precision that it was built for.
 std::string product(const Curve& curve) {
-  return curve.method->software.substr(0, curve.method->software.find(" ("));
+  return curve.software.substr(0, curve.software.find(" ("));
 }
 
 /// Of each software the curve with the best rank, and ours that are fastest at some mark.
@@ -54,7 +50,7 @@ std::vector<const Curve*> to_be_drawn(const std::vector<Curve>& curves) {
     if (!so_far || rank(curve) < rank(*so_far)) so_far = &curve;
   }
   for (const double mark : marks)
-    if (const Curve* curve = fastest(curves, mark, true)) best[full_name(*curve->method)] = curve;
+    if (const Curve* curve = fastest(curves, mark, true)) best[curve->full_name()] = curve;
   std::vector<const Curve*> drawn;
   for (const Curve& curve : curves)
     if (std::any_of(best.begin(), best.end(), [&](const auto& b) { return b.second == &curve; }))
@@ -64,12 +60,12 @@ std::vector<const Curve*> to_be_drawn(const std::vector<Curve>& curves) {
 
 /// The points that no other beats in both: time is not as steady as error.
 support::Series front(const Curve& curve) {
-  const std::string name = product(curve) + (is_ours(curve) ? ", " + curve.method->name : "");
+  const std::string name = product(curve) + (curve.is_ours() ? ", " + curve.name : "");
   support::Series series{name, {}, {}};
   for (const Point& point : curve.points) {
     if (curve.seconds_to_reach(point.error) < point.seconds) continue;
     series.x.push_back(point.seconds);
-    series.y.push_back(point.error);
+    series.y.push_back(std::max(point.error, 0x1p-53));  // what is exact, too
   }
   return series;
 }
@@ -78,19 +74,29 @@ support::Series front(const Curve& curve) {
 
 Table times_table(std::vector<Curve> curves) {
   std::stable_sort(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
-    return std::pair(!is_ours(a), rank(a)) < std::pair(!is_ours(b), rank(b));
+    return std::pair(!a.is_ours(), rank(a)) < std::pair(!b.is_ours(), rank(b));
   });
   std::vector<std::string> headings = {"method"};
   for (const double mark : marks) headings.push_back("µs to " + mark_name(mark));
-  headings.push_back("best error");
+  headings.insert(headings.end(), {"best error", "µs for it", "with"});
   Table table(headings);
   for (const Curve& curve : curves) {
-    std::vector<std::string> row = {full_name(*curve.method)};
+    std::vector<std::string> row = {curve.full_name()};
     for (const double mark : marks) row.push_back(microseconds(curve.seconds_to_reach(mark)));
-    row.push_back(curve.points.empty() ? "none" : support::error_number(curve.best_error()));
+    const bool any = !curve.points.empty();
+    row.push_back(any ? support::error_number(curve.best_error()) : "none");
+    row.push_back(any ? microseconds(curve.points.back().seconds) : "–");
+    row.push_back(setting_name(curve));
     table.add(row);
   }
   return table;
+}
+
+std::string setting_name(const Curve& curve) {
+  if (curve.points.empty()) return "–";
+  const double setting = curve.points.back().setting;
+  return curve.knob == Knob::tolerance ? support::error_number(setting)
+                                       : support::number(setting, 7) + " steps";
 }
 
 Table ratio_table(const std::vector<Curve>& curves) {
@@ -98,25 +104,22 @@ Table ratio_table(const std::vector<Curve>& curves) {
   for (const double mark : marks) {
     const Curve* ours = fastest(curves, mark, true);
     const Curve* others = fastest(curves, mark, false);
-    const auto name = [](const Curve* c) { return c ? full_name(*c->method) : "nobody"; };
+    const auto name = [](const Curve* c) { return c ? c->full_name() : "nobody"; };
     const auto time = [&](const Curve* c) {
       return c ? microseconds(c->seconds_to_reach(mark)) : "–";
     };
     const bool both = ours && others;
     table.add(
-        {mark_name(mark), ours ? ours->method->name : "none", time(ours), name(others),
-         time(others),
+        {mark_name(mark), ours ? ours->name : "none", time(ours), name(others), time(others),
          both ? support::number(others->seconds_to_reach(mark) / ours->seconds_to_reach(mark), 3)
               : "–"});
   }
   return table;
 }
 
-support::Plot figure(const Problem& problem, const std::vector<Curve>& curves) {
-  support::Plot plot{problem.title,
-                     {"time [s]", support::Scale::log},
-                     {"orientation error [rad]", support::Scale::log},
-                     {}};
+support::Plot figure(const std::string& title, const std::string& error,
+                     const std::vector<Curve>& curves) {
+  support::Plot plot{title, {"time [s]", support::Scale::log}, {error, support::Scale::log}, {}};
   for (const Curve* curve : to_be_drawn(curves)) plot.series.push_back(front(*curve));
   return plot;
 }
