@@ -138,10 +138,11 @@ class ContactSimulation {
   void settle_ball(const ContactEvent& event, const Colliding& a, const Vec3& normal,
                    const Aftermath& after) {
     const collide::Convex& shape = scene_.body(event.body).shape;
-    // It stood there, and fell by less than places have digits for.
+    // Bounces of a millionth of the tolerance are over before the next look for meetings.
     const double lowest = hop_speed(pull(normal), events_.tolerance(event.body));
-    if (!landings(event.body).skids && !(scene_.e < 1 && has_faded(after)) && after.first > lowest)
-      return;
+    const bool faded = scene_.e < 1 && (has_faded(after) || after.parting <= 1e-3 * lowest);
+    const bool stood = after.first <= lowest;  // and fell by less than places have digits for
+    if (!landings(event.body).skids && !faded && !stood) return;
     if (is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, lift()))
       rest(event, a, run_.t + time_to_rest(after, pull(normal), scene_.e));
     else if (rolls_on(a, shape.radius(), normal, scene_.gravity, scene_.mu))

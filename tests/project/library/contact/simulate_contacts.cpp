@@ -101,6 +101,18 @@ TEST_CASE("simulate_contacts: bounces that add up end at rest at t0 (1 + e)/(1 â
   }
 }
 
+TEST_CASE("simulate_contacts: bounces end at any tolerance, at the same time") {
+  const double fall = std::sqrt(2 / gravity), end = fall * 1.8 / 0.2;
+  for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13}) {
+    CAPTURE(tolerance);
+    const auto scene = over_floor(ball("ball", 0.1, Vec3(0, 0, 1.1), Vec3::Zero()), 0.8);
+    const ContactRun run = simulate_contacts(scene, {.until = 10, .tolerance = tolerance});
+    REQUIRE(run.ending == Ending::all_at_rest);
+    CHECK(std::abs(run.rest_since[0] - end) < 1e-12);
+    CHECK(std::abs(run.state(scene, 0, run.t).x.z() - 0.1) <= tolerance);
+  }
+}
+
 TEST_CASE("simulate_contacts: what stands on the floor is at rest, what rolls is said to") {
   const auto still = over_floor(ball("ball", 0.1, Vec3(0, 0, 0.1), Vec3::Zero()), 0.5, 0.3);
   const ContactRun at_rest = simulate_contacts(still, {.until = 1});
