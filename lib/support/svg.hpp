@@ -16,10 +16,11 @@ namespace tumble::support {
 
 /// A number with `digits` behind the point, rounded as it is exactly, ties to even. The standard's
 /// function does the same with a table of 100 KB, too much for a page that draws its own figures.
-/// @param digits 0 … 9
+/// @param digits 0 … 15
 /// @throws std::invalid_argument unless |value| 10^digits < 2^52
 inline std::string fixed_text(double value, int digits) {
-  constexpr std::array<double, 10> powers{1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+  constexpr std::array<double, 16> powers{1,   10,  100,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                          1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
   const double power = powers.at(static_cast<std::size_t>(digits)), size = std::abs(value);
   const double scaled = size * power, rest = std::fma(size, power, -scaled);
   require(scaled < 0x1p52, "a figure cannot show the number ", value);

@@ -59,11 +59,12 @@ TEST_CASE("fixed_text: what the standard's to_chars writes, to the last digit") 
                                         .ptr);
   };
   for (int i = 0; i < 100'000; ++i) {
-    const int digits = i % 7;
+    const int digits = i % 16;
     const double halves = std::round(rng.uniform(-1e5, 1e5)) / (1 << i % 9);  // many ties
     const double any = rng.uniform(-1, 1) * std::pow(10, rng.uniform(-9, 8));
     for (const double value : {halves, any, halves * 0.005})
-      REQUIRE(fixed_text(value, digits) == standard(value, digits));
+      if (std::abs(value) * std::pow(10, digits) < 0x1p51)
+        REQUIRE(fixed_text(value, digits) == standard(value, digits));
   }
   CHECK(fixed_text(-0.0, 1) == "-0.0");
   CHECK_REFUSED(fixed_text(1e16, 1), "cannot show");
