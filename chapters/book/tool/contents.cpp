@@ -21,7 +21,7 @@ std::string neighbours_html(const fs::path& root, const Page& page) {
              address_of(root, page.file.parent_path() / link.target) + "\">" +
              inline_html(link.text) + "</a>";
   }
-  return "<nav class=\"neighbours\" aria-label=\"Neighbouring chapters\">" + links + "</nav>";
+  return R"(<nav class="neighbours" aria-label="Neighbouring chapters">)" + links + "</nav>";
 }
 
 std::string contents_html(const fs::path& root, const Page& page) {

@@ -127,7 +127,7 @@ class Converter {
   std::string figure_html(const Figure& figure) const {
     const fs::path svg = fs::relative(page_.file.parent_path() / figure.picture, root_);
     const std::string& caption = figure.caption.empty() ? figure.alternative : figure.caption;
-    return html_block("<figure><div class=\"scroll\" tabindex=\"0\">" + drawing_html(svg.string()) +
+    return html_block(R"(<figure><div class="scroll" tabindex="0">)" + drawing_html(svg.string()) +
                       "</div><figcaption>" + inline_html(caption) + "</figcaption></figure>");
   }
 

@@ -83,7 +83,8 @@ std::vector<std::string> dead_ends(const fs::path& folder) {
     const std::string page = entry.path().filename().string(), html = text_of(entry.path());
     for (const char* attribute : {"href", "src"})
       for (const std::string& address : values_of(html, attribute))
-        if (!site.leads_somewhere(page, address)) dead.push_back(page + ": " + address);
+        if (!site.leads_somewhere(page, address))
+          dead.push_back(std::string(page).append(": ").append(address));
   }
   std::sort(dead.begin(), dead.end());
   return dead;

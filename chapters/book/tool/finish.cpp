@@ -47,7 +47,7 @@ void replace_behind(std::string& text, const std::string& start, const std::stri
 /// The list of pages is the same in all of them, but for the mark of the page that is read.
 void mark_this_page(std::string& text, const std::string& name) {
   replace_behind(text, "<nav id=\"sidebar\"", "<a href=\"" + name + "\"",
-                 "<a aria-current=\"page\" href=\"" + name + "\"");
+                 R"(<a aria-current="page" href=")" + name + "\"");
 }
 
 void make_headings(std::string& text) {
@@ -73,7 +73,7 @@ void lower_sections(std::string& text) {
 /// Tables of Markdown scroll in themselves, as those of numbers do.
 void frame_tables(std::string& text) {
   const std::string start = "<table class=\"markdownTable\">", end = "</table>";
-  const std::string frame = "<div class=\"scroll\" tabindex=\"0\">";
+  const std::string frame = R"(<div class="scroll" tabindex="0">)";
   for (auto at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
     text.insert(at, frame);
     at = text.find(end, at) + end.size();

@@ -47,7 +47,7 @@ int finish(const fs::path& root, const fs::path& site) {
   write_text(library, with_reference_links(text_of(library), names_in(text_of(tags))));
   write_search_index(root, tags, site / "html/search_index.js");
   std::vector<std::string> dead = dead_ends(site / "html");
-  for (std::string& link : dead) link = "a link of the site leads nowhere: " + link;
+  for (std::string& link : dead) link.insert(0, "a link of the site leads nowhere: ");
   return print_mistakes(dead);
 }
 

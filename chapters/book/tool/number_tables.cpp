@@ -69,8 +69,13 @@ bool is_number_cell(const std::string& cell) {
 std::string row_html(const Row& cells, const std::vector<Column>& columns, const std::string& tag) {
   std::string html = "<tr>";
   for (std::size_t k = 0; k < cells.size(); ++k)
-    html += "<" + tag + (columns[k].holds_text ? " class=\"words\">" : ">") +
-            support::svg_text(cells[k]) + "</" + tag + ">";
+    html.append("<")
+        .append(tag)
+        .append(columns[k].holds_text ? " class=\"words\">" : ">")
+        .append(support::svg_text(cells[k]))
+        .append("</")
+        .append(tag)
+        .append(">");
   return html + "</tr>";
 }
 
@@ -85,12 +90,13 @@ std::string number_table_html(const std::string& text) {
   if (columns.empty()) return {};
   lines.erase(lines.begin() + 1);
   std::vector<Row> rows;
+  rows.reserve(lines.size());
   for (const Characters& line : lines) rows.push_back(cells_of(line, columns));
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.empty(); })) return {};
   for (std::size_t k = 0; k < columns.size(); ++k)
     columns[k].holds_text = std::any_of(rows.begin() + 1, rows.end(),
                                         [k](const Row& row) { return !is_number_cell(row[k]); });
-  std::string html = "<div class=\"scroll\" tabindex=\"0\"><table class=\"numbers\"><thead>" +
+  std::string html = R"(<div class="scroll" tabindex="0"><table class="numbers"><thead>)" +
                      row_html(rows[0], columns, "th") + "</thead><tbody>";
   for (std::size_t i = 1; i < rows.size(); ++i) html += row_html(rows[i], columns, "td");
   return html + "</tbody></table></div>";

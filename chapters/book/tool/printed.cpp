@@ -114,6 +114,7 @@ void write_printed_book(const fs::path& root, const SiteFiles& files, const fs::
   if (std::find(files.pages.begin(), files.pages.end(), place_of_terms(root)) != files.pages.end())
     pages.push_back(place_of_terms(root));
   std::vector<std::string> ids;
+  ids.reserve(pages.size());
   for (const fs::path& page : pages) ids.push_back(page_id(root, page));
   std::string contents, articles;
   for (std::size_t i = 0; i < pages.size(); ++i) {

@@ -16,7 +16,7 @@ std::string with_reference_links(const std::string& html, const std::vector<Entr
     const auto stop = html.find(end, begin);
     const std::string name = html.substr(begin + start.size(), stop - begin - start.size());
     if (name.starts_with("tumble::")) scope = name;
-    const auto address = addresses.find(scope + "::" + name);
+    const auto address = addresses.find(std::string(scope).append("::").append(name));
     const std::string code = html.substr(begin, stop + end.size() - begin);
     result += html.substr(at, begin - at) +
               (address == addresses.end() ? code : link_html(address->second, code));

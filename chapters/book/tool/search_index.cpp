@@ -58,7 +58,8 @@ void add_members(const std::string& compound, const std::string& parent,
     const std::string name = content_of_tag(compound, "name", at);
     const std::string file = content_of_tag(compound, "anchorfile", at);
     const std::string anchor = content_of_tag(compound, "anchor", at);
-    const Entry entry{file + "#" + anchor, "Reference", parent + "::" + name, "", ""};
+    const Entry entry{std::string(file).append("#").append(anchor), "Reference",
+                      std::string(parent).append("::").append(name), "", ""};
     const bool again = !entries.empty() && entries.back().section == entry.section;  // overloads
     if (is_looked_for(name, parent) && !again) entries.push_back(entry);
   }

@@ -35,8 +35,10 @@ class Walk {
   SiteFiles files() {
     for (const fs::path& page : pages_of(root_)) add(page);
     add(root_ / "lib/README.md");
-    for (std::size_t i = 0; i < files_.pages.size(); ++i)  // it grows
-      for (const fs::path& target : targets_of(read_page(files_.pages[i]))) add(target);
+    for (std::size_t i = 0; i < files_.pages.size(); ++i) {  // it grows
+      const fs::path page = files_.pages[i];
+      for (const fs::path& target : targets_of(read_page(page))) add(target);
+    }
     std::sort(files_.exercises.begin(), files_.exercises.end());
     return files_;
   }

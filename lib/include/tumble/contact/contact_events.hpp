@@ -71,6 +71,7 @@ class ContactEvents {
     end_ = end;
     queue_ = {};
     std::vector<collide::Bounds> swept;
+    swept.reserve(flights_.size());
     for (int i = 0; i < size(); ++i) swept.push_back(swept_by(i, begin));
     grid_ = collide::BoundsGrid(size(), mean_size(swept));
     for (int i = 0; i < size(); ++i) {
