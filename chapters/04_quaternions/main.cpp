@@ -1,6 +1,7 @@
 /// @file
 /// Chapter 4: what four numbers do better than nine. Ways between two orientations, drift, what a
 /// step costs and what error it buys, and the places where a formula loses its digits.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
   chapter.table("small_angles", "The angle of a small turn", small_angles_table);
   chapter.table("near", "A quarter of the way between two that are close", near_table);
   chapter.figure("between", between_figure);
-  chapter.figure("tracks", tracks_figure);
+  chapter.figure(tumble::figures::tracks);
   chapter.figure("turn", turn_figure);
   chapter.figure("arc", arc_figure);
   chapter.figure("circle", circle_figure);

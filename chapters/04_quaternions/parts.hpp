@@ -88,7 +88,5 @@ Table ways_table();
 /// Nine mixed numbers crush the plane to a fifteenth of its volume, three mixed angles twist it
 /// about.
 std::string between_figure();
-/// Where the nose points on the way, with a dot at every eighth of the time.
-std::string tracks_figure();
 
 }  // namespace quaternions_chapter

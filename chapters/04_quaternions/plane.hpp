@@ -2,7 +2,7 @@
 /// @file
 /// A paper plane, drawn in any orientation.
 
-#include "common.hpp"
+#include "mixtures.hpp"
 #include "support/sketch.hpp"
 #include "support/view.hpp"
 

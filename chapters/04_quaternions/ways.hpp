@@ -20,20 +20,10 @@ struct Way {
   std::function<Mat3(double)> at;
 };
 
-inline Mat3 mix_nine(double t) { return (1 - t) * start + t * goal; }
-
-/// Each angle the short way round.
-inline Mat3 mix_angles(double t) {
-  const Vec3 a = matrix_to_euler_angles(start, EulerSequence::zyx);
-  Vec3 way = matrix_to_euler_angles(goal, EulerSequence::zyx) - a;
-  for (double& angle : way) angle = std::remainder(angle, 2 * pi);
-  return euler_angles_to_matrix(a + t * way, EulerSequence::zyx);
-}
-
 inline const std::vector<Way> ways{
-    {"nine numbers mixed", mix_nine},
-    {"… and repaired", [](double t) { return nearest_rotation(mix_nine(t)); }},
-    {"three angles mixed", mix_angles},
+    {"nine numbers mixed", [](double t) { return mix_nine(start, goal, t); }},
+    {"… and repaired", [](double t) { return nearest_rotation(mix_nine(start, goal, t)); }},
+    {"three angles mixed", [](double t) { return mix_angles(start, goal, t); }},
     {"four numbers mixed, normalised",
      [](double t) { return to_matrix(mix_four(from_matrix(start), from_matrix(goal), t)); }},
     {"slerp", [](double t) { return to_matrix(slerp(from_matrix(start), from_matrix(goal), t)); }}};

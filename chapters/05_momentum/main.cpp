@@ -1,5 +1,6 @@
 /// @file
 /// Chapter 5: what pushes a body and turns it, and why momenta are stored.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -32,7 +33,7 @@ int main(int argc, char** argv) {
   chapter.figure("torque", torque_figure);
   chapter.figure("push", push_figure);
   chapter.figure("askew", askew_figure);
-  chapter.figure("wander", wander_figure);
+  chapter.figure(tumble::figures::wander);
   chapter.figure("stored", stored_figure);
   chapter.figure("far", far_figure);
   chapter.figure("needle", needle_figure);

@@ -98,9 +98,4 @@ Table stored_table();
 /// Orientation after ten seconds against evaluations, averaged over starts.
 std::string stored_figure();
 
-// ── wander.cpp ──
-
-/// The path of the tip of ω in its plane, with L upright, seen from a little above.
-std::string wander_figure();
-
 }  // namespace momentum_chapter

@@ -7,14 +7,24 @@
 #include "common.hpp"
 #include "parts.hpp"
 #include "storages.hpp"
+#include "support/counted.hpp"
 #include "support/plot.hpp"
 #include "support/stopwatch.hpp"
+#include "thrown_objects.hpp"
 
 namespace momentum_chapter {
 
 namespace {
 
 // ── The free handle ──
+
+using support::Counted;
+
+template <class T>
+const RigidBody<T>& subject() {
+  static const RigidBody<T> body(properties_of(free_handle));
+  return body;
+}
 
 constexpr double spin_time = 10;     // [s]
 const Vec3 spin_start(6, 0.3, 0.3);  // in body axes, mostly about the stem [rad/s]
@@ -36,12 +46,14 @@ struct Spinning {
 };
 
 template <class Method>
-Spinning spun(const Storage& storage, const Vec3& omega, double seconds, int steps) {
-  const Vec3 start = storage.from_omega(Mat3::Identity(), omega);
+Spinning spun(const Storage<double>& storage, const Vec3& omega, double seconds, int steps) {
+  const RigidBody<>& body = subject<double>();
+  const Vec3 start = storage.from_omega(body, Mat3::Identity(), omega);
   const Seven<double> y = integrate_fixed<Method>(
-      storage.rate, seven<double>(Quat::Identity(), start), 0, seconds, steps);
+      [&](double, const Seven<double>& now) { return storage.rate(body, now); },
+      seven<double>(Quat::Identity(), start), 0, seconds, steps);
   const Quat q = orientation_of(y);
-  return {q, storage.to_omega(to_matrix(q), y.tail<3>())};
+  return {q, storage.to_omega(body, to_matrix(q), y.tail<3>())};
 }
 
 Vec3 L_of(const Spinning& s) {
@@ -52,10 +64,11 @@ double energy_of(const Spinning& s) { return L_of(s).dot(s.omega) / 2; }
 
 /// The orientation after the spin time, to 12 digits.
 Quat exact_end(const Vec3& omega) {
-  const Vec3 L = storages[0].from_omega(Mat3::Identity(), omega);
+  const RigidBody<>& body = subject<double>();
+  const Vec3 L = angular_momentum<double>(body, Mat3::Identity(), omega);
   const Seven<double> start = seven<double>(Quat::Identity(), L);
-  return orientation_of(
-      integrate_adaptive<Dop853>(rate_of_L<double>, start, 0, spin_time, {1e-14, 1e-16}).y);
+  const auto rate = [&](double, const Seven<double>& y) { return rate_of_L(body, y); };
+  return orientation_of(integrate_adaptive<Dop853>(rate, start, 0, spin_time, {1e-14, 1e-16}).y);
 }
 
 const std::vector<Quat>& exact_ends() {
@@ -69,7 +82,7 @@ const std::vector<Quat>& exact_ends() {
 
 /// The error of the orientation [rad], by the mean of its logarithm over all starts.
 template <class Method>
-double typical_error(const Storage& storage, int steps) {
+double typical_error(const Storage<double>& storage, int steps) {
   double sum = 0;
   for (std::size_t i = 0; i < spin_starts().size(); ++i) {
     const Spinning end = spun<Method>(storage, spin_starts()[i], spin_time, steps);
@@ -84,11 +97,11 @@ void add_kept(Table& table, const std::string& method, double rate, double secon
   const Spinning start{Quat::Identity(), spin_start};
   for (std::size_t i = 0; i < 3; ++i) {
     const Spinning end =
-        spun<Method>(storages[i], spin_start, seconds, static_cast<int>(rate * seconds));
+        spun<Method>(storages<double>[i], spin_start, seconds, static_cast<int>(rate * seconds));
     const double L_off = (L_of(end) - L_of(start)).norm() / L_of(start).norm();
     const double energy_off = std::abs(energy_of(end) / energy_of(start) - 1);
     const bool finite = L_off < 1e6;
-    table.add({method, number(rate), storages[i].name,
+    table.add({method, number(rate), storages<double>[i].name,
                finite ? error_or_rounding(L_off) : "blows up",
                finite ? error_or_rounding(energy_off) : "blows up"});
   }
@@ -97,10 +110,10 @@ void add_kept(Table& table, const std::string& method, double rate, double secon
 template <class Method>
 void add_work(support::Plot& plot, const std::string& method, int stages) {
   for (std::size_t i = 0; i < 3; ++i) {
-    support::Series series{method + ", " + storages[i].name, {}, {}};
+    support::Series series{method + ", " + storages<double>[i].name, {}, {}};
     series.colour = "c" + std::to_string(i);  // as L and ω have elsewhere
     for (int steps = 100; steps * stages <= 40000; steps = steps * 3 / 2) {
-      const double off = typical_error<Method>(storages[i], steps);
+      const double off = typical_error<Method>(storages<double>[i], steps);
       if (!(off < 1)) continue;
       series.x.push_back(steps * stages);
       series.y.push_back(off);
@@ -126,11 +139,11 @@ Table longer_table() {
   const double start = energy_of({Quat::Identity(), spin_start});
   for (std::size_t i = 0; i < 2; ++i) {
     const auto off = [&](double seconds) {
-      const Spinning end = spun<runge_kutta::Euler>(storages[i], spin_start, seconds,
+      const Spinning end = spun<runge_kutta::Euler>(storages<double>[i], spin_start, seconds,
                                                     static_cast<int>(60 * seconds));
       return error_number(std::abs(energy_of(end) / start - 1));
     };
-    table.add({storages[i].name, off(600), off(900)});
+    table.add({storages<double>[i].name, off(600), off(900)});
   }
   return table;
 }
@@ -140,10 +153,11 @@ Table stored_table() {
       {"stored", "its rate", "one evaluation", "off, 60 steps/s", "240 steps/s", "960 steps/s"});
   const Seven<Counted> y =
       seven<Counted>(Quaternion<Counted>(1, 0, 0, 0), spin_start.cast<Counted>());
-  for (const Storage& storage : storages) {
-    std::vector<std::string> row{
-        storage.name, storage.law,
-        support::text_of(support::count([&] { support::keep(storage.counted(0, y)); }))};
+  for (std::size_t i = 0; i < storages<double>.size(); ++i) {
+    const Storage<double>& storage = storages<double>[i];
+    const auto evaluate = [&] { support::keep(storages<Counted>[i].rate(subject<Counted>(), y)); };
+    std::vector<std::string> row{storage.name, storage.law,
+                                 support::text_of(support::count(evaluate))};
     for (const double rate : {60., 240., 960.})
       row.push_back(error_number(typical_error<Rk4>(storage, static_cast<int>(rate * spin_time))) +
                     " rad");

@@ -1,5 +1,6 @@
 /// @file
 /// Chapter 8: mass, centre and inertia of a polyhedron, exactly, from its surface alone.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -37,7 +38,7 @@ int main(int argc, char** argv) {
   chapter.figure("rods", rods_figure);
   chapter.figure("shadow", shadow_figure);
   chapter.figure("walk", walk_figure);
-  chapter.figure("tetrahedra", tetrahedra_figure);
+  chapter.figure(tumble::figures::tetrahedra);
   chapter.figure("far", far_figure);
   chapter.figure("thin", thin_figure);
   chapter.figure("places", places_figure);

@@ -98,8 +98,6 @@ Table pairs_table();
 Table apex_table();
 /// The same with the apex in the body.
 Table apex_inside_table();
-/// Triangles over the edges of an outline, with their apex outside.
-std::string tetrahedra_figure();
 
 // ── thin.cpp ──
 
