@@ -27,7 +27,7 @@ constexpr std::array<Control, 5> controls{
      {"y", "corner, y", "", -0.1, 2.2, 0.01, 0.9},
      {"k", "apex at 10ᵏ, k", "", -1, 8, 0.1, 0.3},
      {"turned", "the uppermost edge goes", "", 0, 1, 1, 0, "as the others|the other way round"},
-     {"edges", "edges so far", "", 0, 6, 0.02, 6}}};
+     {"edges", "edges so far, 0: all", "", 0, 6, 0.02, 0}}};
 
 /// Edges of the outline: which of them can be turned round.
 constexpr std::size_t count = 6, uppermost = 3;
@@ -39,6 +39,9 @@ std::array<Vec2, count> outline(Settings now) {
   return {Vec2(1.2, 0.3), {3.4, -0.1}, {now[corner_x], now[corner_y]},
           {3.3, 2.1},     {1.9, 1.5},  {0.7, 2.0}};
 }
+
+/// Before the pointer starts and when it is back.
+bool whole_round(Settings now) { return now[around] == 0 || now[around] == count; }
 
 struct Edge {
   Vec2 from, to;
@@ -129,9 +132,7 @@ void draw_sums(support::Sketch& sketch, Settings now, const std::vector<Edge>& d
   as_it_is[turned] = 0;
   const auto edges = edges_of(as_it_is);
   const double truth = sum({edges.begin(), edges.end()}, middle, by_edges);
-  const auto error = [&](double found) {
-    return now[around] < count ? 0 : std::abs(found - truth);
-  };
+  const auto error = [&](double found) { return !whole_round(now) ? 0 : std::abs(found - truth); };
   const double corners = sum(done, apex, by_corners), by_edge = sum(done, apex, by_edges);
   sketch.look({0, 0, 1});
   draw_digits(sketch, 335, "sum of ½ a × b, by the corners:", corners, error(corners));
@@ -141,7 +142,7 @@ void draw_sums(support::Sketch& sketch, Settings now, const std::vector<Edge>& d
 std::string draw(Settings now) {
   const std::array<Edge, count> edges = edges_of(now);
   const Vec2 apex = middle + std::pow(10., now[distance]) * away;
-  const std::vector<Edge> done = so_far(edges, now[around]);
+  const std::vector<Edge> done = so_far(edges, whole_round(now) ? count : now[around]);
   support::Sketch sketch(760, 385, "Signed triangles over the edges of an outline", 17);
   sketch.look(window);
   for (const Edge& edge : done) draw_triangle(sketch, edge, apex);
