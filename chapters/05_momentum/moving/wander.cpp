@@ -9,13 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "05_momentum/free_flight.hpp"
 #include "05_momentum/moving_figures.hpp"
-#include "05_momentum/storages.hpp"
+#include "objects/shapes.hpp"
 #include "support/space_sketch.hpp"
 #include "support/view.hpp"
 #include "tumble/mass/solids/box.hpp"
-#include "tumble/ode/integrate_fixed.hpp"
-#include "tumble/ode/midpoint.hpp"
 
 namespace momentum_chapter::wander_figure {
 
@@ -40,53 +39,11 @@ constexpr std::array<Control, 5> controls{
       "L|ω in world axes|ω in body axes|ω, and forgets ω × L"},
      {"t", "time", "s", 0, film, spacing, 7}}};
 
-// ── The motion ──
-
-/// The box at one time.
-struct Sample {
-  Quat q;
-  Vec3 omega, L;  ///< in world axes
-
-  double energy() const { return L.dot(omega) / 2; }
-};
-
 struct Motion {
   Vec3 edges;
   double bound;  ///< of the angle between L and ω [rad]
   std::vector<Sample> samples;
 };
-
-/// The orientation in which a direction of the body points up.
-Quat upright(const Vec3& direction) {
-  const Vec3 up = direction.normalized(), right = up.unitOrthogonal();
-  Mat3 rows;
-  rows << right.transpose(), up.cross(right).transpose(), up.transpose();
-  return from_matrix(rows);
-}
-
-/// Half a step is shown between two steps; the solver doesn't go on from there.
-std::vector<Sample> by_midpoint(const RigidBody<>& body, const Storage<double>& storage,
-                                const Vec3& omega_body) {
-  const auto rate = [&](double, const Seven<double>& y) { return storage.rate(body, y); };
-  const auto sample = [&](const Seven<double>& y) -> Sample {
-    const Quat q = orientation_of(y);
-    const Mat3 R = to_matrix(q);
-    const Vec3 omega = storage.to_omega(body, R, y.tail<3>());
-    return {q, omega, angular_momentum(body, R, omega)};
-  };
-  const Quat q = upright(body.I_body() * omega_body);
-  const Mat3 R = to_matrix(q);
-  const Seven<double> start = seven<double>(q, storage.from_omega(body, R, R * omega_body));
-  std::vector<Sample> samples{sample(start)};
-  Seven<double> before = start;
-  integrate_fixed<runge_kutta::Midpoint>(
-      rate, start, 0, film, steps, [&](double, const Seven<double>& y) {
-        samples.push_back(sample(runge_kutta::Midpoint::step(rate, 0., before, spacing)));
-        samples.push_back(sample(y));
-        before = y;
-      });
-  return samples;
-}
 
 Motion moved(Settings now) {
   const Vec3 edges(long_edge, now[middle], now[small]);
@@ -94,8 +51,8 @@ Motion moved(Settings now) {
   const Vec3 moments = body.I_body().diagonal();
   const double A = moments.minCoeff(), C = moments.maxCoeff(), angle = now[aim] * degree;
   return {edges, std::asin((C - A) / (C + A)),
-          by_midpoint(body, storages<double>[static_cast<std::size_t>(now[stored])],
-                      speed * Vec3(std::cos(angle), 0, std::sin(angle)))};
+          flown(body, storages<double>[static_cast<std::size_t>(now[stored])],
+                speed * Vec3(std::cos(angle), 0, std::sin(angle)), film, steps)};
 }
 
 /// The motion by the settings; it is computed again when they change.
@@ -109,21 +66,6 @@ const Motion& motion_of(Settings now) {
 }
 
 // ── In space ──
-
-PolygonMesh box_mesh(const Vec3& edges) {
-  PolygonMesh mesh;
-  for (int i = 0; i < 8; ++i)
-    mesh.vertices.push_back(
-        edges.cwiseProduct(Vec3(i & 1, i >> 1 & 1, i >> 2 & 1) - Vec3::Constant(0.5)));
-  for (const std::array<int, 4>& face : {std::array{0, 2, 3, 1},
-                                         {4, 5, 7, 6},
-                                         {0, 1, 5, 4},
-                                         {2, 6, 7, 3},
-                                         {0, 4, 6, 2},
-                                         {1, 3, 7, 5}})
-    mesh.add_face(face);
-  return mesh;
-}
 
 /// The plane in which the tip of ω stays, if the motion is right: a pale disc.
 void draw_invariable_plane(support::Sketch& sketch, const support::SpaceSketch& space,
@@ -141,8 +83,8 @@ void draw_in_space(support::Sketch& sketch, const Motion& motion, std::size_t no
   double most = 0;  // of ω: the longest arrow fits into the picture
   for (const Sample& each : samples) most = std::max(most, each.omega.norm());
   const double L = samples[0].L.norm(), height = samples[0].omega.z() / most;
-  sketch.drawing(support::draw_mesh(box_mesh(motion.edges), view * to_matrix(samples[now].q),
-                                    {x, y, 0.85 * scale}));
+  sketch.drawing(support::draw_mesh(shapes::box(-motion.edges / 2, motion.edges / 2),
+                                    view * to_matrix(samples[now].q), {x, y, 0.85 * scale}));
   sketch.look({x, y, scale});
   support::SpaceSketch space(sketch, view);
   draw_invariable_plane(sketch, space, height);

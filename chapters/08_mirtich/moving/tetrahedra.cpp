@@ -15,30 +15,33 @@ namespace mirtich_chapter::tetrahedra_figure {
 
 namespace {
 
+namespace support = tumble::support;
 using support::Control;
 using support::Drag;
 using support::Settings;
 using support::Vec2;
-namespace support = tumble::support;
 
 enum Which { corner_x, corner_y, distance, turned, around };
 constexpr std::array<Control, 5> controls{
     {{"x", "corner, x", "", 0.2, 4.6, 0.01, 2.5},
-     {"y", "corner, y", "", -0.5, 2.8, 0.01, 0.9},
+     {"y", "corner, y", "", -0.1, 2.2, 0.01, 0.9},
      {"k", "apex at 10ᵏ, k", "", -1, 8, 0.1, 0.3},
      {"turned", "the uppermost edge goes", "", 0, 1, 1, 0, "as the others|the other way round"},
-     {"edges", "edges so far", "", 0, 6, 0.02, 6}}};
+     {"edges", "edges so far, 0: all", "", 0, 6, 0.02, 0}}};
 
 /// Edges of the outline: which of them can be turned round.
 constexpr std::size_t count = 6, uppermost = 3;
 const Vec2 middle(2.2, 1.05);
 const Vec2 away(-0.98734, -0.15862);  // to the left, and round in no unit
-constexpr support::Window window{70, 236, 86};
+constexpr support::Window window{140, 250, 105};
 
 std::array<Vec2, count> outline(Settings now) {
   return {Vec2(1.2, 0.3), {3.4, -0.1}, {now[corner_x], now[corner_y]},
           {3.3, 2.1},     {1.9, 1.5},  {0.7, 2.0}};
 }
+
+/// Before the pointer starts and when it is back.
+bool whole_round(Settings now) { return now[around] == 0 || now[around] == count; }
 
 struct Edge {
   Vec2 from, to;
@@ -107,14 +110,14 @@ void draw_outline(support::Sketch& sketch, const std::array<Edge, count>& edges)
 }
 
 /// A number whose wrong digits are red.
+/// @param error 0 if there is nothing to compare with
 void draw_digits(support::Sketch& sketch, double y, const std::string& name, double found,
-                 double truth) {
-  constexpr int digits = 9;
+                 double error) {
+  const int digits = std::abs(found) < 1e6 ? 9 : 5;
   const std::string text = support::fixed_text(found, digits);
-  const double error = std::abs(found - truth);
-  int right = -4;  // digits behind the point that are right
+  int right = -12;  // digits behind the point that are right
   while (right < digits && error < 0.5 * std::pow(10., -right - 1)) ++right;
-  const int wrong = digits - right + (right < 0 ? 1 : 0) + (right == 0 ? 1 : 0);
+  const int wrong = digits - right + (right <= 0 ? 1 : 0);  // with the point
   const std::size_t part = text.size() - std::min(text.size(), static_cast<std::size_t>(wrong));
   const double x = 480 + 9.6 * static_cast<double>(part);
   sketch.words({0, 0}, {450, y}, name, "ink", "end");
@@ -122,29 +125,34 @@ void draw_digits(support::Sketch& sketch, double y, const std::string& name, dou
   sketch.words({0, 0}, {x, y}, text.substr(part), "c6");
 }
 
-void draw_sums(support::Sketch& sketch, const std::vector<Edge>& done, const Vec2& apex) {
-  const double truth = sum(done, middle, by_edges);
+/// Only a whole round has an area that we can compare with.
+void draw_sums(support::Sketch& sketch, Settings now, const std::vector<Edge>& done,
+               const Vec2& apex) {
+  std::vector<double> as_it_is(now.begin(), now.end());
+  as_it_is[turned] = 0;
+  const auto edges = edges_of(as_it_is);
+  const double truth = sum({edges.begin(), edges.end()}, middle, by_edges);
+  const auto error = [&](double found) { return !whole_round(now) ? 0 : std::abs(found - truth); };
+  const double corners = sum(done, apex, by_corners), by_edge = sum(done, apex, by_edges);
   sketch.look({0, 0, 1});
-  draw_digits(sketch, 355, "sum of ½ a × b, b − p rounded first:", sum(done, apex, by_corners),
-              truth);
-  draw_digits(sketch, 383, "sum of ½ a × e, with the edge e = b − a:", sum(done, apex, by_edges),
-              truth);
+  draw_digits(sketch, 335, "sum of ½ a × b, by the corners:", corners, error(corners));
+  draw_digits(sketch, 363, "sum of ½ a × e, by the edge e = b − a:", by_edge, error(by_edge));
 }
 
 std::string draw(Settings now) {
   const std::array<Edge, count> edges = edges_of(now);
   const Vec2 apex = middle + std::pow(10., now[distance]) * away;
-  const std::vector<Edge> done = so_far(edges, now[around]);
-  support::Sketch sketch(760, 400, "Signed triangles over the edges of an outline", 17);
+  const std::vector<Edge> done = so_far(edges, whole_round(now) ? count : now[around]);
+  support::Sketch sketch(760, 385, "Signed triangles over the edges of an outline", 17);
   sketch.look(window);
   for (const Edge& edge : done) draw_triangle(sketch, edge, apex);
   draw_outline(sketch, edges);
   sketch.dot({now[corner_x], now[corner_y]}, "c3", 7);
   if (!done.empty()) sketch.dot(done.back().to, "ink", 5);
   sketch.dot(apex, "ink", 5);
-  sketch.words({0, 0}, {420, -170}, "plus: seen from behind", "c0");
-  sketch.words({0, 0}, {420, -146}, "minus: from the front", "c1");
-  draw_sums(sketch, done, apex);
+  sketch.words({0, 0}, {405, 35}, "plus: seen from behind", "c0");
+  sketch.words({0, 0}, {405, 59}, "minus: from the front", "c1");
+  draw_sums(sketch, now, done, apex);
   return sketch.svg();
 }
 
