@@ -7,11 +7,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 
 namespace tumble::test {
 
@@ -41,6 +42,7 @@ std::string decoded(const std::string& base64) {
 /// Becomes the browser, which reads commands from descriptor 3 and answers on 4.
 [[noreturn]] void become(const std::string& program, const fs::path& profile, int commands,
                          int answers) {
+  setpgid(0, 0);  // with its helpers it can be ended as one
   // Both away from 3 and 4, and then there.
   const int from = fcntl(commands, F_DUPFD, 10), to = fcntl(answers, F_DUPFD, 10);
   dup2(from, 3);
@@ -99,10 +101,16 @@ Chromium::Chromium() {
 }
 
 Chromium::~Chromium() {
-  kill(process_, SIGKILL);
+  kill(-process_, SIGKILL);
   waitpid(process_, nullptr, 0);
   close(to_);
   close(from_);
+  // Its helpers may still write into the profile.
+  std::error_code busy;
+  for (int i = 0; i < 100 && fs::exists(profile_.path()); ++i) {
+    fs::remove_all(profile_.path(), busy);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
 }
 
 Json Chromium::receive() {
