@@ -146,7 +146,7 @@ const tumbleMoving = (function () {
 
     readLink() {
       const wanted = new URLSearchParams(location.hash.slice(1));
-      if (wanted.get("figure") !== this.name) return;
+      if (wanted.get("figure") !== this.name) return false;
       const settings = this.settings();
       this.controls.forEach((control, k) => {
         const value = wanted.has(control.name) ? +wanted.get(control.name) : NaN;
@@ -155,6 +155,7 @@ const tumbleMoving = (function () {
       this.draw();
       this.showValues();
       this.place.scrollIntoView({ block: "center" });
+      return true;
     }
 
     open(playing) {
@@ -217,11 +218,11 @@ const tumbleMoving = (function () {
       .then((module) => {
         const figure = new Figure(place, name, module, i);
         new IntersectionObserver((entries) => (figure.seen = entries.at(-1).isIntersecting)).observe(place);
-        figure.readLink();
+        const linked = figure.readLink();
         window.addEventListener("hashchange", () => figure.readLink());
         const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
         // It stands in for another picture, as the front page's.
-        if (!place.dataset.figure.endsWith("/" + name + ".svg")) figure.open(!still);
+        if (!place.dataset.figure.endsWith("/" + name + ".svg")) figure.open(!still && !linked);
         return figure;
       })
       .catch((error) => place.after(made("p", { className: "moving-error" }, "This figure stands still here: " + error.message)));
@@ -235,13 +236,14 @@ const tumbleMoving = (function () {
       for (const place of document.querySelectorAll("[data-figure]")) {
         const found = figures[place.dataset.figure];
         if (!found) continue;
+        const begin = () => this.figures.push(start(place, ...found));
         const observer = new IntersectionObserver((entries) => {
           if (!entries.some((entry) => entry.isIntersecting)) return;
           observer.disconnect();
-          this.figures.push(start(place, ...found));
+          begin();
         }, { rootMargin: "400px" });
-        observer.observe(place);
-        if (new URLSearchParams(location.hash.slice(1)).get("figure") === found[1]) place.scrollIntoView();
+        const linked = new URLSearchParams(location.hash.slice(1)).get("figure") === found[1];
+        linked ? begin() : observer.observe(place);
       }
     },
   };
