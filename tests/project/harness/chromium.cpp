@@ -53,6 +53,7 @@ std::string decoded(const std::string& base64) {
   std::vector<const char*> words{program.c_str(),
                                  "--headless",
                                  "--disable-gpu",
+                                 "--disable-dev-shm-usage",
                                  "--remote-debugging-pipe",
                                  "--no-first-run",
                                  "--disable-background-networking",
