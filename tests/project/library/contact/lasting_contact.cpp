@@ -20,7 +20,7 @@ using test::over_floor;
 TEST_CASE("lasting contact: every die comes to rest on a face, rough or smooth") {
   test::Random rng(1151);
   std::size_t impacts = 0;
-  constexpr int dice = 16;
+  constexpr int dice = 8;
   for (int i = 0; i < dice; ++i) {
     CAPTURE(i);
     const double e = i % 2 ? 0.4 : 0.8, mu = i % 4 < 2 ? 0.5 : 0.1;
