@@ -35,8 +35,8 @@ class Walk {
   SiteFiles files() {
     for (const fs::path& page : pages_of(root_)) add(page);
     add(root_ / "lib/README.md");
-    for (std::size_t i = 0; i < files_.pages.size(); ++i) {  // it grows
-      const fs::path page = files_.pages[i];
+    for (std::size_t read = 0; read < files_.pages.size();) {  // the list grows meanwhile
+      const fs::path page = files_.pages[read++];
       for (const fs::path& target : targets_of(read_page(page))) add(target);
     }
     std::sort(files_.exercises.begin(), files_.exercises.end());
