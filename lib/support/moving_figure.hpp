@@ -44,7 +44,7 @@ struct MovingFigure {
 
 /// The nearest value that a control can have.
 inline double allowed(const Control& control, double value) {
-  require(value == value, "the control ", control.name, " was set to what is no number");
+  require(value == value, "the control ", control.name, " was not set to a number");
   const double steps = std::round((value - control.least) / control.step);
   return std::clamp(control.least + steps * control.step, control.least, control.most);
 }

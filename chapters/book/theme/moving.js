@@ -221,7 +221,7 @@ const tumbleMoving = (function () {
         const linked = figure.readLink();
         window.addEventListener("hashchange", () => figure.readLink());
         const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-        // It stands in for another picture, as the front page's.
+        // It replaces another picture, as on the front page.
         if (!place.dataset.figure.endsWith("/" + name + ".svg")) figure.open(!still && !linked);
         return figure;
       })

@@ -26,7 +26,7 @@ std::string section_of(const Page& chapter, const std::string& number) {
   return {};
 }
 
-/// Hints within hints: whoever unfolds one sees that there is another, and not what it says.
+/// Hints within hints: if you unfold one, you see that there is another, and not what it says.
 std::string hints_text(const std::vector<Hint>& hints) {
   static const std::vector<std::string> names{"Hint 1: a nudge", "Hint 2: an idea",
                                               "Hint 3: almost the code"};

@@ -12,11 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A figure that moves, and the page that it stands in.
+/// A figure that moves, and its page.
 struct Moving {
   std::string picture, chapter, name, page;
 
-  /// Whether it is the picture that moves; else it stands in for that.
+  /// Whether it is the picture itself that moves; else it replaces that.
   bool is_its_own() const { return fs::path(picture).stem() == name; }
 };
 
