@@ -30,7 +30,9 @@ class RigidBodyRhs {
   const RigidBody<T>& body() const { return body_; }
 
   /// dy/dt of the packed state y at time t [s].
-  PackedState<T> operator()(T t, const PackedState<T>& y) const { return pack(rate(t, unpack(y))); }
+  TUMBLE_FLATTEN PackedState<T> operator()(T t, const PackedState<T>& y) const {
+    return pack(rate(t, unpack(y)));
+  }
 
   /// The same on the unpacked state: each member holds its own time derivative.
   RigidBodyState<T> rate(T t, const RigidBodyState<T>& state) const {

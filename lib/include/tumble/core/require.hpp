@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+#include "tumble/core/inline.hpp"
+
 #ifdef TUMBLE_ON_REFUSAL
 extern "C" [[noreturn]] void TUMBLE_ON_REFUSAL(const char* text, std::size_t length);
 #endif
@@ -47,7 +49,7 @@ std::string text_of(const Parts&... parts) {
 /// The one place where the library throws.
 /// @throws Error with the message that the parts make
 template <class Error, class... Parts>
-[[noreturn]] void throw_error(const Parts&... parts) {
+[[noreturn]] TUMBLE_COLD void throw_error(const Parts&... parts) {
   const std::string message = text_of(parts...);
 #if defined(TUMBLE_ON_REFUSAL)
   TUMBLE_ON_REFUSAL(message.data(), message.size());
@@ -62,7 +64,7 @@ template <class Error, class... Parts>
 /// Refuses bad input, for what is streamed into the message.
 /// @throws std::invalid_argument with that message
 template <class... Parts>
-[[noreturn]] void refuse(const Parts&... message) {
+[[noreturn]] TUMBLE_COLD void refuse(const Parts&... message) {
   throw_error<std::invalid_argument>(message...);
 }
 

@@ -24,8 +24,8 @@ struct LieGroupRk4 {
 
   /// The state a time h [s] after `state` at time t, four evaluations of the forces.
   template <class T, class... Forces>
-  static RigidBodyState<T> step(const RigidBodyRhs<T, Forces...>& motion, T t,
-                                const RigidBodyState<T>& state, T h) {
+  static TUMBLE_FLATTEN RigidBodyState<T> step(const RigidBodyRhs<T, Forces...>& motion, T t,
+                                               const RigidBodyState<T>& state, T h) {
     const T half = h / 2;
     const Rate<T> k1 = rate(motion, t, state);
     const RigidBodyState<T> s2 = moved<T>(state, half, k1, turn<T>(half * k1.omega, state.q));

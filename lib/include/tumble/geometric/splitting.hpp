@@ -34,7 +34,7 @@ class Splitting {
   explicit Splitting(const Motion& motion) : motion_(motion), flow_(motion.body()) {}
 
   /// The state a time h [s] after `state` at time t.
-  RigidBodyState<> step(double t, RigidBodyState<> state, double h) const {
+  TUMBLE_FLATTEN RigidBodyState<> step(double t, RigidBodyState<> state, double h) const {
     bool kick = Scheme::composition.kick_first;
     for (const double part : Scheme::composition.parts) {
       if (kick) {

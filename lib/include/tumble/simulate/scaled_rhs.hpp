@@ -98,7 +98,7 @@ class ScaledRhs {
   Wrench<> net(double t, const Derived<>& now) const { return rhs_.net(t, now); }
 
   /// dy/dt at time t [s].
-  Numbers operator()(double t, const Numbers& y) const {
+  TUMBLE_FLATTEN Numbers operator()(double t, const Numbers& y) const {
     const Quat q = orientation(y);
     const Mat3 R = to_matrix(q);
     const Vec3 l = y.tail<3>(), omega = omega_.cwiseProduct(l);

@@ -6,6 +6,7 @@
 #include "project/bench/dynamics/honesty.hpp"
 #include "project/bench/dynamics/long_run.hpp"
 #include "project/bench/dynamics/many_bodies.hpp"
+#include "project/bench/dynamics/own_on_plain_numbers.hpp"
 #include "project/bench/dynamics/problems.hpp"
 #include "project/bench/dynamics/work_precision.hpp"
 #include "project/bench/report.hpp"
@@ -37,6 +38,7 @@ Options quick(Options options) {
 
 Contestants contestants(bool with_peers) {
   Contestants all = own_methods();
+  add_own_on_plain_numbers(all);
   if (with_peers) add_peers(all);
   return all;
 }
