@@ -8,6 +8,7 @@
 #include "tumble/body/derived.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/body/forces.hpp"
+#include "tumble/body/forces_between.hpp"
 #include "tumble/body/held_body.hpp"
 #include "tumble/body/many_bodies.hpp"
 #include "tumble/body/matrix_state.hpp"

@@ -76,20 +76,21 @@ requires((BodyForce<Forces, T> || detail::SceneForce<Forces, T>)&&...) class Sce
             " bodies, the state ", states.size());
     std::vector<Derived<T>> now;
     for (std::size_t i = 0; i < bodies_.size(); ++i) now.push_back(derived(bodies_[i], states[i]));
-    const std::vector<Wrench<T>> net = net_wrenches(t, now);
+    const std::vector<Wrench<T>> wrenches = net(t, now);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
-      states[i] = {now[i].v, rotation::quaternion_dot(states[i].q, now[i].omega), net[i].force,
-                   net[i].torque};
+      states[i] = {now[i].v, rotation::quaternion_dot(states[i].q, now[i].omega), wrenches[i].force,
+                   wrenches[i].torque};
     return pack(states);
   }
 
- private:
-  std::vector<Wrench<T>> net_wrenches(T t, const std::vector<Derived<T>>& now) const {
-    std::vector<Wrench<T>> net(bodies_.size());
-    std::apply([&](const Forces&... force) { (add(force, t, now, net), ...); }, forces_);
-    return net;
+  /// What all forces do to each body.
+  std::vector<Wrench<T>> net(T t, const std::vector<Derived<T>>& now) const {
+    std::vector<Wrench<T>> wrenches(bodies_.size());
+    std::apply([&](const Forces&... force) { (add(force, t, now, wrenches), ...); }, forces_);
+    return wrenches;
   }
 
+ private:
   template <class Force>
   void add(const Force& force, T t, const std::vector<Derived<T>>& now,
            std::vector<Wrench<T>>& net) const {

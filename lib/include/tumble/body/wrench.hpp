@@ -17,6 +17,8 @@ struct Wrench {
   Vector3<T> force = Vector3<T>::Zero();   ///< [N]
   Vector3<T> torque = Vector3<T>::Zero();  ///< about the centre of mass [N m]
 
+  bool operator==(const Wrench&) const = default;
+
   Wrench& operator+=(const Wrench& other) {
     force += other.force;
     torque += other.torque;

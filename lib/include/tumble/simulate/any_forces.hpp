@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// A body under any forces, to an error over the whole span: two runs and more, see
+/// A body, or several, under any forces, to an error over the whole span: two runs and more, see
 /// stated_error.hpp, and a witness.
 ///
 /// What acts for a short time only may lie between all moments at which a run looks at it. So no
@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "tumble/simulate/computed_motion.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
-#include "tumble/simulate/steady_trajectory.hpp"
 
 namespace tumble::detail {
 
@@ -28,21 +28,21 @@ inline std::vector<double> breaks_within(const SimulationTask& task) {
 }
 
 /// Runs under any forces, rougher and finer.
+/// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
 template <class Rhs>
 class AnyForces {
  public:
   using Run = GeneralTrajectory<Rhs>;
 
-  AnyForces(const Rhs& rhs, const RigidBodyState<>& start, const SimulationTask& task)
-      : rhs_(rhs, units_of(rhs, start, task.t0, task.t1 - task.t0)),
+  AnyForces(const Rhs& rhs, const typename Rhs::State& start, const SimulationTask& task)
+      : rhs_(rhs),
         start_(start),
         task_(task),
         span_(task.t1 - task.t0),
-        lost_(rounding_of_moments(rhs.body().I_body(), rhs_.smallest_moment())),
         breaks_(breaks_within(task)) {}
 
   /// The fine run that keeps the tolerance, or the best that there is.
-  Trajectory trajectory() {
+  TrajectoryOf<typename Rhs::State> trajectory() {
     while (true) {
       const double fine_tolerance = 0.1 * epsilon_;
       const Run rough = run(epsilon_, true);
@@ -55,7 +55,8 @@ class AnyForces {
       fine.account(report_);
       if (is_surprised(fine)) continue;
       report_.error_estimate = stated_error<Run>(
-          {fine.difference(rough), epsilon_, fine_tolerance, fine.steps(), fine.radians()}, lost_);
+          {fine.difference(rough), epsilon_, fine_tolerance, fine.steps(), fine.radians()},
+          rhs_.lost_moments());
       if (report_.reached() || epsilon_ <= lowest_) {
         report_.method = stiff_ ? "Radau IIA 5" : "Dormand–Prince 8(5,3)";
         return trajectory_of(std::move(fine), task_, report_);
@@ -116,10 +117,10 @@ class AnyForces {
     return true;
   }
 
-  ScaledRhs<Rhs> rhs_;
-  RigidBodyState<> start_;
+  Rhs rhs_;
+  typename Rhs::State start_;
   SimulationTask task_;
-  double span_, lost_;
+  double span_;
   std::vector<double> breaks_, guide_;
   bool stiff_ = false, stiff_in_vain_ = false;
   double explicit_steps_ = 0;
@@ -128,9 +129,8 @@ class AnyForces {
   double lowest_ = 2e-15;
   double epsilon_ = std::clamp(1e-2 * task_.tolerance, lowest_, 1e-3);
   int rounds_ = 0;
-  SimulationReport report_{.model = Model::full_body,
-                           .why = "a force depends on where the body is or how it is turned",
-                           .tolerance = task_.tolerance};
+  SimulationReport report_{
+      .model = Model::full_body, .why = Rhs::why, .tolerance = task_.tolerance};
 };
 
 }  // namespace tumble::detail

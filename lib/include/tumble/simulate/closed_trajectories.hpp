@@ -17,7 +17,7 @@ namespace tumble::detail {
 /// A path in closed form, and a turning that goes with it.
 /// @tparam Turning has at(time since t0) → {q, L}
 template <class Turning>
-class ClosedMotion final : public MotionOverTime {
+class ClosedMotion final : public MotionOverTime<RigidBodyState<>> {
  public:
   /// @param omega about how fast it turns [rad/s]
   ClosedMotion(const Turning& turning, const steady::SteadyPath& path, double t0, double t1,

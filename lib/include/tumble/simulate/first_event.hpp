@@ -6,6 +6,7 @@
 /// Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993),
 /// II.6 "Event Location".
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <optional>
@@ -21,28 +22,30 @@ namespace tumble {
 namespace detail {
 
 /// A callable (t, state) → number, whose change of sign is the event.
-template <class G>
-concept EventFunction = requires(const G& g, double t, const RigidBodyState<>& state) {
+template <class G, class State = RigidBodyState<>>
+concept EventFunction = requires(const G& g, double t, const State& state) {
   { g(t, state) } -> std::convertible_to<double>;
 };
 
 }  // namespace detail
 
-/// When it happened, and where the body was.
-struct Event {
+/// When it happened, and where the body was, or each of several.
+template <class State>
+struct EventOf {
   double t;  ///< [s]
-  RigidBodyState<> state;
+  State state;
 };
+using Event = EventOf<RigidBodyState<>>;
 
 namespace detail {
 
 /// The first double at which `value` has left the sign it has at a, by halving and secants in turn.
 template <class Value>
 double change_of_sign(const Value& value, double a, double b, double value_a, double value_b) {
-  for (int i = 0; value_b != 0 && std::nextafter(a, b) < b; ++i) {
+  for (int i = 0; value_b != 0 && std::nextafter(a, b) != b; ++i) {
     const double middle = a + (b - a) / 2;
     const double secant = a - value_a * ((b - a) / (value_b - value_a));
-    const double t = i % 2 && secant > a && secant < b ? secant : middle;
+    const double t = i % 2 && secant > std::min(a, b) && secant < std::max(a, b) ? secant : middle;
     const double value_t = value(t);
     if (value_t != 0 && std::signbit(value_t) == std::signbit(value_a)) {
       a = t;
@@ -57,8 +60,8 @@ double change_of_sign(const Value& value, double a, double b, double value_a, do
 
 /// Shows `visit` each event, in turn, until it has seen enough.
 /// @param visit visit(event) → whether to look for more
-template <EventFunction G, class Visit>
-void visit_events(const Trajectory& trajectory, const G& g, const Visit& visit) {
+template <class State, class G, class Visit>
+void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit& visit) {
   constexpr int parts = 8;
   const auto value = [&](double t) { return static_cast<double>(g(t, trajectory.at(t))); };
   const std::vector<double>& times = trajectory.times();
@@ -70,7 +73,7 @@ void visit_events(const Trajectory& trajectory, const G& g, const Visit& visit) 
       const double g_now = value(t);
       if (g_before != 0 && (g_now == 0 || std::signbit(g_now) != std::signbit(g_before))) {
         const double root = change_of_sign(value, before, t, g_before, g_now);
-        if (!visit(Event{root, trajectory.at(root)})) return;
+        if (!visit(EventOf<State>{root, trajectory.at(root)})) return;
       }
       before = t;
       g_before = g_now;
@@ -81,22 +84,23 @@ void visit_events(const Trajectory& trajectory, const G& g, const Visit& visit) 
 
 /// The first moment at which g is no longer of the sign it had at the start, to the last digits of
 /// t. A g that is 0 at the start counts from where it leaves 0. Looked for at eight moments in each
-/// step: what changes sign and back in between is not seen.
-template <detail::EventFunction G>
-std::optional<Event> first_event(const Trajectory& trajectory, const G& g) {
-  std::optional<Event> first;
-  detail::visit_events(trajectory, g, [&](const Event& event) {
+/// step: what changes sign and back in between is not seen. In a motion backwards in time the first
+/// is the latest.
+template <class State, detail::EventFunction<State> G>
+std::optional<EventOf<State>> first_event(const TrajectoryOf<State>& trajectory, const G& g) {
+  std::optional<EventOf<State>> first;
+  detail::visit_events(trajectory, g, [&](const EventOf<State>& event) {
     first = event;
     return false;
   });
   return first;
 }
 
-/// All such times, ascending, each found as first_event() finds the first.
-template <detail::EventFunction G>
-std::vector<Event> every_event(const Trajectory& trajectory, const G& g) {
-  std::vector<Event> all;
-  detail::visit_events(trajectory, g, [&](const Event& event) {
+/// All such times in turn, each found as first_event() finds the first.
+template <class State, detail::EventFunction<State> G>
+std::vector<EventOf<State>> every_event(const TrajectoryOf<State>& trajectory, const G& g) {
+  std::vector<EventOf<State>> all;
+  detail::visit_events(trajectory, g, [&](const EventOf<State>& event) {
     all.push_back(event);
     return true;
   });

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// One run of a body under any forces, by Dormand and Prince's method of order 8 or, where the
-/// scene is stiff, by Radau IIA of order 5.
+/// One run of a body, or of several, under any forces, by Dormand and Prince's method of order 8
+/// or, where the scene is stiff, by Radau IIA of order 5.
 
 #include <algorithm>
 #include <cmath>
@@ -18,18 +18,18 @@
 namespace tumble::detail {
 
 /// The run.
-/// @tparam Rhs a RigidBodyRhs<double, …>
+/// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
 template <class Rhs>
 class GeneralTrajectory : public MotionRecord<Rhs> {
   using Record = MotionRecord<Rhs>;
 
  public:
   static constexpr double error_exponent = 0.5, margin = 1, careful = 4;
-  using typename Record::Numbers;
+  using typename Record::Numbers, typename Record::State;
 
   /// @throws std::runtime_error if a force is not finite, or no step is short enough
-  GeneralTrajectory(const ScaledRhs<Rhs>& rhs, const RigidBodyState<>& start, double t0,
-                    double span, const RunSettings& settings)
+  GeneralTrajectory(const Rhs& rhs, const State& start, double t0, double span,
+                    const RunSettings& settings)
       : Record(rhs, t0, shift(settings) * std::max(std::abs(t0), std::abs(t0 + span)),
                rhs.numbers(settings.moved ? beside(start, shift(settings)) : start), span,
                settings.tolerance, settings.breaks, settings.stiff),
@@ -77,7 +77,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
     const runge_kutta::CountedRhs<const typename Record::Timed> f(clock, evaluations_);
     const Numbers dydt = f(s, y);
     if (!dydt.allFinite()) stop("a force is not finite", s, end - s);
-    typename Method::template Stepper<Numbers, MotionTolerance> stepper(tolerance_, dydt);
+    typename Method::template Stepper<Numbers, MotionTolerance<Numbers>> stepper(tolerance_, dydt);
     double h = initial_step_size(f, s, y, dydt, end - s, Method::error_order, tolerance_);
     while (s != end && end_ == RunEnd::complete) {
       const double shortest = 8 * 0x1p-52 * std::max(s, 0.01 * breaks_.back());

@@ -18,7 +18,7 @@ namespace tumble {
 namespace detail {
 
 /// The motion of the held body, from its turning about the point.
-class HeldMotion final : public MotionOverTime {
+class HeldMotion final : public MotionOverTime<RigidBodyState<>> {
  public:
   HeldMotion(const HeldBody& held, Trajectory turning)
       : held_(held), turning_(std::move(turning)) {}

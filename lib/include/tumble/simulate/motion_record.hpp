@@ -13,17 +13,18 @@
 #include "tumble/core/step_at.hpp"
 #include "tumble/ode/dop853_dense.hpp"
 #include "tumble/ode/radau5.hpp"
+#include "tumble/simulate/motion_tolerance.hpp"
 #include "tumble/simulate/run_settings.hpp"
-#include "tumble/simulate/scaled_rhs.hpp"
 
 namespace tumble::detail {
 
 /// The steps of a run.
-/// @tparam Rhs a RigidBodyRhs<double, …>
+/// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
 template <class Rhs>
 class MotionRecord {
  public:
-  using Numbers = PackedState<double>;
+  using Numbers = typename Rhs::Numbers;
+  using State = typename Rhs::State;
 
   int steps() const { return static_cast<int>(steps_.size()) - 1; }
 
@@ -41,12 +42,12 @@ class MotionRecord {
     return times;
   }
 
-  RigidBodyState<> at(double t) const { return rhs_.state(numbers_at(t - t0_)); }
+  State at(double t) const { return rhs_.state(numbers_at(t - t0_)); }
 
   /// The largest difference at the ends of another run's steps: the angle between orientations
   /// [rad], and all else a part of its largest size on the way.
   double difference(const MotionRecord& other) const {
-    const Eigen::Vector4d per_size =
+    const SquaredSizes<Numbers> per_size =
         tolerance_.squares.cwiseMax(other.tolerance_.squares).cwiseSqrt().cwiseInverse();
     double most = 0;
     for (const Step& step : other.steps_)
@@ -68,17 +69,16 @@ class MotionRecord {
       const int count = static_cast<int>(h * per_second);
       if (count == 0) continue;
       const Timed f = timed(begin);
-      const Derived<> there = rhs_.motion(steps_[i].y);
-      const Wrench<> then = rhs_.net(f.time(begin), there);
+      const auto there = rhs_.motion(steps_[i].y);
+      const auto then = rhs_.net(f.time(begin), there);
       for (int k = 0; k < count; ++k) {
         // Nearly even, but in step with nothing.
         const double theta = (k + 0.45 + 0.1 * golden_fraction(++all)) / count;
         const double s = begin + theta * h;
-        const Wrench<> now = rhs_.net(f.time(s), there);
-        const bool same = now.force == then.force && now.torque == then.torque;
-        if (same && all % now_and_then != 0) continue;
+        if (rhs_.net(f.time(s), there) == then && all % now_and_then != 0) continue;
         const Numbers gap = h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta);
-        if (!(MotionTolerance::part(gap, tolerance_.squares) <= part)) moments.push_back(s);
+        if (!(MotionTolerance<Numbers>::part(gap, tolerance_.squares) <= part))
+          moments.push_back(s);
       }
     }
     return moments;
@@ -92,7 +92,7 @@ class MotionRecord {
 
   /// f(s, y), which before a break does not look behind it.
   struct Timed {
-    const ScaledRhs<Rhs>& rhs;
+    const Rhs& rhs;
     double t0, last;
 
     double time(double s) const { return std::min(t0 + s, last); }
@@ -106,24 +106,24 @@ class MotionRecord {
   }
 
   /// @param late by how much all times are late, to see what that does [s]
-  MotionRecord(const ScaledRhs<Rhs>& rhs, double t0, double late, const Numbers& start, double span,
+  MotionRecord(const Rhs& rhs, double t0, double late, const Numbers& start, double span,
                double tolerance, const std::vector<double>& breaks, bool stiff)
       : rhs_(rhs),
         t0_(t0),
         late_(late),
         breaks_(breaks),
         stiff_(stiff),
-        tolerance_{tolerance, rhs.squares(least_sizes(rhs.body(), span))},
+        tolerance_{tolerance, rhs.least_squares(span)},
         steps_{{0, start}} {
     tolerance_.grow(start);
     breaks_.push_back(span);
   }
 
-  ScaledRhs<Rhs> rhs_;
+  Rhs rhs_;
   double t0_, late_;
   std::vector<double> breaks_;  ///< the end is the last [s after t0]
   bool stiff_;
-  MotionTolerance tolerance_;
+  MotionTolerance<Numbers> tolerance_;
   std::vector<Step> steps_;
   std::vector<Dop853Dense<Numbers>> dense_;  ///< of the first steps
 
@@ -145,11 +145,26 @@ class MotionRecord {
                   : Dop853::step(f, step.s, step.y, s - step.s);
   }
 
-  static double difference(const Numbers& a, const Numbers& b, const Eigen::Vector4d& per_size) {
+  static double difference(const Numbers& a, const Numbers& b,
+                           const SquaredSizes<Numbers>& per_size) {
+    double most = 0;
+    for (Eigen::Index i = 0; i < a.size() / rigid_body_state_size; ++i) {
+      const auto part = [&](const Numbers& y) {
+        return PackedState<double>(
+            y.template segment<rigid_body_state_size>(rigid_body_state_size * i));
+      };
+      const Eigen::Vector4d sizes = per_size.template segment<4>(4 * i);
+      most = largest({most, difference_of_body(part(a), part(b), sizes)});
+    }
+    return most;
+  }
+
+  static double difference_of_body(const PackedState<double>& a, const PackedState<double>& b,
+                                   const Eigen::Vector4d& per_size) {
     const Eigen::Vector4d p = a.segment<4>(3).normalized(), q = b.segment<4>(3).normalized();
     const double angle =
         2 * (p.dot(q) < 0 ? Eigen::Vector4d(p + q) : Eigen::Vector4d(p - q)).norm();
-    const Numbers off = a - b;
+    const PackedState<double> off = a - b;
     return largest({angle, per_size[0] * off.head<3>().norm(),
                     per_size[2] * off.segment<3>(7).norm(),
                     per_size[3] * off.tail<3>().norm() + angle});

@@ -36,30 +36,46 @@ inline double rounding_of_moments(const Mat3& I_body, double smallest_moment) {
   return roundings * unit_roundoff * I_body.trace() / smallest_moment;
 }
 
-/// |x|², |q|², |P|², |L|² of thirteen numbers.
-inline Eigen::Vector4d squared_sizes(const PackedState<double>& y) {
-  return {y.head<3>().squaredNorm(), y.segment<4>(3).squaredNorm(), y.segment<3>(7).squaredNorm(),
-          y.tail<3>().squaredNorm()};
+/// |x|², |q|², |P|², |L|² of one body after the other.
+template <class Numbers>
+using SquaredSizes = Eigen::Matrix < double,
+      Numbers::RowsAtCompileTime<0 ? Eigen::Dynamic : 4 * Numbers::RowsAtCompileTime / 13, 1>;
+
+/// Those of thirteen numbers a body.
+template <class Numbers>
+SquaredSizes<Numbers> squared_sizes(const Numbers& y) {
+  const Eigen::Index bodies = y.size() / rigid_body_state_size;
+  SquaredSizes<Numbers> squares(4 * bodies);
+  for (Eigen::Index b = 0; b < bodies; ++b) {
+    const auto of_body = y.template segment<rigid_body_state_size>(rigid_body_state_size * b);
+    squares.template segment<4>(4 * b) << of_body.template head<3>().squaredNorm(),
+        of_body.template segment<4>(3).squaredNorm(), of_body.template segment<3>(7).squaredNorm(),
+        of_body.template tail<3>().squaredNorm();
+  }
+  return squares;
 }
 
-/// What Tolerances are to other problems, for the thirteen numbers of a motion.
+/// What Tolerances are to other problems, for the numbers of one body or of several.
+template <class Numbers>
 struct MotionTolerance {
   double relative;
-  Eigen::Vector4d squares;  ///< of the sizes so far
+  SquaredSizes<Numbers> squares;  ///< of the sizes so far
 
   /// Takes the sizes of a state that the motion has come to.
-  void grow(const PackedState<double>& y) { squares = squares.cwiseMax(squared_sizes(y)); }
+  void grow(const Numbers& y) { squares = squares.cwiseMax(squared_sizes(y)); }
 
-  /// The size of a difference, a part of those of the motion.
-  static double part(const PackedState<double>& difference, const Eigen::Vector4d& sizes) {
+  /// The size of a difference, a part of those of the motion; of several bodies, not less than that
+  /// of any.
+  static double part(const Numbers& difference, const SquaredSizes<Numbers>& sizes) {
     return std::sqrt(squared_sizes(difference).cwiseQuotient(sizes).sum() / 4);
   }
 };
 
 /// Found by the solvers beside the one for Tolerances.
-inline double error_norm(const PackedState<double>& error, const PackedState<double>&,
-                         const PackedState<double>& y1, const MotionTolerance& tolerance) {
-  return MotionTolerance::part(error, tolerance.squares.cwiseMax(squared_sizes(y1))) /
+template <class Numbers>
+double error_norm(const Numbers& error, const Numbers&, const Numbers& y1,
+                  const MotionTolerance<Numbers>& tolerance) {
+  return MotionTolerance<Numbers>::part(error, tolerance.squares.cwiseMax(squared_sizes(y1))) /
          tolerance.relative;
 }
 

@@ -14,14 +14,15 @@
 /// The last two run twice and more, until the error over the whole span is what was asked for, see
 /// stated_error.hpp.
 
-#include <cmath>
-
 #include "tumble/body/forces.hpp"
 #include "tumble/simulate/any_forces.hpp"
+#include "tumble/simulate/backwards.hpp"
 #include "tumble/simulate/closed_trajectories.hpp"
+#include "tumble/simulate/scaled_rhs.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/steady_trajectory.hpp"
 #include "tumble/simulate/trajectory.hpp"
+#include "tumble/simulate/valid_start.hpp"
 
 namespace tumble {
 
@@ -53,43 +54,58 @@ inline Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyStat
   }
 }
 
-/// The same orientation by numbers of about 1, to the last digit.
-inline Quat of_moderate_length(const Quat& q) {
-  const int exponent = std::ilogb(q.coeffs().cwiseAbs().maxCoeff());
-  Quat scaled;
-  for (int i = 0; i < 4; ++i) scaled.coeffs()[i] = std::scalbn(q.coeffs()[i], -exponent);
-  return scaled;
+/// @param task forwards in time
+template <class... Forces>
+Trajectory forwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& from,
+                               const SimulationTask& task, const Forces&... forces) {
+  if constexpr ((SteadyForce<Forces> && ...)) {
+    return steady_trajectory(body, from, steady_forces(body, forces...), task);
+  } else {
+    const RigidBodyRhs<double, Forces...> rhs(body, forces...);
+    using Scaled = ScaledRhs<RigidBodyRhs<double, Forces...>>;
+    return AnyForces(Scaled(rhs, from, task.t0, task.t1 - task.t0), from, task).trajectory();
+  }
+}
+
+/// @param task backwards in time
+template <class... Forces>
+Trajectory backwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& from,
+                                const SimulationTask& task, const Forces&... forces) {
+  const auto film = [&](const auto&... in_film) {
+    return backwards(forwards_trajectory(body, backwards(from), backwards(task), in_film...));
+  };
+  if constexpr ((SteadyForce<Forces> && ...)) {
+    // Drag pushes in the film, as no steady force does.
+    const SteadyForces steady = steady_forces(body, forces...);
+    if (steady.linear_drag == 0 && steady.angular_drag == 0) return film(steady);
+    return film(Backwards<SteadyForces>{steady});
+  } else {
+    return film(Backwards<Forces>{forces}...);
+  }
 }
 
 }  // namespace detail
 
 /// The motion of a body.
 /// @param start  at task.t0; q of any length but zero
+/// @param task   with t1 before t0 the motion that has led to the start
 /// @param forces BodyForce each; those that are a SteadyForce make it cheaper
 /// @return the trajectory; its report says if the tolerance could not be reached, and what was. The
 ///         error is that of x, P and L relative to their largest sizes on the way, or to a
 ///         thousandth of what the body's own size and a turn by a radian in the span make of them
-/// @throws std::invalid_argument if a number is not finite, the quaternion zero, t1 before t0 or
-///         the tolerance not positive, or if a force refuses what it was made of
+/// @throws std::invalid_argument if a number is not finite, the quaternion zero or the tolerance
+///         not positive, or if a force refuses what it was made of
 /// @throws std::runtime_error if the motion cannot be followed to t1: a force that is not finite, a
 ///         singularity, more turns than there is time for, which it says at once
 template <BodyForce<double>... Forces>
 Trajectory simulate(const RigidBody<>& body, const RigidBodyState<>& start,
                     const SimulationTask& task, const Forces&... forces) {
   detail::require_valid_task(task);
-  require(pack(start).allFinite(), "simulate: the state (", pack(start).transpose(),
-          ") is not finite");
-  require(!start.q.coeffs().isZero(0), "simulate: the quaternion is zero");
+  const RigidBodyState<> from = detail::valid_start(start);
   (detail::require_valid_force(forces), ...);
-  RigidBodyState<> from = start;
-  from.q = detail::of_moderate_length(start.q);
-  if constexpr ((detail::SteadyForce<Forces> && ...)) {
-    return detail::steady_trajectory(body, from, detail::steady_forces(body, forces...), task);
-  } else {
-    if (task.t0 == task.t1) return detail::steady_trajectory(body, from, {}, task);
-    const RigidBodyRhs<double, Forces...> rhs(body, forces...);
-    return detail::AnyForces(rhs, from, task).trajectory();
-  }
+  if (task.t0 == task.t1) return detail::steady_trajectory(body, from, {}, task);
+  return task.t0 < task.t1 ? detail::forwards_trajectory(body, from, task, forces...)
+                           : detail::backwards_trajectory(body, from, task, forces...);
 }
 
 /// @}

@@ -22,7 +22,7 @@ enum class Wanted {
 /// What to simulate beside the body and its forces.
 struct SimulationTask {
   double t0 = 0;            ///< [s]
-  double t1 = 1;            ///< [s], not before t0
+  double t1 = 1;            ///< [s]; before t0 for the motion that led to the start
   double tolerance = 1e-6;  ///< of the orientation in radians, of all else relative to its size
   Wanted wanted = Wanted::trajectory;
   /// When forces begin, end or jump [s]: no step goes across. For forces of your own.
@@ -37,8 +37,8 @@ namespace detail {
 
 /// @throws std::invalid_argument if the task means nothing
 inline void require_valid_task(const SimulationTask& task) {
-  require(std::isfinite(task.t0) && std::isfinite(task.t1) && task.t0 <= task.t1,
-          "simulate: from t0 = ", task.t0, " to t1 = ", task.t1, " is not a span of time");
+  require(std::isfinite(task.t0) && std::isfinite(task.t1), "simulate: from t0 = ", task.t0,
+          " to t1 = ", task.t1, " is not a span of time");
   require(task.tolerance > 0 && std::isfinite(task.tolerance), "simulate: the tolerance ",
           task.tolerance, " is not positive and finite");
   require(task.longest_step > 0, "simulate: the longest step ", task.longest_step,

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tumble/body/state.hpp"
 #include "tumble/core/rounding.hpp"
@@ -34,6 +35,10 @@ inline RigidBodyState<> beside(const RigidBodyState<>& start, double part) {
   PackedState<double> y = pack(start);
   for (int i = 0; i < y.size(); ++i) y[i] *= 1 + part * share[i];
   return unpack<double>(y);
+}
+inline std::vector<RigidBodyState<>> beside(std::vector<RigidBodyState<>> starts, double part) {
+  for (RigidBodyState<>& start : starts) start = beside(start, part);
+  return starts;
 }
 
 /// Two runs, and what they differ by.

@@ -7,6 +7,7 @@
 
 #include "tumble/core/largest.hpp"
 #include "tumble/quaternion/exp_log.hpp"
+#include "tumble/simulate/computed_motion.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
@@ -82,28 +83,6 @@ class SteadyTrajectory {
   double t0_;
   steady::TurningBySeries<rank> turning_;
 };
-
-/// What a run gives, for a Trajectory.
-template <class Run>
-class ComputedMotion final : public MotionOverTime {
- public:
-  ComputedMotion(Run run, double t1) : run_(std::move(run)), t1_(t1) {}
-
-  RigidBodyState<> at(double t) const override { return run_.at(t); }
-  std::vector<double> times() const override { return run_.times(t1_); }
-
- private:
-  Run run_;
-  double t1_;
-};
-
-/// A trajectory that owns its run.
-template <class Run>
-Trajectory trajectory_of(Run&& run, const SimulationTask& task, const SimulationReport& report) {
-  using Motion = ComputedMotion<std::decay_t<Run>>;
-  return {std::make_shared<const Motion>(std::forward<Run>(run), task.t1), task.t0, task.t1,
-          report};
-}
 
 /// The turning that keeps the tolerance, or the best that there is.
 template <int rank>

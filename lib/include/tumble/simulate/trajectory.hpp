@@ -2,6 +2,7 @@
 /// @file
 /// What a simulation gives: the state at any time of the span, and an account of how it was made.
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -34,44 +35,63 @@ struct SimulationReport {
 
 namespace detail {
 
+/// Of parts of a motion, or of bodies beside each other: the largest error, and the costs of all.
+inline void add_report(SimulationReport& all, const SimulationReport& one) {
+  if (one.method != all.method) all.method = "each part by itself";
+  if (one.why != all.why) all.why = "each part for its own reasons";
+  all.model = std::max(all.model, one.model);
+  all.error_estimate = std::max(all.error_estimate, one.error_estimate);
+  all.runs += one.runs;
+  all.steps += one.steps;
+  all.rejected += one.rejected;
+  all.evaluations += one.evaluations;
+}
+
 /// A motion of a span of time, however it is known.
+template <class State>
 class MotionOverTime {
  public:
   virtual ~MotionOverTime() = default;
-  virtual RigidBodyState<> at(double t) const = 0;
-  /// t0 … t1, ascending, so close that the motion between two of them is simple.
+  virtual State at(double t) const = 0;
+  /// t0 … t1, so close that the motion between two of them is simple.
   virtual std::vector<double> times() const = 0;
 };
 
 }  // namespace detail
 
-/// The motion of a body from t0 to t1. Copies share what was computed; any number of threads may
-/// ask at the same time.
-class Trajectory {
+/// The motion of a body, or of several, from t0 to t1. Copies share what was computed; any number
+/// of threads may ask at the same time.
+/// @tparam State RigidBodyState<>, or a std::vector of it, one of each body
+template <class State>
+class TrajectoryOf {
  public:
-  Trajectory(std::shared_ptr<const detail::MotionOverTime> motion, double t0, double t1,
-             SimulationReport report)
+  TrajectoryOf(std::shared_ptr<const detail::MotionOverTime<State>> motion, double t0, double t1,
+               SimulationReport report)
       : motion_(std::move(motion)), t0_(t0), t1_(t1), report_(std::move(report)) {}
 
   double t0() const { return t0_; }  ///< [s]
-  double t1() const { return t1_; }  ///< [s]
-  /// t0 … t1, ascending, so close that the motion between two of them is simple [s].
+  double t1() const { return t1_; }  ///< [s], before t0 where the motion was asked for backwards
+  /// t0 … t1, so close that the motion between two of them is simple [s].
   std::vector<double> times() const { return motion_->times(); }
   const SimulationReport& report() const { return report_; }
-  RigidBodyState<> end() const { return motion_->at(t1_); }
+  State end() const { return motion_->at(t1_); }
 
   /// The state at time t [s].
   /// @throws std::invalid_argument if t is not between t0 and t1
-  RigidBodyState<> at(double t) const {
-    require(t >= t0_ && t <= t1_, "Trajectory: t = ", t, " is not in ", t0_, " … ", t1_);
+  State at(double t) const {
+    require(t >= std::min(t0_, t1_) && t <= std::max(t0_, t1_), "Trajectory: t = ", t,
+            " is not in ", t0_, " … ", t1_);
     return motion_->at(t);
   }
 
  private:
-  std::shared_ptr<const detail::MotionOverTime> motion_;
+  std::shared_ptr<const detail::MotionOverTime<State>> motion_;
   double t0_, t1_;
   SimulationReport report_;
 };
+
+/// The motion of a body.
+using Trajectory = TrajectoryOf<RigidBodyState<>>;
 
 /// @}
 

@@ -1,0 +1,78 @@
+#pragma once
+/// @file
+/// A motion from late to early: the motion that a film shows which is run backwards. With s = −t
+/// all velocities and momenta have the other sign, and the forces are what they were.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "tumble/body/many_bodies.hpp"
+#include "tumble/simulate/simulation_task.hpp"
+#include "tumble/simulate/trajectory.hpp"
+
+namespace tumble::detail {
+
+inline RigidBodyState<> backwards(RigidBodyState<> state) {
+  state.P = -state.P;
+  state.L = -state.L;
+  return state;
+}
+inline std::vector<RigidBodyState<>> backwards(std::vector<RigidBodyState<>> states) {
+  for (RigidBodyState<>& state : states) state = backwards(std::move(state));
+  return states;
+}
+inline Derived<> backwards(Derived<> now) {
+  now.v = -now.v;
+  now.omega = -now.omega;
+  return now;
+}
+
+inline SimulationTask backwards(SimulationTask task) {
+  task.t0 = -task.t0;
+  task.t1 = -task.t1;
+  for (double& t : task.breaks) t = -t;
+  return task;
+}
+
+/// A force as the film shows it, on a body or between bodies.
+template <class Force>
+struct Backwards {
+  Force force;
+
+  Wrench<> operator()(double s, const RigidBody<>& body,
+                      const Derived<>& now) const requires BodyForce<Force, double> {
+    return force(-s, body, backwards(now));
+  }
+  void operator()(double s, std::span<const RigidBody<>> bodies, std::span<const Derived<>> now,
+                  std::span<Wrench<>> net) const requires SceneForce<Force, double> {
+    std::vector<Derived<>> then;
+    for (const Derived<>& each : now) then.push_back(backwards(each));
+    force(-s, bodies, std::span<const Derived<>>(then), net);
+  }
+};
+
+/// The motion, from the film of it.
+template <class State>
+class BackwardsMotion final : public MotionOverTime<State> {
+ public:
+  explicit BackwardsMotion(TrajectoryOf<State> film) : film_(std::move(film)) {}
+
+  State at(double t) const override { return backwards(film_.at(-t)); }
+  std::vector<double> times() const override {
+    std::vector<double> times = film_.times();
+    for (double& t : times) t = -t;
+    return times;
+  }
+
+ private:
+  TrajectoryOf<State> film_;
+};
+
+template <class State>
+TrajectoryOf<State> backwards(const TrajectoryOf<State>& film) {
+  return {std::make_shared<const BackwardsMotion<State>>(film), -film.t0(), -film.t1(),
+          film.report()};
+}
+
+}  // namespace tumble::detail

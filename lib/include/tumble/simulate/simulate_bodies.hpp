@@ -1,0 +1,117 @@
+#pragma once
+/// @file
+/// Says where several bodies go that may push each other, with an error that is stated and kept.
+/// Bodies that nothing joins are simulated each by itself, in closed form where there is one.
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "tumble/body/forces_between.hpp"
+#include "tumble/simulate/scaled_scene_rhs.hpp"
+#include "tumble/simulate/simulate.hpp"
+
+namespace tumble {
+
+/// @addtogroup simulate
+/// @{
+
+/// The motion of several bodies: the states of all at any time.
+using SceneTrajectory = TrajectoryOf<std::vector<RigidBodyState<>>>;
+
+namespace detail {
+
+/// Bodies that do nothing to each other.
+class ApartMotion final : public MotionOverTime<std::vector<RigidBodyState<>>> {
+ public:
+  explicit ApartMotion(std::vector<Trajectory> bodies) : bodies_(std::move(bodies)) {}
+
+  std::vector<RigidBodyState<>> at(double t) const override {
+    std::vector<RigidBodyState<>> states;
+    for (const Trajectory& body : bodies_) states.push_back(body.at(t));
+    return states;
+  }
+  /// Those of all bodies.
+  std::vector<double> times() const override {
+    std::vector<double> all;
+    for (const Trajectory& body : bodies_) {
+      const std::vector<double> times = body.times();
+      all.insert(all.end(), times.begin(), times.end());
+    }
+    const bool forwards = all.front() <= all.back();
+    std::sort(all.begin(), all.end(), [=](double s, double t) { return forwards ? s < t : t < s; });
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+
+ private:
+  std::vector<Trajectory> bodies_;
+};
+
+inline SimulationReport report_of(const std::vector<Trajectory>& bodies) {
+  SimulationReport all = bodies.front().report();
+  for (const Trajectory& body : std::span(bodies).subspan(1)) add_report(all, body.report());
+  return all;
+}
+
+/// @throws std::invalid_argument naming the body whose start means nothing
+inline std::vector<RigidBodyState<>> valid_starts(const std::vector<RigidBodyState<>>& starts) {
+  std::vector<RigidBodyState<>> from;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    require_at([&] { from.push_back(valid_start(starts[i])); }, "body ", i, ": ");
+  return from;
+}
+
+/// A force on a body, or between bodies.
+template <class F>
+concept AnyForce = BodyForce<F, double> || SceneForce<F, double>;
+
+template <class... Forces>
+SceneTrajectory joined_trajectory(const std::vector<RigidBody<>>& bodies,
+                                  const std::vector<RigidBodyState<>>& from,
+                                  const SimulationTask& task, const Forces&... forces) {
+  const SceneRhs<double, Forces...> rhs(bodies, forces...);
+  using Scaled = ScaledSceneRhs<SceneRhs<double, Forces...>>;
+  return AnyForces(Scaled(rhs, from, task.t0, task.t1 - task.t0), from, task).trajectory();
+}
+
+}  // namespace detail
+
+/// The motion of several bodies.
+/// @param starts of each body at task.t0; q of any length but zero
+/// @param task   Wanted::path_only has a meaning only where no force acts between bodies
+/// @param forces BodyForce each, which acts on every body, or a callable (t, bodies, motions,
+///               wrenches) that adds to the wrenches of those it acts on
+/// @return the trajectory; its report is that of the body that was hardest to follow
+/// @throws as simulate() of one body, naming the body, and std::invalid_argument if there are no
+///         bodies, or not as many states
+template <detail::AnyForce... Forces>
+SceneTrajectory simulate(const std::vector<RigidBody<>>& bodies,
+                         const std::vector<RigidBodyState<>>& starts, const SimulationTask& task,
+                         const Forces&... forces) {
+  detail::require_valid_task(task);
+  require(!bodies.empty(), "simulate: there are no bodies");
+  require(bodies.size() == starts.size(), "simulate: ", bodies.size(), " bodies, but ",
+          starts.size(), " states");
+  const std::vector<RigidBodyState<>> from = detail::valid_starts(starts);
+  if constexpr ((BodyForce<Forces, double> && ...)) {
+    std::vector<Trajectory> apart;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      apart.push_back(simulate(bodies[i], from[i], task, forces...));
+    return {std::make_shared<const detail::ApartMotion>(apart), task.t0, task.t1,
+            detail::report_of(apart)};
+  } else {
+    (detail::require_valid_force(forces), ...);
+    if (task.t0 == task.t1) return simulate(bodies, from, task);
+    if (task.t1 > task.t0) return detail::joined_trajectory(bodies, from, task, forces...);
+    return detail::backwards(detail::joined_trajectory(bodies, detail::backwards(from),
+                                                       detail::backwards(task),
+                                                       detail::Backwards<Forces>{forces}...));
+  }
+}
+
+/// @}
+
+}  // namespace tumble
