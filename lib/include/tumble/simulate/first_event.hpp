@@ -27,15 +27,17 @@ concept EventFunction = requires(const G& g, double t, const State& state) {
   { g(t, state) } -> std::convertible_to<double>;
 };
 
-}  // namespace detail
-
-/// When it happened, and where the body was, or each of several.
+/// When something happened, and where the body was, or each of several.
 template <class State>
 struct EventOf {
   double t;  ///< [s]
   State state;
 };
-using Event = EventOf<RigidBodyState<>>;
+
+}  // namespace detail
+
+/// When it happened, `t` [s], and where the body was, `state`.
+using Event = detail::EventOf<RigidBodyState<>>;
 
 namespace detail {
 
@@ -87,9 +89,10 @@ void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit
 /// step: what changes sign and back in between is not seen. In a motion backwards in time the first
 /// is the latest.
 template <class State, detail::EventFunction<State> G>
-std::optional<EventOf<State>> first_event(const TrajectoryOf<State>& trajectory, const G& g) {
-  std::optional<EventOf<State>> first;
-  detail::visit_events(trajectory, g, [&](const EventOf<State>& event) {
+std::optional<detail::EventOf<State>> first_event(const TrajectoryOf<State>& trajectory,
+                                                  const G& g) {
+  std::optional<detail::EventOf<State>> first;
+  detail::visit_events(trajectory, g, [&](const detail::EventOf<State>& event) {
     first = event;
     return false;
   });
@@ -98,9 +101,9 @@ std::optional<EventOf<State>> first_event(const TrajectoryOf<State>& trajectory,
 
 /// All such times in turn, each found as first_event() finds the first.
 template <class State, detail::EventFunction<State> G>
-std::vector<EventOf<State>> every_event(const TrajectoryOf<State>& trajectory, const G& g) {
-  std::vector<EventOf<State>> all;
-  detail::visit_events(trajectory, g, [&](const EventOf<State>& event) {
+std::vector<detail::EventOf<State>> every_event(const TrajectoryOf<State>& trajectory, const G& g) {
+  std::vector<detail::EventOf<State>> all;
+  detail::visit_events(trajectory, g, [&](const detail::EventOf<State>& event) {
     all.push_back(event);
     return true;
   });

@@ -19,7 +19,7 @@
 #include "tumble/simulate/pieces.hpp"
 #include "tumble/simulate/simulate_bodies.hpp"
 
-namespace tumble {
+namespace tumble::events {
 
 /// @addtogroup simulate
 /// @{
@@ -27,11 +27,15 @@ namespace tumble {
 /// What a simulation with events gives.
 template <class State>
 struct ChangedTrajectory {
-  TrajectoryOf<State> trajectory;      ///< at the time of an event: after it
-  std::vector<EventOf<State>> events;  ///< when, and the state before the change
+  TrajectoryOf<State> trajectory;              ///< at the time of an event: after it
+  std::vector<detail::EventOf<State>> events;  ///< when, and the state before the change
 };
 
-namespace detail {
+/// @}
+
+}  // namespace tumble::events
+
+namespace tumble::detail {
 
 /// A callable (t, state) → state, or std::optional of it: nothing ends the motion.
 template <class F, class State>
@@ -95,9 +99,9 @@ SimulationReport report_of(const ChangedMotion<State>& motion) {
 
 /// Runs the whole with ever finer tolerances until two runs agree.
 template <class State, class Go, class When, class Change>
-ChangedTrajectory<State> changed_trajectory(const Go& go, const State& start,
-                                            const SimulationTask& task, const When& when,
-                                            const Change& change) {
+events::ChangedTrajectory<State> changed_trajectory(const Go& go, const State& start,
+                                                    const SimulationTask& task, const When& when,
+                                                    const Change& change) {
   constexpr double finer = 0.03, finest = 1e-13;
   const auto run = [&](double tolerance) {
     SimulationTask part = task;
@@ -131,7 +135,12 @@ inline void require_forwards(const SimulationTask& task) {
           "; what an event has changed can't be undone");
 }
 
-}  // namespace detail
+}  // namespace tumble::detail
+
+namespace tumble::events {
+
+/// @addtogroup simulate
+/// @{
 
 /// The motion of a body that is changed each time `when` falls from above zero.
 /// @param when   (t, state) → number
@@ -140,13 +149,13 @@ inline void require_forwards(const SimulationTask& task) {
 ///         is infinite if two tolerances meet different events
 /// @throws as simulate(), std::invalid_argument if t1 is before t0, and std::runtime_error if the
 ///         events come to no end
-template <class When, class Change, BodyForce<double>... Forces>
-requires detail::EventFunction<When> && detail::StateChange<Change, RigidBodyState<>>
-    ChangedTrajectory<RigidBodyState<>> simulate_changes(const RigidBody<>& body,
-                                                         const RigidBodyState<>& start,
-                                                         const SimulationTask& task,
-                                                         const When& when, const Change& change,
-                                                         const Forces&... forces) {
+template <detail::EventFunction When, detail::StateChange<RigidBodyState<>> Change,
+          BodyForce<double>... Forces>
+ChangedTrajectory<RigidBodyState<>> simulate_changes(const RigidBody<>& body,
+                                                     const RigidBodyState<>& start,
+                                                     const SimulationTask& task, const When& when,
+                                                     const Change& change,
+                                                     const Forces&... forces) {
   detail::require_forwards(task);
   const auto go = [&](const RigidBodyState<>& from, const SimulationTask& part) {
     return simulate(body, from, part, forces...);
@@ -155,13 +164,11 @@ requires detail::EventFunction<When> && detail::StateChange<Change, RigidBodySta
 }
 
 /// The motion of several bodies, in the same way; `when` and `change` take the states of all.
-template <class When, class Change, detail::AnyForce... Forces>
-requires detail::EventFunction<When, std::vector<RigidBodyState<>>> &&
-    detail::StateChange<Change, std::vector<RigidBodyState<>>>
-        ChangedTrajectory<std::vector<RigidBodyState<>>> simulate_changes(
-            const std::vector<RigidBody<>>& bodies, const std::vector<RigidBodyState<>>& starts,
-            const SimulationTask& task, const When& when, const Change& change,
-            const Forces&... forces) {
+template <detail::EventFunction<std::vector<RigidBodyState<>>> When,
+          detail::StateChange<std::vector<RigidBodyState<>>> Change, detail::AnyForce... Forces>
+ChangedTrajectory<std::vector<RigidBodyState<>>> simulate_changes(
+    const std::vector<RigidBody<>>& bodies, const std::vector<RigidBodyState<>>& starts,
+    const SimulationTask& task, const When& when, const Change& change, const Forces&... forces) {
   detail::require_forwards(task);
   const auto go = [&](const std::vector<RigidBodyState<>>& from, const SimulationTask& part) {
     return simulate(bodies, from, part, forces...);
@@ -171,4 +178,4 @@ requires detail::EventFunction<When, std::vector<RigidBodyState<>>> &&
 
 /// @}
 
-}  // namespace tumble
+}  // namespace tumble::events

@@ -5,6 +5,7 @@
 #include "project/harness/refusal.hpp"
 
 using namespace tumble;
+using events::simulate_changes;
 
 namespace {
 
