@@ -4,6 +4,7 @@
 
 #include "scenes/contact_motion.hpp"
 #include "scenes/contact_scene.hpp"
+#include "scenes/joined_motion.hpp"
 #include "tumble/contact/can_touch.hpp"
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/simulate.hpp"
@@ -26,14 +27,24 @@ Trajectory motion_of(const SceneBody& body, const SimulationTask& task) {
   return simulated(body.steady, springs);
 }
 
+/// @throws std::runtime_error that names the body
+Trajectory named_motion_of(const SceneBody& body, const SimulationTask& task) {
+  try {
+    return motion_of(body, task);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(body.name + ": " + error.what());
+  }
+}
+
 Motions move_each(const Scene& scene) {
   Motions motions{.start = scene.task.t0, .end = scene.task.t1};
-  for (const SceneBody& body : scene.bodies) {
-    try {
-      motions.trajectories.push_back(motion_of(body, scene.task));
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(body.name + ": " + error.what());
-    }
+  const std::vector<std::size_t> joined = joined_bodies(scene);
+  const std::vector<Trajectory> together = move_joined(scene, joined);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const bool is_joined = next < joined.size() && joined[next] == i;
+    motions.trajectories.push_back(is_joined ? together[next++]
+                                             : named_motion_of(scene.bodies[i], scene.task));
   }
   if (!scene.stop) return motions;
   const StopWhen& stop = *scene.stop;

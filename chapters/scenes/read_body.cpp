@@ -130,6 +130,7 @@ SceneBody read_body(const Place& place, std::size_t index, const Surroundings& a
   SceneBody result{
       .name = place.has("name") ? place["name"].text() : "body " + std::to_string(index + 1),
       .body = body,
+      .centre = mass.centre,
       .start = start_of(place, body, held),
       .steady = Weight{around.gravity}.steady(body),
       .springs = {},

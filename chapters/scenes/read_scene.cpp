@@ -1,11 +1,12 @@
 #include "scenes/scene.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "scenes/find_body.hpp"
 #include "scenes/read_body.hpp"
 #include "scenes/read_contact.hpp"
+#include "scenes/read_springs.hpp"
 #include "support/parsed_json.hpp"
 #include "support/text_file.hpp"
 
@@ -16,16 +17,12 @@ using support::Place;
 
 StopWhen read_stop(const Place& place, const std::vector<SceneBody>& bodies) {
   place.require_only({"body", "coordinate", "passes"});
-  const std::string name = place.has("body") ? place["body"].text() : bodies.front().name;
-  const auto found = std::find_if(bodies.begin(), bodies.end(),
-                                  [&](const SceneBody& body) { return body.name == name; });
-  require(found != bodies.end(), place.name(), ".body: there is no body \"", name, "\"");
+  const std::size_t body = place.has("body") ? find_body(place["body"], bodies) : 0;
   const std::string coordinate = place["coordinate"].text();
   const std::size_t axis = std::string("xyz").find(coordinate);
   require(coordinate.size() == 1 && axis != std::string::npos, place.name(), ".coordinate is \"",
           coordinate, "\", not x, y or z");
-  return {static_cast<std::size_t>(found - bodies.begin()), static_cast<int>(axis),
-          place["passes"].number()};
+  return {body, static_cast<int>(axis), place["passes"].number()};
 }
 
 /// Refuses numbers beyond all that is: their squares and products would leave the range of doubles.
@@ -73,8 +70,8 @@ void read_times(const Place& root, Scene& scene) {
 }
 
 Scene interpret(const Place& root, const std::filesystem::path& folder) {
-  root.require_only({"bodies", "gravity", "from", "duration", "tolerance", "record_every",
-                     "stop_when", "floor", "walls", "restitution", "friction"});
+  root.require_only({"bodies", "springs", "gravity", "from", "duration", "tolerance",
+                     "record_every", "stop_when", "floor", "walls", "restitution", "friction"});
   Scene scene;
   scene.gravity = root.vector_or("gravity", Vec3::Zero());
   scene.contact = read_contact(root);
@@ -84,6 +81,13 @@ Scene interpret(const Place& root, const std::filesystem::path& folder) {
     scene.bodies.push_back(
         read_body(bodies[i], i, {folder, scene.gravity, scene.contact.has_value()}));
   require_different_names(scene, root);
+  if (root.has("springs")) {
+    require(!scene.contact, root.name(),
+            ".springs: in a scene with contact (floor, walls, "
+            "restitution, friction) bodies fly under gravity alone. Leave it out, or leave out "
+            "contact");
+    scene.springs = read_springs(root["springs"], scene.bodies);
+  }
   read_times(root, scene);
   if (root.has("stop_when")) scene.stop = read_stop(root["stop_when"], scene.bodies);
   if (scene.contact) require_apart(root, scene);

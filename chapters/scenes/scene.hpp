@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/body/forces_between.hpp"
 #include "tumble/collide/convex.hpp"
 #include "tumble/simulate/held.hpp"
 
@@ -24,6 +25,7 @@ struct BodyShape {
 struct SceneBody {
   std::string name;
   RigidBody<> body;
+  Vec3 centre;  ///< of mass, where points of the file are counted from the shape's origin [m]
   RigidBodyState<> start;
   SteadyForces steady;
   std::vector<SpringToWorld> springs;
@@ -52,7 +54,8 @@ struct StopWhen {
 
 struct Scene {
   std::vector<SceneBody> bodies;
-  Vec3 gravity = Vec3::Zero();  ///< [m/s²]
+  std::vector<SpringBetween> springs = {};  ///< that join two of them
+  Vec3 gravity = Vec3::Zero();              ///< [m/s²]
   SimulationTask task;
   double every = 0;  ///< between two records [s]; 0: only the end is asked for
   std::optional<StopWhen> stop;

@@ -33,7 +33,7 @@ TEST_CASE("simulate: a thrown ball, with its momenta") {
 }
 
 TEST_CASE("simulate: the examples run, and stop where they should") {
-  for (const char* name : {"top", "pendulum", "thrown_box", "on_a_spring"}) {
+  for (const char* name : {"top", "pendulum", "thrown_box", "on_a_spring", "two_on_a_spring"}) {
     CAPTURE(std::string(name));
     const std::string file =
         std::string(std::getenv("TUMBLE_ROOT")) + "/chapters/scenes/examples/" + name + ".json";
