@@ -3,6 +3,7 @@
 #include "scenes/contact_motion.hpp"
 #include "scenes/motion_output.hpp"
 #include "support/csv.hpp"
+#include "tumble/simulate/write_states.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -16,15 +17,11 @@ void add(std::ostringstream& csv, const Vec3& v) {
 std::string states_csv(const Scene& scene, const Motions& motions) {
   std::ostringstream csv;
   csv.precision(17);
-  csv << "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,omega_x,omega_y,omega_z,Px,Py,Pz,Lx,Ly,Lz\n";
+  csv << "time,body," << output::csv_columns << '\n';
   for (const double t : record_times(scene, motions))
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      const RigidBodyState<> s = motions.at(i, t);
-      const Derived<> now = derived(scene.bodies[i].body, s);
-      csv << t << ',' << support::csv_field(scene.bodies[i].name);
-      add(csv, s.x);
-      csv << ',' << s.q.w();
-      for (const Vec3& v : {Vec3(s.q.vec()), now.v, now.omega, s.P, s.L}) add(csv, v);
+      csv << t << ',' << support::csv_field(scene.bodies[i].name) << ',';
+      detail::write_csv_numbers(csv, scene.bodies[i].body, motions.at(i, t));
       csv << '\n';
     }
   return csv.str();

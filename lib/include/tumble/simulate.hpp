@@ -28,3 +28,4 @@
 #include "tumble/simulate/steady_trajectory.hpp"
 #include "tumble/simulate/trajectory.hpp"
 #include "tumble/simulate/valid_start.hpp"
+#include "tumble/simulate/write_states.hpp"
