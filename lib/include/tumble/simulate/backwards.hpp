@@ -28,6 +28,13 @@ inline Derived<> backwards(Derived<> now) {
   return now;
 }
 
+/// Drag pushes in the film.
+inline SteadyForces backwards(SteadyForces forces) {
+  forces.linear_drag = -forces.linear_drag;
+  forces.angular_drag = -forces.angular_drag;
+  return forces;
+}
+
 inline SimulationTask backwards(SimulationTask task) {
   task.t0 = -task.t0;
   task.t1 = -task.t1;

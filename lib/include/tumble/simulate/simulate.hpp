@@ -33,7 +33,6 @@ namespace detail {
 
 inline Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
                                     const SteadyForces& forces, const SimulationTask& task) {
-  forces.require_valid();
   const steady::SteadyPath path(body, start, forces);
   if (task.wanted == Wanted::path_only) return particle_trajectory(start, path, task);
   const steady::SteadyTorque torque(body, forces);
@@ -54,34 +53,41 @@ inline Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyStat
   }
 }
 
-/// @param task forwards in time
+/// What steady forces amount to.
+/// @throws std::invalid_argument as SteadyForces::require_valid() does
+template <class... Forces>
+SteadyForces valid_steady_forces(const RigidBody<>& body, const Forces&... forces) {
+  const SteadyForces sum = steady_forces(body, forces...);
+  sum.require_valid();
+  return sum;
+}
+
+template <class... Forces>
+Trajectory any_trajectory(const RigidBody<>& body, const RigidBodyState<>& from,
+                          const SimulationTask& task, const Forces&... forces) {
+  const RigidBodyRhs<double, Forces...> rhs(body, forces...);
+  using Scaled = ScaledRhs<RigidBodyRhs<double, Forces...>>;
+  return AnyForces(Scaled(rhs, from, task.t0, task.t1 - task.t0), from, task).trajectory();
+}
+
 template <class... Forces>
 Trajectory forwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& from,
                                const SimulationTask& task, const Forces&... forces) {
-  if constexpr ((SteadyForce<Forces> && ...)) {
-    return steady_trajectory(body, from, steady_forces(body, forces...), task);
-  } else {
-    const RigidBodyRhs<double, Forces...> rhs(body, forces...);
-    using Scaled = ScaledRhs<RigidBodyRhs<double, Forces...>>;
-    return AnyForces(Scaled(rhs, from, task.t0, task.t1 - task.t0), from, task).trajectory();
-  }
+  if constexpr ((SteadyForce<Forces> && ...))
+    return steady_trajectory(body, from, valid_steady_forces(body, forces...), task);
+  else
+    return any_trajectory(body, from, task, forces...);
 }
 
-/// @param task backwards in time
 template <class... Forces>
 Trajectory backwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& from,
                                 const SimulationTask& task, const Forces&... forces) {
-  const auto film = [&](const auto&... in_film) {
-    return backwards(forwards_trajectory(body, backwards(from), backwards(task), in_film...));
-  };
-  if constexpr ((SteadyForce<Forces> && ...)) {
-    // Drag pushes in the film, as no steady force does.
-    const SteadyForces steady = steady_forces(body, forces...);
-    if (steady.linear_drag == 0 && steady.angular_drag == 0) return film(steady);
-    return film(Backwards<SteadyForces>{steady});
-  } else {
-    return film(Backwards<Forces>{forces}...);
-  }
+  if constexpr ((SteadyForce<Forces> && ...))
+    return backwards(steady_trajectory(
+        body, backwards(from), backwards(valid_steady_forces(body, forces...)), backwards(task)));
+  else
+    return backwards(
+        any_trajectory(body, backwards(from), backwards(task), Backwards<Forces>{forces}...));
 }
 
 }  // namespace detail
