@@ -42,20 +42,23 @@ inline SimulationTask backwards(SimulationTask task) {
   return task;
 }
 
-/// A force as the film shows it, on a body or between bodies.
+/// A force on a body or between bodies, as it is or as the film shows it. One type for both, so
+/// that the solvers are compiled once.
 template <class Force>
-struct Backwards {
+struct FilmedForce {
   Force force;
+  bool backwards_in_time;
 
-  Wrench<> operator()(double s, const RigidBody<>& body,
+  Wrench<> operator()(double t, const RigidBody<>& body,
                       const Derived<>& now) const requires BodyForce<Force, double> {
-    return force(-s, body, backwards(now));
+    return backwards_in_time ? force(-t, body, backwards(now)) : force(t, body, now);
   }
-  void operator()(double s, std::span<const RigidBody<>> bodies, std::span<const Derived<>> now,
+  void operator()(double t, std::span<const RigidBody<>> bodies, std::span<const Derived<>> now,
                   std::span<Wrench<>> net) const requires SceneForce<Force, double> {
+    if (!backwards_in_time) return force(t, bodies, now, net);
     std::vector<Derived<>> then;
     for (const Derived<>& each : now) then.push_back(backwards(each));
-    force(-s, bodies, std::span<const Derived<>>(then), net);
+    force(-t, bodies, std::span<const Derived<>>(then), net);
   }
 };
 
@@ -80,6 +83,15 @@ template <class State>
 TrajectoryOf<State> backwards(const TrajectoryOf<State>& film) {
   return {std::make_shared<const BackwardsMotion<State>>(film), -film.t0(), -film.t1(),
           film.report()};
+}
+
+/// The motion of a task in either direction of time.
+/// @param forwards forwards(start, task, whether it is a film run backwards) → the motion
+template <class State, class Forwards>
+TrajectoryOf<State> in_either_direction(const Forwards& forwards, const State& from,
+                                        const SimulationTask& task) {
+  if (task.t0 < task.t1) return forwards(from, task, false);
+  return backwards(forwards(backwards(from), backwards(task), true));
 }
 
 }  // namespace tumble::detail

@@ -110,6 +110,17 @@ inline Trajectory particle_trajectory(const RigidBodyState<>& start, const stead
        .error_estimate = 1e-15});
 }
 
+/// What has no time to move.
+inline Trajectory no_time_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
+                                     const SimulationTask& task) {
+  return closed_trajectory(NoTurning{{start.q.normalized(), start.L}},
+                           steady::SteadyPath(body, start, {}), 0, task,
+                           {.method = "none: t1 is t0",
+                            .why = "there is no time to move",
+                            .tolerance = task.tolerance,
+                            .error_estimate = 1e-15});
+}
+
 inline Trajectory top_trajectory(const steady::LagrangeTop& top, const RigidBody<>& body,
                                  const PrincipalAxes& axes, const RigidBodyState<>& start,
                                  const steady::SteadyPath& path, const SimulationTask& task) {

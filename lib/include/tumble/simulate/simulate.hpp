@@ -31,12 +31,14 @@ namespace tumble {
 
 namespace detail {
 
-inline Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
-                                    const SteadyForces& forces, const SimulationTask& task) {
+/// @tparam Forces SteadyForces: so that only programs that have some pay for compiling the series
+template <std::same_as<SteadyForces> Forces>
+Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyState<>& start,
+                             const Forces& forces, const SimulationTask& task) {
   const steady::SteadyPath path(body, start, forces);
   if (task.wanted == Wanted::path_only) return particle_trajectory(start, path, task);
   const steady::SteadyTorque torque(body, forces);
-  if (torque.is_free() || torque.is_idle(torque.turning(start.q, start.L)) || task.t0 == task.t1)
+  if (torque.is_free() || torque.is_idle(torque.turning(start.q, start.L)))
     return free_trajectory(body, torque.axes(), start, path, task);
   if (const auto top = steady::LagrangeTop::from(torque, start.q, start.L))
     if (top->error_bound(task.t1 - task.t0) <= task.tolerance)
@@ -62,32 +64,20 @@ SteadyForces valid_steady_forces(const RigidBody<>& body, const Forces&... force
   return sum;
 }
 
-template <class... Forces>
-Trajectory any_trajectory(const RigidBody<>& body, const RigidBodyState<>& from,
-                          const SimulationTask& task, const Forces&... forces) {
-  const RigidBodyRhs<double, Forces...> rhs(body, forces...);
-  using Scaled = ScaledRhs<RigidBodyRhs<double, Forces...>>;
-  return AnyForces(Scaled(rhs, from, task.t0, task.t1 - task.t0), from, task).trajectory();
-}
-
+/// The motion under steady forces, or any.
+/// @param task forwards in time, of a film run backwards or not
 template <class... Forces>
 Trajectory forwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& from,
-                               const SimulationTask& task, const Forces&... forces) {
-  if constexpr ((SteadyForce<Forces> && ...))
-    return steady_trajectory(body, from, valid_steady_forces(body, forces...), task);
-  else
-    return any_trajectory(body, from, task, forces...);
-}
-
-template <class... Forces>
-Trajectory backwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& from,
-                                const SimulationTask& task, const Forces&... forces) {
-  if constexpr ((SteadyForce<Forces> && ...))
-    return backwards(steady_trajectory(
-        body, backwards(from), backwards(valid_steady_forces(body, forces...)), backwards(task)));
-  else
-    return backwards(
-        any_trajectory(body, backwards(from), backwards(task), Backwards<Forces>{forces}...));
+                               const SimulationTask& task, bool film, const Forces&... forces) {
+  if constexpr ((SteadyForce<Forces> && ...)) {
+    const SteadyForces sum = valid_steady_forces(body, forces...);
+    return steady_trajectory(body, from, film ? backwards(sum) : sum, task);
+  } else {
+    using Rhs = RigidBodyRhs<double, FilmedForce<Forces>...>;
+    const Rhs rhs(body, FilmedForce<Forces>{forces, film}...);
+    const ScaledRhs<Rhs> scaled(rhs, from, task.t0, task.t1 - task.t0);
+    return AnyForces(scaled, from, task).trajectory();
+  }
 }
 
 }  // namespace detail
@@ -109,9 +99,12 @@ Trajectory simulate(const RigidBody<>& body, const RigidBodyState<>& start,
   detail::require_valid_task(task);
   const RigidBodyState<> from = detail::valid_start(start);
   (detail::require_valid_force(forces), ...);
-  if (task.t0 == task.t1) return detail::steady_trajectory(body, from, {}, task);
-  return task.t0 < task.t1 ? detail::forwards_trajectory(body, from, task, forces...)
-                           : detail::backwards_trajectory(body, from, task, forces...);
+  if (task.t0 == task.t1) return detail::no_time_trajectory(body, from, task);
+  const auto forwards = [&](const RigidBodyState<>& at_start, const SimulationTask& in_time,
+                            bool film) {
+    return detail::forwards_trajectory(body, at_start, in_time, film, forces...);
+  };
+  return detail::in_either_direction(forwards, from, task);
 }
 
 /// @}

@@ -68,13 +68,15 @@ inline std::vector<RigidBodyState<>> valid_starts(const std::vector<RigidBodySta
 template <class F>
 concept AnyForce = BodyForce<F, double> || SceneForce<F, double>;
 
+/// @param task forwards in time, of a film run backwards or not
 template <class... Forces>
 SceneTrajectory joined_trajectory(const std::vector<RigidBody<>>& bodies,
                                   const std::vector<RigidBodyState<>>& from,
-                                  const SimulationTask& task, const Forces&... forces) {
-  const SceneRhs<double, Forces...> rhs(bodies, forces...);
-  using Scaled = ScaledSceneRhs<SceneRhs<double, Forces...>>;
-  return AnyForces(Scaled(rhs, from, task.t0, task.t1 - task.t0), from, task).trajectory();
+                                  const SimulationTask& task, bool film, const Forces&... forces) {
+  using Rhs = SceneRhs<double, FilmedForce<Forces>...>;
+  const Rhs rhs(bodies, FilmedForce<Forces>{forces, film}...);
+  const ScaledSceneRhs<Rhs> scaled(rhs, from, task.t0, task.t1 - task.t0);
+  return AnyForces(scaled, from, task).trajectory();
 }
 
 }  // namespace detail
@@ -105,10 +107,11 @@ SceneTrajectory simulate(const std::vector<RigidBody<>>& bodies,
   } else {
     (detail::require_valid_force(forces), ...);
     if (task.t0 == task.t1) return simulate(bodies, from, task);
-    if (task.t1 > task.t0) return detail::joined_trajectory(bodies, from, task, forces...);
-    return detail::backwards(detail::joined_trajectory(bodies, detail::backwards(from),
-                                                       detail::backwards(task),
-                                                       detail::Backwards<Forces>{forces}...));
+    const auto forwards = [&](const std::vector<RigidBodyState<>>& at_start,
+                              const SimulationTask& in_time, bool film) {
+      return detail::joined_trajectory(bodies, at_start, in_time, film, forces...);
+    };
+    return detail::in_either_direction(forwards, from, task);
   }
 }
 
