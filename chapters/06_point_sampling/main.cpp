@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   chapter.figure("squares", squares_figure);
   chapter.figure("cells", cells_figure);
   chapter.figure("orders", orders_figure);
+  chapter.figure(tumble::figures::sampled);
   chapter.figure("columns", columns_figure);
   return chapter.run(argc, argv);
 }

@@ -9,4 +9,7 @@ namespace tumble::figures {
 /// Figure 6.5: a ray that is dragged onto corners, counted by three rules.
 extern const support::MovingFigure corners;
 
+/// Figure 6.12: a mug that is sampled in the reader's way, and the errors on logarithmic scales.
+extern const support::MovingFigure sampled;
+
 }  // namespace tumble::figures

@@ -27,18 +27,18 @@ inline bool meets(const Vec2& a, const Vec2& b, double y, EdgeRule rule) {
   return low <= y && y < high;  // the line is moved up, by less than any number
 }
 
-/// Where the ray to the right from p meets the outline, from left to right: +1 where it leaves.
-inline std::vector<std::pair<double, int>> crossings_of(const Outline& outline, const Vec2& p,
-                                                        EdgeRule rule = EdgeRule::one) {
-  std::vector<std::pair<double, int>> list;
+/// Where a ray meets an outline, from left to right: +1 where it leaves.
+using Crossings = std::vector<std::pair<double, int>>;
+
+/// Adds those of the ray to the right from p.
+inline void add_crossings(Crossings& list, const Outline& outline, const Vec2& p, EdgeRule rule) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
     if (!meets(a, b, p.y(), rule)) continue;
     const double x = a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y());
-    if (x > p.x()) list.emplace_back(x, b.y() > a.y() ? 1 : -1);
+    const std::pair crossing(x, b.y() > a.y() ? 1 : -1);
+    if (x > p.x()) list.insert(std::upper_bound(list.begin(), list.end(), crossing), crossing);
   }
-  std::sort(list.begin(), list.end());
-  return list;
 }
 
 inline Outline closed(Outline outline) {

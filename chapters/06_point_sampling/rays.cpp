@@ -25,7 +25,9 @@ void draw_ray(Sketch& sketch, const Vec2& p, const std::string& where) {
   sketch.dot(p, "ink", 5);
   std::string sum;
   int winding = 0;
-  for (const auto& [x, sign] : crossings_of(profile(), p)) {
+  Crossings met;
+  add_crossings(met, profile(), p, EdgeRule::one);
+  for (const auto& [x, sign] : met) {
     const std::string colour = sign > 0 ? "c0" : "c1", mark = sign > 0 ? "+" : "−";
     sketch.dot({x, p.y()}, colour, 5);
     sketch.words({x, p.y()}, {6, -7}, mark, colour);

@@ -50,15 +50,9 @@ const std::array<Outline, 2>& section() {
   return outlines;
 }
 
-using Crossings = std::vector<std::pair<double, int>>;
-
 Crossings crossings(const Vec2& p, EdgeRule by) {
   Crossings all;
-  for (const Outline& outline : section()) {
-    const Crossings some = crossings_of(outline, p, by);
-    all.insert(all.end(), some.begin(), some.end());
-  }
-  std::sort(all.begin(), all.end());
+  for (const Outline& outline : section()) add_crossings(all, outline, p, by);
   return all;
 }
 
