@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "03_rotation_matrices/conditions.hpp"
 #include "03_rotation_matrices/favourite.hpp"
 #include "03_rotation_matrices/moving_figures.hpp"
 #include "03_rotation_matrices/paper_rotation.hpp"
@@ -98,38 +99,6 @@ void draw_arrows(Sketch& sketch, const Mat3& M, double x) {
 
 // ── The numbers ──
 
-struct Condition {
-  const char* name;
-  Eigen::Index i, j;
-};
-constexpr std::array<Condition, 6> conditions{{{"x · x", 0, 0},
-                                               {"y · y", 1, 1},
-                                               {"z · z", 2, 2},
-                                               {"x · y", 0, 1},
-                                               {"y · z", 1, 2},
-                                               {"z · x", 2, 0}}};
-
-/// The six dot products; red are those that are not as in a rotation.
-void draw_conditions(Sketch& sketch, const Mat3& M, double x, double y) {
-  constexpr double column = 115, row = 24, seen_as_equal = 0.005;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const auto& [name, i, j] = conditions[k];
-    const double product = M.col(i).dot(M.col(j)), wanted = i == j ? 1 : 0;
-    sketch.words({x + column * static_cast<double>(k % 3), -y - (k < 3 ? 0 : row)}, {0, 0},
-                 name + (" = " + svg_number(product, 2)),
-                 std::abs(product - wanted) < seen_as_equal ? "ink" : "c6", "middle");
-  }
-}
-
-/// How far from a rotation, to three digits, however near it is.
-std::string small_number(double value) {
-  if (value < 1e-13) return "0, but for rounding";
-  if (value >= 0.001) return svg_number(value, 3);
-  int exponent = 0;
-  for (; value < 1; value *= 10) --exponent;
-  return svg_number(value, 1) + "e" + svg_number(exponent, 0);
-}
-
 void draw_numbers(Sketch& sketch, const Mat3& M, const std::string& name, double x) {
   draw_matrix(sketch, M, name, {x - 83, 405, 66, 28});
   sketch.look({0, 0, 1});
@@ -140,18 +109,6 @@ void draw_numbers(Sketch& sketch, const Mat3& M, const std::string& name, double
   const std::string transposed = name == "M" ? "‖MᵀM − 1‖ = " : "‖RᵀR − 1‖ = ";
   line(530, transposed + small_number(rotation::orthonormality_error(M)));
   line(554, "det " + name + " = " + svg_number(M.determinant(), 3));
-}
-
-/// How far the repair has turned each column.
-std::string turned_by(const Mat3& M, const Mat3& R) {
-  std::string text = "turned: ";
-  const std::array<const char*, 3> names{"x", ", y", ", z"};
-  for (Eigen::Index j = 0; j < 3; ++j) {
-    const Vec3 m = M.col(j), r = R.col(j);
-    const double angle = std::atan2(m.cross(r).norm(), m.dot(r)) / degree;
-    text += std::string(names[static_cast<std::size_t>(j)]) + " by " + svg_number(angle, 1) + "°";
-  }
-  return text;
 }
 
 void draw_repaired(Sketch& sketch, const Mat3& M, const Repair& chosen) {

@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "06_point_sampling/moving_figures.hpp"
-#include "06_point_sampling/placed_mug.hpp"
-#include "06_point_sampling/point_sets.hpp"
+#include "06_point_sampling/sampling_runs.hpp"
 #include "objects/plain_mug.hpp"
 #include "support/box_edges.hpp"
 #include "support/facets.hpp"
 #include "support/space_sketch.hpp"
-#include "tumble/mass/mirtich/volume_integrals.hpp"
-#include "tumble/mass/point_sampling.hpp"
-#include "tumble/mass/solids/placed.hpp"
-#include "tumble/mesh/reference_point.hpp"
-#include "tumble/mesh/windings.hpp"
 
 namespace point_sampling_chapter::sampled_figure {
 
@@ -31,74 +25,10 @@ using support::svg_number;
 using support::Vec2;
 
 enum Which { doublings, set, placement };
-constexpr int fewest = 8, most = 14, all_placements = 16;
 constexpr std::array<Control, 3> controls{
     {{"k", "points, 2ᵏ, k", "", fewest, most, 1, 12},
      {"points", "kind of points", "", 0, 3, 1, 0, "random|grid|stratified|R3"},
      {"placement", "placement of the mug", "", 1, all_placements, 1, 5}}};
-constexpr int sets = 4;
-
-/// So many points of a set, thrown at the mug in one placement.
-struct Run {
-  int set, k, placement;
-
-  int number() const { return 1 << k; }
-  Seed seed() const { return static_cast<Seed>(placement); }
-};
-
-const std::vector<Placement>& places() {
-  static const std::vector<Placement> list = placements(all_placements);
-  return list;
-}
-const Placement& place_of(const Run& run) {
-  return places()[static_cast<std::size_t>(run.placement - 1)];
-}
-
-const MassProperties& truth() {
-  static const Vec3 middle = tumble::detail::reference_point(mug());
-  static const MassProperties exact =
-      mass_properties(mirtich::volume_integrals(mug(), middle), middle, mug_density);
-  return exact;
-}
-
-/// The mug as a solid. It is closed, so nothing has to be checked.
-struct MugItself {
-  static const tumble::detail::Windings& surface() {
-    static const tumble::detail::Windings made(mug());
-    return made;
-  }
-  static bool contains(const Vec3& p) { return surface().contains(p); }
-  static Eigen::AlignedBox3d bounds() { return surface().bounds(); }
-};
-
-solids::Placed<MugItself> body_of(const Run& run) {
-  return solids::placed(MugItself{}, place_of(run).R, place_of(run).x);
-}
-
-/// What a run finds, computed once.
-const MassProperties& found(const Run& run) {
-  static std::vector<MassProperties> known(sets * (most + 1) * all_placements, MassProperties{});
-  const int index = (run.set * (most + 1) + run.k) * all_placements + run.placement - 1;
-  MassProperties& here = known[static_cast<std::size_t>(index)];
-  if (!(here.mass > 0))
-    here =
-        with_points(run.set, run.number(), run.seed(), [&](const auto& points) -> MassProperties {
-          return sampling::sample_mass_properties(body_of(run), mug_density, points);
-        });
-  return here;
-}
-
-double error_of(const Run& run) {
-  return inertia_error(found(run).inertia, rotate_inertia(place_of(run).R, truth().inertia));
-}
-
-/// The geometric mean over all placements.
-double typical_error(const Run& run) {
-  double sum = 0;
-  for (int i = 1; i <= all_placements; ++i) sum += std::log(error_of({run.set, run.k, i}));
-  return std::exp(sum / all_placements);
-}
-
 // ── The mug in its box ──
 
 void draw_mug(Sketch& sketch, const Run& run) {
@@ -178,7 +108,7 @@ void draw_numbers(Sketch& sketch, const Run& run) {
   };
   line(478,
        "mass " + svg_number(1000 * found(run).mass, 1) + " g; exactly " +
-           svg_number(1000 * truth().mass, 1) + " g",
+           svg_number(1000 * truth_of_the_mug().mass, 1) + " g",
        "ink");
   line(504, "its inertia, in this placement: off by " + percent(error_of(run)), "c1");
   line(530, "typical of the sixteen placements: " + percent(typical_error(run)), "c0");

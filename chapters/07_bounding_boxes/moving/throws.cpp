@@ -9,14 +9,11 @@
 
 #include "07_bounding_boxes/askew_box.hpp"
 #include "07_bounding_boxes/moving_figures.hpp"
-#include "objects/objects.hpp"
-#include "objects/racket_lines.hpp"
+#include "07_bounding_boxes/racket_itself.hpp"
 #include "support/box_edges.hpp"
 #include "support/space_sketch.hpp"
 #include "tumble/body/derived.hpp"
 #include "tumble/free_body/free_trajectory.hpp"
-#include "tumble/mass/mirtich/volume_integrals.hpp"
-#include "tumble/mesh/reference_point.hpp"
 #include "tumble/quaternion/convert.hpp"
 #include "tumble/rotation/euler_angles.hpp"
 
@@ -39,30 +36,6 @@ constexpr std::array<Control, 5> controls{
      {"up", "head up by", "°", -90, 90, 1, 25},
      {"rolled", "rolled by", "°", -90, 90, 1, 0},
      {"axis", "spun about its", "", 0, 2, 1, 1, "easiest axis|middle axis|hardest axis"}}};
-
-/// The racket about its centre of mass.
-struct Racket {
-  Points points;
-  MassProperties truth;
-  PrincipalAxes axes;
-  objects::RacketLines lines;
-};
-
-const Racket& racket_itself() {
-  static const Racket made = [] {
-    PolygonMesh mesh = objects::tennis_racket(1);
-    const Vec3 middle = tumble::detail::reference_point(mesh);
-    const MassProperties truth =
-        mass_properties(mirtich::volume_integrals(mesh, middle), middle, objects::ash_wood);
-    objects::RacketLines lines = objects::racket_lines();
-    for (auto* part : {&lines.frame, &lines.strings, &lines.throat, &lines.handle})
-      for (std::vector<Vec3>& line : *part)
-        for (Vec3& p : line) p -= truth.centre;
-    for (Vec3& p : mesh.vertices) p -= truth.centre;
-    return Racket{mesh.vertices, truth, principal_axes(truth.inertia), lines};
-  }();
-  return made;
-}
 
 /// How the racket lies when it gets its box.
 Mat3 lie(Settings now) {
