@@ -30,9 +30,9 @@ using support::Vec2;
 enum Which { arrow, by_x, by_y, by_z, repair };
 constexpr std::array<Control, 5> controls{
     {{"arrow", "you pull", "", 0, 2, 1, 1, "x|y|z"},
-     {"x", "along the world's x by", "", -1, 1, 0.01, 0.16},
-     {"y", "along its y by", "", -1, 1, 0.01, 0.43},
-     {"z", "along its z by", "", -1, 1, 0.01, 0.18},
+     {"x", "along world x by", "", -1, 1, 0.01, 0.16},
+     {"y", "along world y by", "", -1, 1, 0.01, 0.43},
+     {"z", "along world z by", "", -1, 1, 0.01, 0.18},
      {"repair", "repair", "", 0, 5, 1, 5,
       "Gram–Schmidt, x first|Gram–Schmidt, y first|Gram–Schmidt, z first|one Newton step|two "
       "Newton "

@@ -34,7 +34,7 @@ constexpr std::array<Control, 5> controls{
     {{"t", "time", "s", 0, film, 0.02, 1},
      {"around", "turned about z by", "°", -180, 180, 1, 35},
      {"up", "head up by", "°", -90, 90, 1, 25},
-     {"rolled", "rolled by", "°", -90, 90, 1, 0},
+     {"rolled", "rolled about its handle by", "°", -90, 90, 1, 0},
      {"axis", "spun about its", "", 0, 2, 1, 1, "easiest axis|middle axis|hardest axis"}}};
 
 /// How the racket lies when it gets its box.
@@ -105,7 +105,7 @@ void draw_box(Sketch& sketch, const Mat3& R, const boxes::OrientedBox& box, doub
        millimetres(box.size[0]) + " × " + millimetres(box.size[1]) + " × " +
            millimetres(box.size[2]) + " mm",
        "c6");
-  line(410, svg_number(box.volume() / volume, 1) + " times its volume", "c6");
+  line(410, svg_number(box.volume() / volume, 1) + " times the racket's volume", "c6");
   line(434, "δ = " + svg_number(difference, 3), "c6");
 }
 
