@@ -40,7 +40,10 @@ inline std::string small_number(double value) {
   if (value < 1e-13) return "0, but for rounding";
   if (value >= 0.001) return support::svg_number(value, 3);
   int exponent = 0;
-  for (; value < 1; value *= 10) --exponent;
+  while (value < 1) {
+    value *= 10;
+    --exponent;
+  }
   return support::svg_number(value, 1) + "e" + support::svg_number(exponent, 0);
 }
 

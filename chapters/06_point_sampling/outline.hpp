@@ -33,7 +33,7 @@ using Crossings = std::vector<std::pair<double, int>>;
 /// Adds those of the ray to the right from p.
 inline void add_crossings(Crossings& list, const Outline& outline, const Vec2& p, EdgeRule rule) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
     if (!meets(a, b, p.y(), rule)) continue;
     const double x = a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y());
     const std::pair crossing(x, b.y() > a.y() ? 1 : -1);
