@@ -12,35 +12,6 @@ namespace {
 
 using support::Pen, support::Sketch, support::SpaceSketch, support::Vec2;
 
-const std::array<Pen, 3> column_pens{Pen{"c0", 2.6}, {"c1", 2.6}, {"c2", 2.6}};
-
-/// A matrix of three columns, each in its colour.
-/// @param left  [px] of its left bracket
-void draw_matrix(Sketch& sketch, const Mat3& R, double left, double middle) {
-  constexpr double column = 74, row = 34;
-  const double right = left + 3 * column + 8;
-  sketch.look({0, 0, 1});
-  for (const double side : {left, right}) {
-    const double inwards = side == left ? 8 : -8, half = 1.5 * row + 4;
-    sketch.curve({{side + inwards, -middle + half},
-                  {side, -middle + half},
-                  {side, -middle - half},
-                  {side + inwards, -middle - half}},
-                 {"ink", 1.6});
-  }
-  const std::array<std::string, 3> names{"x", "y", "z"};
-  for (Eigen::Index j = 0; j < 3; ++j) {
-    const auto index = static_cast<std::size_t>(j);
-    const double x = left + 4 + column * (static_cast<double>(j) + 0.5);
-    const std::string& colour = column_pens[index].colour;
-    sketch.words({x, -middle + 2 * row}, {0, 0}, names[index], colour, "middle");
-    for (Eigen::Index i = 0; i < 3; ++i)
-      sketch.words({x, -middle + row * static_cast<double>(1 - i)}, {0, 6},
-                   support::svg_number(R(i, j), 2), colour, "middle");
-  }
-  sketch.words({left, -middle}, {-14, 6}, "R =", "ink", "end");
-}
-
 }  // namespace
 
 std::string columns_figure() {
@@ -56,7 +27,7 @@ std::string columns_figure() {
   sketch.look({60, 300, 1});
   SpaceSketch(sketch, view).world_axes(Vec3::Zero(), 46);
   sketch.words({0, 0}, {0, 50}, "world", "ink", "middle");
-  draw_matrix(sketch, R, 488, 170);
+  draw_matrix(sketch, R, "R", {488, 170, 74, 34});
   return sketch.svg();
 }
 

@@ -2,6 +2,7 @@
 /// Gram–Schmidt and Newton's iteration with numbers that fit on paper.
 
 #include "common.hpp"
+#include "favourite.hpp"
 #include "parts.hpp"
 
 namespace rotation_matrices_chapter {
@@ -39,12 +40,8 @@ Table favourite_table() {
   const auto add = [&](const std::string& name, const Mat3& R) {
     table.add({name, in_brackets(R.col(0)), in_brackets(R.col(1)), number((R - M).norm(), 3)});
   };
-  add("x first", rotation::gram_schmidt(M));
-  Mat3 cycled, repaired;
-  cycled << M.col(1), M.col(2), M.col(0);  // still right-handed
-  const Mat3 R = rotation::gram_schmidt(cycled);
-  repaired << R.col(2), R.col(0), R.col(1);
-  add("y first", repaired);
+  add("x first", gram_schmidt_from(M, 0));
+  add("y first", gram_schmidt_from(M, 1));
   add("none: nearest", nearest_rotation(M));
   return table;
 }

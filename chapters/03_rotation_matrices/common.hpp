@@ -1,13 +1,12 @@
 #pragma once
 /// @file
-/// What the chapter's programs share: how numbers are written, and the one rotation that goes
-/// through the whole chapter.
+/// What the chapter's programs share: how numbers are written, and how far apart two orientations
+/// are.
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
-#include "support/space_sketch.hpp"
+#include "paper_rotation.hpp"
 #include "support/table.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/rotation.hpp"
@@ -19,8 +18,6 @@ using support::error_number;
 using support::number;
 using support::Table;
 
-inline constexpr double degree = std::numbers::pi / 180;
-
 /// How far apart two orientations are [rad].
 inline double angle_apart(const Mat3& A, const Mat3& B) {
   return log_rotation(A.transpose() * B).norm();
@@ -31,13 +28,6 @@ inline std::string in_brackets(const Vec3& v) {
   std::string text;
   for (const double x : v) text += (text.empty() ? "" : ", ") + support::svg_number(x, 3);
   return "(" + text + ")";
-}
-
-/// A rotation that fits on paper.
-inline Mat3 paper_rotation() {
-  Mat3 R;
-  R << 0.6, -0.64, 0.48, 0.8, 0.48, -0.36, 0, 0.6, 0.8;
-  return R;
 }
 
 /// From the front, a little to the right and above: x to the right, y away, z up.

@@ -1,6 +1,7 @@
 /// @file
 /// Chapter 3: what the order of three turns does, how a rotation matrix drifts, and what each
 /// repair costs and gives back.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   chapter.figure("drift", drift_figure);
   chapter.figure("gram_schmidt", gram_schmidt_figure);
   chapter.figure("ellipsoid", ellipsoid_figure);
+  chapter.figure(tumble::figures::pulled);
   chapter.figure("repair", repair_figure);
   return chapter.run(argc, argv);
 }

@@ -2,9 +2,10 @@
 /// What a formula cannot show: a point in two frames, and an arm with a force and its torque.
 
 #include "common.hpp"
+#include "objects/racket_lines.hpp"
 #include "parts.hpp"
-#include "racket_lines.hpp"
 #include "support/space_sketch.hpp"
+#include "thrown_objects.hpp"
 
 namespace momentum_chapter {
 
@@ -13,7 +14,7 @@ namespace {
 using support::Pen, support::Sketch, support::SpaceSketch;
 
 void draw_racket_in_space(SpaceSketch& space, const Derived<>& now, const Vec3& centre) {
-  const RacketLines lines = racket_lines();
+  const objects::RacketLines lines = objects::racket_lines();
   const auto draw = [&](const std::vector<std::vector<Vec3>>& part, const Pen& pen) {
     for (const std::vector<Vec3>& line : part) {
       std::vector<Vec3> points;

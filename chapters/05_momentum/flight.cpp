@@ -6,8 +6,8 @@
 
 #include "common.hpp"
 #include "objects/objects.hpp"
+#include "objects/racket_lines.hpp"
 #include "parts.hpp"
-#include "racket_lines.hpp"
 #include "thrown_objects.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
 
@@ -28,7 +28,7 @@ auto thrown_racket(int count) {
 Vec2 from_the_side(const Vec3& p) { return {p.x(), p.z()}; }
 
 void draw_racket(support::Sketch& sketch, const Derived<>& now, const Vec3& centre) {
-  static const RacketLines lines = racket_lines();
+  static const objects::RacketLines lines = objects::racket_lines();
   const auto draw = [&](const std::vector<std::vector<Vec3>>& part, const support::Pen& pen) {
     std::vector<std::vector<Vec2>> seen;
     for (const auto& line : part) {

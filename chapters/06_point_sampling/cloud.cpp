@@ -3,6 +3,8 @@
 
 #include "common.hpp"
 #include "parts.hpp"
+#include "point_sets.hpp"
+#include "support/box_edges.hpp"
 
 namespace point_sampling_chapter {
 
@@ -11,17 +13,6 @@ namespace {
 /// Mug upright, seen from a little above.
 Mat3 upright() {
   return axis_rotation(0, 0.42) * axis_rotation(0, -pi / 2) * axis_rotation(2, -0.5);
-}
-
-std::vector<Vec3> points_inside(const MeshSolid& solid, int tried) {
-  std::vector<Vec3> inside;
-  sampling::R3Points points(tried);
-  const Eigen::AlignedBox3d& box = solid.bounds();
-  for (int i = 0; i < tried; ++i) {
-    const Vec3 p = box.min() + points.next().cwiseProduct(box.sizes());
-    if (solid.contains(p)) inside.push_back(p);
-  }
-  return inside;
 }
 
 /// What the viewer sees of a place in the mug's coordinates, the middle of its box as the origin.
@@ -33,7 +24,7 @@ const std::array<std::string, 5> colours{"c0", "c7", "c2", "c4", "c1"};
 void draw_cloud(support::Sketch& sketch, int tried, double pixels) {
   constexpr std::array<double, 4> borders{0.022, 0.036, 0.041, 0.05};  // [m]
   std::array<std::vector<Vec2>, 5> bands;
-  for (const Vec3& p : points_inside(mug_solid(), tried)) {
+  for (const Vec3& p : points_inside(mug_solid(), sampling::R3Points(tried))) {
     const double distance = (p - mug_truth().centre).head<2>().norm();
     const auto band = std::upper_bound(borders.begin(), borders.end(), distance) - borders.begin();
     bands[static_cast<std::size_t>(band)].push_back(seen(p));
@@ -52,16 +43,8 @@ void draw_key(support::Sketch& sketch) {
 
 void draw_box(support::Sketch& sketch) {
   const Eigen::AlignedBox3d box = mug_solid().bounds();
-  std::vector<std::vector<Vec2>> edges;
-  for (int i = 0; i < 8; ++i)
-    for (const int bit : {1, 2, 4})
-      if ((i & bit) == 0) {
-        const auto corner = [&box](int k) {
-          return seen(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)));
-        };
-        edges.push_back({corner(i), corner(i | bit)});
-      }
-  sketch.curves(edges, {"faint", 0.8});
+  const Mat3 edges = box.sizes().asDiagonal();
+  sketch.curves(support::box_edges(Vec3::Zero(), edges, upright()), {"faint", 0.8});
 }
 
 }  // namespace

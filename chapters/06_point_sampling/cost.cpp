@@ -3,9 +3,9 @@
 
 #include "common.hpp"
 #include "die.hpp"
-#include "mug_methods.hpp"
 #include "parts.hpp"
 #include "support/stopwatch.hpp"
+#include "typical_errors.hpp"
 
 namespace point_sampling_chapter {
 

@@ -3,14 +3,12 @@
 
 #include "common.hpp"
 #include "die.hpp"
+#include "outline.hpp"
 #include "parts.hpp"
 
 namespace point_sampling_chapter {
 
 namespace {
-
-/// What is done with a ray that passes exactly through an edge of a triangle.
-enum class EdgeRule { both, none, one };
 
 /// Whether the vertical line through p meets the triangle, by the rule.
 bool meets(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, EdgeRule rule) {

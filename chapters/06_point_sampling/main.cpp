@@ -1,5 +1,6 @@
 /// @file
 /// Chapter 6: mass properties by asking points whether they are inside.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -26,12 +27,14 @@ int main(int argc, char** argv) {
   chapter.figure("rays", rays_figure);
   chapter.figure("sides", sides_figure);
   chapter.figure("edge", edge_figure);
+  chapter.figure(tumble::figures::corners);
   chapter.figure("csg", csg_figure);
   chapter.figure("swing", swing_figure);
   chapter.figure("far", far_figure);
   chapter.figure("squares", squares_figure);
   chapter.figure("cells", cells_figure);
   chapter.figure("orders", orders_figure);
+  chapter.figure(tumble::figures::sampled);
   chapter.figure("columns", columns_figure);
   return chapter.run(argc, argv);
 }

@@ -2,10 +2,10 @@
 /// How the error falls with the number of points or columns, and how honest its estimate is.
 
 #include "common.hpp"
-#include "mug_methods.hpp"
 #include "parts.hpp"
 #include "support/plot.hpp"
 #include "tumble/ode/observed_order.hpp"
+#include "typical_errors.hpp"
 
 namespace point_sampling_chapter {
 

@@ -2,6 +2,7 @@
 /// Rays through the wall of a mug, and a triangle as a ray sees it.
 
 #include "common.hpp"
+#include "outline.hpp"
 #include "parts.hpp"
 
 namespace point_sampling_chapter {
@@ -9,31 +10,12 @@ namespace point_sampling_chapter {
 namespace {
 
 using support::Sketch;
-using Outline = std::vector<Vec2>;
 
 /// A mug cut open, without its handle; anticlockwise, in its own heights.
 const Outline& profile() {
   static const Outline outline{{0, 0},       {1, 0},       {1, 1.1},    {0.86, 1.1},
                                {0.86, 0.16}, {0.14, 0.16}, {0.14, 1.1}, {0, 1.1}};
   return outline;
-}
-
-Outline closed(Outline outline) {
-  outline.push_back(outline.front());
-  return outline;
-}
-
-/// Where the ray to the right from p meets the outline, from left to right: +1 where it leaves.
-std::vector<std::pair<double, int>> crossings_of(const Outline& outline, const Vec2& p) {
-  std::vector<std::pair<double, int>> list;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    const double x = a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y());
-    if (x > p.x()) list.emplace_back(x, b.y() > a.y() ? 1 : -1);
-  }
-  std::sort(list.begin(), list.end());
-  return list;
 }
 
 /// The ray, a mark at each crossing, and the sum behind it.
@@ -43,7 +25,9 @@ void draw_ray(Sketch& sketch, const Vec2& p, const std::string& where) {
   sketch.dot(p, "ink", 5);
   std::string sum;
   int winding = 0;
-  for (const auto& [x, sign] : crossings_of(profile(), p)) {
+  Crossings met;
+  add_crossings(met, profile(), p, EdgeRule::one);
+  for (const auto& [x, sign] : met) {
     const std::string colour = sign > 0 ? "c0" : "c1", mark = sign > 0 ? "+" : "−";
     sketch.dot({x, p.y()}, colour, 5);
     sketch.words({x, p.y()}, {6, -7}, mark, colour);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "askew_box.hpp"
 #include "objects/objects.hpp"
 #include "support/random.hpp"
 #include "support/sketch.hpp"
@@ -24,9 +25,6 @@ using support::Random;
 using support::svg_number;
 using support::Table;
 using support::Vec2;
-using Points = std::vector<Vec3>;
-
-constexpr double pi = std::numbers::pi, degree = pi / 180;
 
 // ── The objects ──
 
@@ -72,18 +70,7 @@ inline const std::vector<Mat3>& turns() {
   return list;
 }
 
-inline Points turned(Points points, const Mat3& R) {
-  for (Vec3& p : points) p = R * p;
-  return points;
-}
-
 // ── Boxes ──
-
-/// The box along the world's axes of an object that is turned by R, seen from the object.
-inline boxes::OrientedBox askew_box(const Points& points, const Mat3& R) {
-  const boxes::OrientedBox box = boxes::aligned_box(turned(points, R));
-  return {R.transpose() * box.centre, R.transpose(), box.size};
-}
 
 /// The box, full of mass at the density of the body.
 inline MassProperties at_density(const boxes::OrientedBox& box, const Thing& body) {

@@ -4,23 +4,15 @@
 #include "common.hpp"
 #include "cube_with_a_vertex.hpp"
 #include "parts.hpp"
+#include "support/box_edges.hpp"
 #include "support/sphere_curves.hpp"
 
 namespace bounding_boxes_chapter {
 
 namespace {
 
-/// The twelve edges of a box, as a viewer sees them.
 std::vector<std::vector<Vec2>> edges_of(const boxes::OrientedBox& box, const Mat3& view) {
-  const auto corner = [&](int i) -> Vec2 {
-    const Vec3 half = Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1).cwiseProduct(box.size);
-    return (view * (box.centre + box.R * half / 2)).head<2>();
-  };
-  std::vector<std::vector<Vec2>> edges;
-  for (int i = 0; i < 8; ++i)
-    for (const int bit : {1, 2, 4})
-      if ((i & bit) == 0) edges.push_back({corner(i), corner(i | bit)});
-  return edges;
+  return support::box_edges(box.centre, box.R * box.size.asDiagonal(), view);
 }
 
 }  // namespace

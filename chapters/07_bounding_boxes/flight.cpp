@@ -52,13 +52,6 @@ std::string ratio_text(const Mat3& I) {
          " : 1";
 }
 
-/// The largest change of a moment about any axis, when each tensor is divided by its own largest
-/// moment: a free flight knows of no other difference.
-double shape_difference(const Mat3& A, const Mat3& B) {
-  const auto shape = [](const Mat3& I) -> Mat3 { return I / principal_axes(I).moments[2]; };
-  return principal_axes(shape(A) - shape(B)).moments.cwiseAbs().maxCoeff();
-}
-
 /// The axes from the easiest to the hardest: z < x < y.
 std::string order_text(const Mat3& I) {
   std::array<int, 3> axes{0, 1, 2};

@@ -1,5 +1,6 @@
 /// @file
 /// Chapter 7: boxes in the place of bodies, and what that does to mass, inertia and motion.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   chapter.figure("between", between_figure);
   chapter.figure("equivalent", equivalent_figure);
   chapter.figure("rule", rule_figure);
+  chapter.figure(tumble::figures::throws);
   chapter.figure("far", far_figure);
   return chapter.run(argc, argv);
 }

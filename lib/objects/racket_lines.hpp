@@ -2,12 +2,12 @@
 /// @file
 /// A tennis racket as a drawing in lines.
 
+#include <cmath>
 #include <vector>
 
-#include "common.hpp"
-#include "thrown_objects.hpp"
+#include "objects/tennis_racket.hpp"
 
-namespace momentum_chapter {
+namespace tumble::objects {
 
 /// The lines of a racket, in the mesh's coordinates.
 struct RacketLines {
@@ -15,7 +15,7 @@ struct RacketLines {
 };
 
 inline RacketLines racket_lines() {
-  using objects::head_length, objects::head_width;
+  constexpr double degree = pi / 180;
   RacketLines lines;
   lines.frame.emplace_back();
   for (int i = 0; i <= 36; ++i)
@@ -32,4 +32,4 @@ inline RacketLines racket_lines() {
   return lines;
 }
 
-}  // namespace momentum_chapter
+}  // namespace tumble::objects
