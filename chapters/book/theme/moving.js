@@ -191,7 +191,7 @@ const tumbleMoving = (function () {
     }
 
     listen() {
-      this.place.classList.add("moving-drags");
+      (this.place.closest(".scroll") ?? this.place).classList.add("moving-drags");
       let last = null;
       const drag = (event) => {
         const [x, y] = this.at(event);
