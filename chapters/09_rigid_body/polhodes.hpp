@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "reference/polhode_round.hpp"
 #include "support/sphere_curves.hpp"
-#include "tumble/elliptic/integrals.hpp"
-#include "tumble/free_body/free_trajectory.hpp"
 
 namespace rigid_body_chapter {
 
@@ -20,22 +19,9 @@ using support::Vec2;
 using support::visible;
 using support::Way;
 
-/// The way that leads through a direction of L. The body starts with its principal axes along the
-/// world's.
+/// The way that leads through a direction of L.
 inline std::vector<Vec3> way_through(const Vec3& moments, const Vec3& direction) {
-  const RigidBody<> body(1, moments.asDiagonal());
-  const RigidBodyState<> start{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), direction};
-  const auto polhode = elliptic::polhode_of(principal_axes(body.I_body()), start.q, start.L);
-  const double round = 4 * elliptic::complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) /
-                       std::abs(polhode->lambda);
-  const FreeTrajectory motion(body, start);
-  std::vector<Vec3> points;
-  constexpr int count = 72;
-  for (int i = 0; i <= count; ++i) {
-    const Quat q = motion.at(round * (i + 0.5) / count).q;
-    points.push_back(to_matrix(q).transpose() * direction);
-  }
-  return points;
+  return reference::polhode_round(moments, direction, 72, 0.5);
 }
 
 /// The two circles through the middle axis that part the ways, L₁²(1/A − 1/B) = L₃²(1/B − 1/C).

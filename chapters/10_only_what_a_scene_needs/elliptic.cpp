@@ -4,6 +4,7 @@
 
 #include "common.hpp"
 #include "parts.hpp"
+#include "reference/polhode_round.hpp"
 #include "tumble/elliptic/complementary_theta_series.hpp"
 #include "tumble/elliptic/theta_series.hpp"
 
@@ -44,26 +45,12 @@ std::string sn_figure() {
 
 namespace {
 
-/// L in a body with these moments, in its own axes, at moments that part one round evenly.
-std::vector<Vec3> round_of(const Vec3& moments, const Vec3& direction, int count) {
-  const RigidBody<> body(1, moments.asDiagonal());
-  const RigidBodyState<> start{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), direction};
-  const auto polhode = elliptic::polhode_of(principal_axes(body.I_body()), start.q, start.L);
-  const double round = 4 * elliptic::complete_elliptic_k(std::sqrt(polhode->modulus.kc2)) /
-                       std::abs(polhode->lambda);
-  const FreeTrajectory motion(body, start);
-  std::vector<Vec3> points;
-  for (int i = 0; i <= count; ++i)
-    points.push_back(to_matrix(motion.at(round * i / count).q).transpose() * direction);
-  return points;
-}
-
 /// A way of L, with a dot for each of `dots` equal times.
 void draw_clock(support::Sketch& sketch, const Vec3& direction, const std::string& colour,
                 int dots) {
   constexpr int between = 9;
   const Mat3 view = sphere_view();
-  const Way way{round_of({1, 2, 3}, direction, between * dots), {colour, 1.3}};
+  const Way way{reference::polhode_round({1, 2, 3}, direction, between * dots), {colour, 1.3}};
   sketch.curves(visible(way, view, false), {colour, 1, 0.3});
   sketch.curves(visible(way, view, true), way.pen);
   std::vector<Vec2> near;

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// A motion from late to early: the motion that a film shows which is run backwards. With s = −t
-/// all velocities and momenta have the other sign, and the forces are what they were.
+/// A motion from late to early is what a film of it shows that runs backwards. With s = −t all
+/// velocities and momenta have the other sign, and the forces are what they were.
 
 #include <memory>
 #include <utility>
