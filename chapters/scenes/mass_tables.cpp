@@ -8,10 +8,13 @@
 namespace tumble::scenes {
 namespace {
 
-std::string numbers(std::initializer_list<double> list) {
+std::string numbers(std::initializer_list<double> list, int digits = 16) {
   std::string text;
-  for (const double x : list)
-    text += (text.empty() ? "" : "  ") + (std::isnan(x) ? "-" : support::number(x, 16));
+  for (const double x : list) {
+    const double no_minus_zero = x + 0.0;
+    text +=
+        (text.empty() ? "" : "  ") + (std::isnan(x) ? "-" : support::number(no_minus_zero, digits));
+  }
   return text;
 }
 
@@ -47,18 +50,13 @@ using Cells = std::vector<std::string>;
 /// A row with six digits of everything, between the cells that come before it and behind it.
 void add_row(support::Table& table, Cells row, double volume, const MassProperties& body,
              const Cells& behind) {
-  const auto list = [](std::initializer_list<double> values) {
-    std::string text;
-    for (const double x : values)
-      text += (text.empty() ? "" : "  ") + support::number(x + 0.0, 6);  // no −0
-    return text;
-  };
   const Mat3& I = body.inertia;
   const Vec3& c = body.centre;
-  for (const std::string& cell :
-       {std::isnan(volume) ? "-" : list({volume}), list({body.mass}), list({c.x(), c.y(), c.z()}),
-        list({I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(1, 2), I(2, 0)})})
-    row.push_back(cell);
+  const auto add = [&row](std::initializer_list<double> list) { row.push_back(numbers(list, 6)); };
+  add({volume});
+  add({body.mass});
+  add({c.x(), c.y(), c.z()});
+  add({I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(1, 2), I(2, 0)});
   row.insert(row.end(), behind.begin(), behind.end());
   table.add(row);
 }

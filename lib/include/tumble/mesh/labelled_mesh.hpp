@@ -29,6 +29,8 @@ struct LabelledFaces {
   int first;  ///< a face, from 0
   int end;    ///< the face behind the last one
   int label;  ///< index into LabelledMesh::labels
+
+  bool operator==(const LabelledFaces&) const = default;
 };
 
 /// A mesh whose faces have labels.
