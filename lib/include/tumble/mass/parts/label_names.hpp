@@ -2,9 +2,10 @@
 /// @file
 /// The names of labels, one by one and in words.
 
+#include <algorithm>
+#include <array>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tumble/mesh/labelled_mesh.hpp"

@@ -3,6 +3,7 @@
 /// Findings about a part of a mesh, with the numbers that faces and vertices have in the whole.
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -29,12 +30,12 @@ std::string renumbered(const std::string& message, const FaceText& face, const V
     const std::size_t sign = std::min(message.find('#', at), message.size());
     text += message.substr(at, sign - at);
     if (sign == message.size()) break;
-    std::size_t end = sign + 1;
-    while (end < message.size() && message[end] >= '0' && message[end] <= '9') ++end;
-    const int index = std::stoi(message.substr(sign + 1, end - sign - 1)) - 1;
-    text += "#" + (counts_vertices(std::string_view(message).substr(0, sign)) ? vertex(index)
-                                                                              : face(index));
-    at = end;
+    int number = 0;
+    const char* const digits = message.data() + sign + 1;
+    const char* const end = std::from_chars(digits, message.data() + message.size(), number).ptr;
+    text += "#" + (counts_vertices(std::string_view(message).substr(0, sign)) ? vertex(number - 1)
+                                                                              : face(number - 1));
+    at = static_cast<std::size_t>(end - message.data());
   }
   return text;
 }
