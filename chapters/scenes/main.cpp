@@ -10,8 +10,8 @@ void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
       ->required();
   CLI::Option* const density =
       app.add_option("--density", mass.density,
-                     "[kg/m³]; it is 1 if you don't say. NAME=NUMBER, once for each material, "
-                     "group or object of an OBJ file, if the body is made of several")
+                     "[kg/m³]; it is 1 if you don't say. If the body has parts: NAME=NUMBER, once "
+                     "for each material, group or object of the OBJ file")
           ->allow_extra_args(false);
   app.add_option("--mass", mass.mass, "of the whole, as you have weighed it [kg]");
   app.add_option("--shell", mass.shell,

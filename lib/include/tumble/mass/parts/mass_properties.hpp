@@ -109,8 +109,8 @@ inline Assembly unchecked_mass_properties(std::span<const Part> parts,
   return result;
 }
 
-/// Refuses parts that can't be bodies, as require_volume() does, and says which.
-/// @throws std::invalid_argument
+/// Refuses parts of which no digit is certain, and says which.
+/// @throws std::invalid_argument as require_volume() does
 inline void require_volumes(const Assembly& body) {
   for (const PartMass& part : body.parts)
     detail::require_at([&] { require_volume(part); }, "the part \"", part.name, "\": ");

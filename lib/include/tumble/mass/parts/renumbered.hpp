@@ -22,7 +22,8 @@ inline bool counts_vertices(std::string_view words) {
 }
 
 /// The message with other numbers behind its number signs.
-/// @param face, vertex what stands there instead, of an index from 0
+/// @param face   what stands there instead, of the index of a face from 0
+/// @param vertex the same of a vertex
 template <class FaceText, class VertexText>
 std::string renumbered(const std::string& message, const FaceText& face, const VertexText& vertex) {
   std::string text;
