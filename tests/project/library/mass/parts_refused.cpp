@@ -96,6 +96,27 @@ TEST_CASE("parts: that overlap are refused, with the parts that do") {
   CHECK_REFUSED(mass_of(slightly, {.tolerance = 1e-9}), "parts overlap");
 }
 
+TEST_CASE("parts: an overlap is judged by its mass, not by its volume") {
+  // A cube of iron enters a block of foam by 1e-5.
+  const auto mesh = of_materials({{"foam", test::moved(test::cube(), 4, Vec3::Zero())},
+                                  {"iron", test::moved(test::cube(), 1, Vec3(4 - 1e-5, 1, 1))}});
+  const auto share = [&](double foam, double iron) {
+    const auto findings = parts::diagnose(parts::split(mesh, {{"foam", foam}, {"iron", iron}}));
+    REQUIRE(findings.size() == 1);
+    CHECK(test::mentions(findings[0].message, "of the mass"));
+    return findings[0].share;
+  };
+  const double of_volume = share(1, 1), of_mass = share(1, 1000);
+  CHECK(of_volume < 1e-6);
+  CHECK(of_volume == doctest::Approx(1e-5 / 65).epsilon(0.2));  // from some hundred lines
+  CHECK(of_mass / of_volume == doctest::Approx(1000 * 65 / 1064.0));
+  const auto weigh = [&](double iron) {
+    return parts::mass_properties(mesh, {{"foam", 1}, {"iron", iron}});
+  };
+  CHECK(weigh(1).mass == doctest::Approx(65));
+  CHECK_REFUSED(weigh(1000), "parts overlap", "of the mass");
+}
+
 TEST_CASE("parts: one that is too small for double is named") {
   const auto mesh = of_materials(
       {{"iron", cube_at(0)}, {"dust", test::moved(test::cube(), 1e-70, Vec3(3, 0, 0))}});

@@ -4,11 +4,14 @@
 /// them.
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/mass/parts/renumbered.hpp"
 #include "tumble/mass/parts/split.hpp"
 #include "tumble/mesh/diagnose.hpp"
@@ -74,6 +77,28 @@ class SideBySide {
   std::vector<std::pair<std::size_t, int>> place_;  ///< of a face: its part, and which face of it
 };
 
+/// By how much a share of the mass may be larger than the same share of the volume, if it counts
+/// for the densest of the parts: 1 if all densities are equal.
+inline double densest_to_mean(std::span<const parts::Part> parts) {
+  double volume = 0, mass = 0, densest = 0;
+  for (const parts::Part& part : parts) {
+    const double v = unchecked_mass_properties(part.mesh, 1, Accuracy::fast).mass;
+    volume += v;
+    mass += v * part.density;
+    densest = std::max(densest, part.density);
+  }
+  return densest * volume / mass;
+}
+
+/// A crossing of parts is judged by the mass that counts wrongly: a light body with a heavy core.
+inline void weigh_share(MeshDefect& crossing, double densest_to_mean) {
+  crossing.share *= densest_to_mean;
+  crossing.share_uncertainty *= densest_to_mean;
+  std::array<char, 40> share{};
+  std::snprintf(share.data(), share.size(), "%.2g", crossing.share);
+  crossing.message += ", up to " + std::string(share.data()) + " of the mass";
+}
+
 /// Where parts pass through each other, or one lies in the inside of another.
 inline std::vector<MeshDefect> find_overlaps(std::span<const parts::Part> parts,
                                              const simd::LoopOptions& options,
@@ -84,6 +109,8 @@ inline std::vector<MeshDefect> find_overlaps(std::span<const parts::Part> parts,
     if (finding.kind == MeshDefectKind::self_crossing ||
         finding.kind == MeshDefectKind::nested_wrong)
       findings.push_back(all.in_the_whole(finding));
+  for (MeshDefect& finding : findings)
+    if (finding.kind == MeshDefectKind::self_crossing) weigh_share(finding, densest_to_mean(parts));
   return findings;
 }
 
@@ -97,7 +124,8 @@ namespace tumble::parts {
 /// Everything that is wrong with the parts: each has to be a closed surface by itself, and none may
 /// lie where another one is. Parts may touch, and share vertices. Findings have the numbers of the
 /// whole mesh, and the names of the parts. Whether parts overlap is only asked if each one is
-/// closed, and as closely as whether one mesh crosses itself.
+/// closed, and as closely as whether one mesh crosses itself; the share of such a finding is the
+/// largest share of the mass that may count wrongly.
 inline std::vector<MeshDefect> diagnose(std::span<const Part> parts,
                                         const simd::LoopOptions& options = {},
                                         crossings::Search search = crossings::Search::usual) {
