@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -53,13 +54,16 @@ class SideBySide {
 
   /// A finding with the faces' numbers in the whole, and the parts that they are in.
   MeshDefect in_the_whole(MeshDefect finding) const {
-    const auto face = [this](int f) {
+    std::set<std::string> named;
+    const auto face = [&](int f) {
+      named.insert(part_of(f).name);
       return std::to_string(of_whole(f) + 1) + " of \"" + part_of(f).name + "\"";
     };
-    finding.message =
-        "parts overlap: " + renumbered(finding.message, face, [](int) { return std::string(); });
-    if (finding.kind == MeshDefectKind::nested_wrong)
-      finding.message += ", or cut its place out of the part around it";
+    const auto vertex = [](int) { return std::string(); };  // none is in these messages
+    const std::string message = renumbered(finding.message, face, vertex);
+    const bool nested = finding.kind == MeshDefectKind::nested_wrong;
+    finding.message = (nested || named.size() > 1 ? "parts overlap: " : "all parts together: ") +
+                      message + (nested ? ", or cut its place out of the part around it" : "");
     finding.face = of_whole(finding.face);
     return finding;
   }
@@ -90,10 +94,11 @@ inline double densest_to_mean(std::span<const parts::Part> parts) {
   return densest * volume / mass;
 }
 
-/// A crossing of parts is judged by the mass that counts wrongly: a light body with a heavy core.
-inline void weigh_share(MeshDefect& crossing, double densest_to_mean) {
-  crossing.share *= densest_to_mean;
-  crossing.share_uncertainty *= densest_to_mean;
+/// A crossing of parts is judged by the mass that counts wrongly.
+/// @param factor as densest_to_mean() gives it
+inline void weigh_share(MeshDefect& crossing, double factor) {
+  crossing.share *= factor;
+  crossing.share_uncertainty *= factor;
   std::array<char, 40> share{};
   std::snprintf(share.data(), share.size(), "%.2g", crossing.share);
   crossing.message += ", up to " + std::string(share.data()) + " of the mass";
