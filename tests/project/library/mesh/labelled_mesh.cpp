@@ -13,14 +13,19 @@ const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", a_face = "f 
 
 parts::LabelledMesh labelled(const std::string& text) { return parse_mesh(text, "test.obj"); }
 
-/// "object|group|material" of each face.
+/// "object|group|material"
+std::string text_of(const parts::Label& label) {
+  return label.object + "|" + label.group + "|" + label.material;
+}
+
+/// The same of each face.
 std::vector<std::string> names_in(const parts::LabelledMesh& mesh) {
   std::vector<std::string> names;
   for (const auto& [first, end, label] : mesh.ranges) {
     CHECK(first == static_cast<int>(names.size()));
     CHECK(first < end);
-    const auto& [object, group, material] = mesh.labels.at(static_cast<std::size_t>(label));
-    names.resize(static_cast<std::size_t>(end), object + "|" + group + "|" + material);
+    names.resize(static_cast<std::size_t>(end),
+                 text_of(mesh.labels.at(static_cast<std::size_t>(label))));
   }
   CHECK(static_cast<int>(names.size()) == mesh.face_count());
   return names;

@@ -59,7 +59,7 @@ TEST_CASE("mass: a hammer of steel and wood, part by part and as a whole") {
   CHECK(distance(mass["inertia"], inertia) < 1e-13);
   CHECK(std::abs(mass["about"]["inertia"][0].get<double>() - inertia[0] - 132 * z * z) < 1e-12);
   CHECK(mass["bounds"]["inertia"].get<double>() < 1e-15);
-  const json parts = mass["parts"];
+  const json& parts = mass["parts"];
   REQUIRE(parts.size() == 2);
   CHECK(parts[0]["name"] == "steel");
   CHECK(parts[0]["faces"] == 6);
