@@ -45,8 +45,8 @@ namespace tumble::sampling {}
 /// @ingroup mass
 namespace tumble::shells {}
 
-/// Bodies made of several materials: what a file calls the faces of a mesh, a density for each name,
-/// and the mass properties of each part and of the whole.
+/// Bodies made of several materials: what a file calls the faces of a mesh, a density for each
+/// name, and the mass properties of each part and of the whole.
 /// @ingroup mass
 namespace tumble::parts {}
 
