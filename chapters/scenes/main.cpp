@@ -9,8 +9,11 @@ void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
                  "closed meshes in OBJ, STL or PLY files, or folders with such files")
       ->required();
   CLI::Option* const density =
-      app.add_option("--density", mass.density, "[kg/m³]; it is 1 if you don't say");
-  app.add_option("--mass", mass.mass, "as you have weighed it [kg]")->excludes(density);
+      app.add_option("--density", mass.density,
+                     "[kg/m³]; it is 1 if you don't say. If the body has parts: NAME=NUMBER, once "
+                     "for each material, group or object of the OBJ file")
+          ->allow_extra_args(false);
+  app.add_option("--mass", mass.mass, "of the whole, as you have weighed it [kg]");
   app.add_option("--shell", mass.shell,
                  "the mass lies in the surface, which may be open: density times thickness [kg/m²]")
       ->excludes(density);

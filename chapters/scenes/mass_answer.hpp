@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scenes/commands.hpp"
-#include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mass/parts/mass_properties.hpp"
 
 namespace tumble::scenes {
 
@@ -21,7 +21,11 @@ struct MassAnswer {
   double volume_bound = std::numeric_limits<double>::quiet_NaN();  ///< of its relative error
   double area = std::numeric_limits<double>::quiet_NaN();          ///< [m²], of a shell
   double density = 1;  ///< [kg/m³], or [kg/m²] of a shell; of a weighed body what it comes to
+  std::vector<parts::PartMass> parts = {};  ///< if they have densities of their own
 };
+
+/// The volume of a part [m³].
+inline double volume_of(const parts::PartMass& part) { return part.mass / part.density; }
 
 /// Reads a file and answers.
 /// @throws std::invalid_argument if it cannot be read, or a number that was given means nothing

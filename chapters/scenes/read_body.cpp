@@ -31,6 +31,19 @@ MassProperties denser(const MassProperties& body, double factor) {
   return {body.mass * factor, body.centre, body.inertia * factor};
 }
 
+/// Whether the parts of the body have densities of their own.
+bool has_parts(const Place& body) { return body.has("density") && body["density"].is_object(); }
+
+/// The densities by name, if the body has them.
+parts::Densities densities_of(const Place& body) {
+  parts::Densities densities;
+  if (!has_parts(body)) return densities;
+  const Place place = body["density"];
+  for (const auto& [name, density] : place.members()) densities.emplace(name, density.number());
+  require(!densities.empty(), place.name(), " is empty: give one for each part");
+  return densities;
+}
+
 /// Mass, centre and inertia, from a shape or as they are given.
 MassProperties mass_of(const Place& body, const std::optional<ReadShape>& shape) {
   if (!shape) {
@@ -39,10 +52,10 @@ MassProperties mass_of(const Place& body, const std::optional<ReadShape>& shape)
     return {body["mass"].number(), Vec3::Zero(), tensor(body["inertia"])};
   }
   require(!body.has("inertia"), body.name(), " has a shape and an inertia: give one of them");
-  require(body.has("mass") != body.has("density"), body.name(),
+  require(body.has("mass") != body.has("density") || has_parts(body), body.name(),
           " needs either a mass or a density beside its shape");
-  return denser(shape->unit, body.has("density") ? body["density"].number()
-                                                 : body["mass"].number() / shape->unit.mass);
+  if (body.has("mass")) return denser(shape->unit, body["mass"].number() / shape->unit.mass);
+  return has_parts(body) ? shape->unit : denser(shape->unit, body["density"].number());
 }
 
 Quat orientation_of(const Place& body) {
@@ -122,7 +135,7 @@ SceneBody read_body(const Place& place, std::size_t index, const Surroundings& a
                       "velocity", "omega", "held_at", "forces"});
   if (around.contact) require_only_gravity(place);
   std::optional<ReadShape> shape;
-  if (place.has("shape")) shape = read_shape(place["shape"], around.folder);
+  if (place.has("shape")) shape = read_shape(place["shape"], around.folder, densities_of(place));
   const MassProperties mass = mass_of(place, shape);
   const RigidBody<> body = place.refused_here([&] { return RigidBody<>(mass); });
   std::optional<HeldBody> held;

@@ -11,32 +11,26 @@ namespace tumble::scenes {
 namespace {
 
 using support::Place;
-using Solid = decltype(ReadShape::solid);
-
 constexpr int drawn_sides = 20;  // of what is round
 
-Solid round_solid(const std::string& kind, const Place& place) {
+template <class S>
+ReadShape closed_form(const S& solid) {
+  return {solid, mass_properties(solid, 1)};
+}
+
+ReadShape round_shape(const std::string& kind, const Place& place) {
   place.require_only({"radius", "height"});
   const double radius = place["radius"].number(), height = place["height"].number();
-  if (kind == "cylinder") return Cylinder{radius, height};
-  if (kind == "cone") return Cone{radius, height};
-  return Capsule{radius, height};
+  if (kind == "cylinder") return closed_form(Cylinder{radius, height});
+  if (kind == "cone") return closed_form(Cone{radius, height});
+  return closed_form(Capsule{radius, height});
 }
 
-Solid solid_of(const std::string& kind, const Place& place, const std::filesystem::path& folder) {
-  if (kind == "ball") return Ball{place.number()};
-  if (kind == "box") return Box{place.vector()};
-  if (kind == "ellipsoid") return Ellipsoid{place.vector()};
-  if (kind == "mesh") return read_mesh((folder / place.text()).string());
-  return round_solid(kind, place);
+ReadShape mesh_shape(const std::string& path, const parts::Densities& densities) {
+  const parts::LabelledMesh mesh = read_mesh(path);
+  if (densities.empty()) return {mesh, mesh_mass_properties(mesh, 1)};
+  return {mesh, parts::mass_properties(mesh, densities)};
 }
-
-/// At 1 kg/m³.
-template <class S>
-MassProperties unit_of(const S& solid) {
-  return mass_properties(solid, 1);
-}
-MassProperties unit_of(const PolygonMesh& mesh) { return mesh_mass_properties(mesh, 1); }
 
 PolygonMesh moved(PolygonMesh mesh, const Vec3& by) {
   for (Vec3& vertex : mesh.vertices) vertex += by;
@@ -90,14 +84,19 @@ BodyShape shape_around(const PolygonMesh& mesh, const Vec3& centre) {
 
 }  // namespace
 
-ReadShape read_shape(const Place& shape, const std::filesystem::path& folder) {
+ReadShape read_shape(const Place& shape, const std::filesystem::path& folder,
+                     const parts::Densities& densities) {
   const std::string kind =
       shape.only_key({"ball", "box", "cylinder", "cone", "capsule", "ellipsoid", "mesh"});
   const Place place = shape[kind.c_str()];
   return place.refused_here([&]() -> ReadShape {
-    Solid solid = solid_of(kind, place, folder);
-    const MassProperties unit = std::visit([](const auto& s) { return unit_of(s); }, solid);
-    return {std::move(solid), unit};
+    if (kind == "mesh") return mesh_shape((folder / place.text()).string(), densities);
+    require(densities.empty(),
+            "only a mesh has parts with densities of their own: give one density");
+    if (kind == "ball") return closed_form(Ball{place.number()});
+    if (kind == "box") return closed_form(Box{place.vector()});
+    if (kind == "ellipsoid") return closed_form(Ellipsoid{place.vector()});
+    return round_shape(kind, place);
   });
 }
 

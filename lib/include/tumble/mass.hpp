@@ -14,6 +14,7 @@
 #include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/mass/mirtich/mirtich.hpp"
 #include "tumble/mass/parallel_axis.hpp"
+#include "tumble/mass/parts/mass_properties.hpp"
 #include "tumble/mass/point_sampling.hpp"
 #include "tumble/mass/points.hpp"
 #include "tumble/mass/principal_axes.hpp"
@@ -43,6 +44,11 @@ namespace tumble::sampling {}
 /// Thin shells: the mass lies in the surface.
 /// @ingroup mass
 namespace tumble::shells {}
+
+/// Bodies made of several materials: what a file calls the faces of a mesh, a density for each
+/// name, and the mass properties of each part and of the whole.
+/// @ingroup mass
+namespace tumble::parts {}
 
 /// Boxes around points, and how they do for a body.
 /// @ingroup mass

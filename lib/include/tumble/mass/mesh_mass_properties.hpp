@@ -35,6 +35,34 @@ struct MassOptions {
   crossings::Search search = crossings::Search::usual;
 };
 
+namespace detail {
+
+/// The integrals over a mesh, and what rounding may have done to them.
+struct MeshIntegrals {
+  Moments<simd::DoubleDouble> moments;
+  Vec3 reference;  ///< the point that they are about [m]
+  IntegralErrors errors;
+
+  BoundedMassProperties at(double density) const {
+    return bounded(moments, reference, density, errors);
+  }
+};
+
+/// @param mesh as unchecked_mass_properties() wants it
+inline MeshIntegrals integrals_over(const PolygonMesh& mesh, Accuracy accuracy,
+                                    const simd::LoopOptions& loop) {
+  const Vec3 p = reference_point(mesh);
+  if (accuracy == Accuracy::textbook)
+    return {mirtich::volume_integrals(mesh, p), p, mirtich_errors(mesh, p)};
+  const bool fast = accuracy == Accuracy::fast;
+  const TetrahedronSums sums = fast ? sum_in_doubles(mesh, p, loop) : sum_in_pairs(mesh, p, loop);
+  const double triangles = static_cast<double>(mesh.corners.size());  // no more
+  return {with_factors(sums.raw), p,
+          fast ? errors_in_doubles(sums.rounding) : errors_in_pairs(sums.rounding, triangles)};
+}
+
+}  // namespace detail
+
 /// Mass properties of a mesh that is known to be closed; nothing is checked. A face that is not
 /// plane counts as the fan of triangles from its first corner.
 /// @param mesh    indices in range; faces counter-clockwise seen from outside [m]
@@ -42,15 +70,7 @@ struct MassOptions {
 inline BoundedMassProperties unchecked_mass_properties(const PolygonMesh& mesh, double density,
                                                        Accuracy accuracy = Accuracy::tight,
                                                        const simd::LoopOptions& loop = {}) {
-  if (accuracy == Accuracy::textbook) return detail::unchecked_mirtich(mesh, density);
-  const bool fast = accuracy == Accuracy::fast;
-  const Vec3 p = detail::reference_point(mesh);
-  const detail::TetrahedronSums sums =
-      fast ? detail::sum_in_doubles(mesh, p, loop) : detail::sum_in_pairs(mesh, p, loop);
-  const double triangles = static_cast<double>(mesh.corners.size());  // no more
-  return detail::bounded(detail::with_factors(sums.raw), p, density,
-                         fast ? detail::errors_in_doubles(sums.rounding)
-                              : detail::errors_in_pairs(sums.rounding, triangles));
+  return detail::integrals_over(mesh, accuracy, loop).at(density);
 }
 
 /// Mass properties of a mesh, and everything that was found about it.

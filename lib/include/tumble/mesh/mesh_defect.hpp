@@ -42,7 +42,8 @@ struct MeshDefect {
   int face = -1;                       ///< a face it can be seen at; −1: none
   std::array<int, 2> edge = {-1, -1};  ///< the edge, or twice the vertex; −1: none
   std::string message = {};            ///< a sentence
-  /// Of a crossing: which share of the volume counts wrongly, and twice its standard error.
+  /// Of a crossing: which share of the volume counts wrongly, and twice its standard error. Of
+  /// parts that overlap: which share of the mass, at most.
   double share = std::numeric_limits<double>::quiet_NaN();
   double share_uncertainty = std::numeric_limits<double>::quiet_NaN();
 };

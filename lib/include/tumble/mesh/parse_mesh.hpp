@@ -14,17 +14,18 @@ namespace tumble {
 /// @addtogroup mesh
 /// @{
 
-/// Reads OBJ, STL or PLY, whichever it is by its content.
+/// Reads OBJ, STL or PLY, whichever it is by its content. Faces of an OBJ file have the names that
+/// it gives them; those of the others have none.
 /// @param bytes of the file
 /// @param name  what the file is called in messages; its ending counts only where the content says
 ///              nothing
 /// @throws std::invalid_argument as parse_obj(), parse_stl() and parse_ply() do
-inline PolygonMesh parse_mesh(std::string_view bytes, std::string_view name) {
+inline parts::LabelledMesh parse_mesh(std::string_view bytes, std::string_view name) {
   switch (detail::format_of(bytes, bytes.size(), name)) {
     case detail::MeshFormat::stl:
-      return detail::parse_stl(bytes, name);
+      return parts::LabelledMesh(detail::parse_stl(bytes, name));
     case detail::MeshFormat::ply:
-      return detail::parse_ply(bytes, name);
+      return parts::LabelledMesh(detail::parse_ply(bytes, name));
     default:
       return detail::parse_obj(bytes, name);
   }

@@ -1,10 +1,10 @@
 #pragma once
 /// @file
-/// The positions and the faces of a Wavefront OBJ text in memory.
+/// The positions, the faces and their names of a Wavefront OBJ text in memory.
 ///
 /// Source: Alias Wavefront, Advanced Visualizer manual, appendix B1, Object files (.obj): `v x y
 /// z`, and `f` with the indices v, v/vt, v//vn or v/vt/vn, from 1 or, negative, from the last so
-/// far.
+/// far; `o`, `g` and `usemtl` name the faces that follow.
 
 #include <cmath>
 #include <cstdint>
@@ -15,12 +15,12 @@
 #include <utility>
 
 #include "tumble/mesh/foreign_format.hpp"
+#include "tumble/mesh/labelled_mesh.hpp"
 #include "tumble/mesh/parse_number.hpp"
-#include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/mesh/text_scanner.hpp"
 
 namespace tumble::detail {
-/// Reads line by line; lines that are neither vertices nor faces are passed over.
+/// Reads line by line; lines that mean neither vertices nor faces nor their names are passed over.
 class ObjReader {
  public:
   /// @param text the file, or its beginning up to the end of a line
@@ -36,10 +36,10 @@ class ObjReader {
   }
 
   /// @throws std::invalid_argument if there were no faces
-  PolygonMesh mesh() {
+  parts::LabelledMesh mesh() {
     require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)",
             beginning_);
-    return std::move(mesh_);
+    return labels_.put_on(std::move(mesh_));
   }
 
  private:
@@ -48,11 +48,17 @@ class ObjReader {
       text_.skip_blanks();
       if (begins_with('v')) read_vertex();
       if (begins_with('f')) read_face();
+      if (may_name()) read_name();
     }
   }
 
   bool begins_with(char keyword) const {
     return text_.bytes_left() > 1 && text_.at()[0] == keyword && is_blank(text_.at()[1]);
+  }
+
+  /// Whether the line may be one with a name: "o", "g" or "usemtl".
+  bool may_name() const {
+    return !text_.at_end() && (*text_.at() == 'g' || *text_.at() == 'o' || *text_.at() == 'u');
   }
 
   /// Where there are no more words: at the end of the line, or at a comment.
@@ -144,6 +150,20 @@ class ObjReader {
                 ", or -1 to -", count);
   }
 
+  /// The name is what is left of the line: names have blanks in them, and number signs.
+  void read_name() {
+    const std::string_view keyword = text_.next_word();
+    const auto what = keyword == "o"        ? &parts::Label::object
+                      : keyword == "g"      ? &parts::Label::group
+                      : keyword == "usemtl" ? &parts::Label::material
+                                            : nullptr;
+    if (what == nullptr) return;
+    text_.skip_blanks();
+    std::string_view name = text_.rest_of_line();
+    while (!name.empty() && is_blank(name.back())) name.remove_suffix(1);
+    labels_.set(what, std::string(name), mesh_.face_count());
+  }
+
   template <class... Parts>
   [[noreturn]] void refuse_face(const Parts&... message) const {
     text_.refuse("face #", mesh_.face_count() + 1, ' ', message...);
@@ -153,17 +173,18 @@ class ObjReader {
   std::string_view name_;
   std::string beginning_;
   PolygonMesh mesh_;
+  LabelReader labels_;
 };
 
 /// Reads an OBJ text. Polygons stay polygons, of any size; vertices that no face uses, and equal
-/// ones, stay. Coordinates [m] are the doubles nearest to what is written. Texture, normals,
-/// colours, groups and materials are passed over.
+/// ones, stay. Coordinates [m] are the doubles nearest to what is written. Texture, normals and
+/// colours are passed over. Faces get the names of the objects, groups and materials they are in.
 /// @param text the bytes of the file
 /// @param name what the text is called in messages
 /// @throws std::invalid_argument naming the line, and the face or vertex, for: a vertex before the
 ///         faces that is not there, an index 0, a face of fewer than 3 corners, a coordinate that
 ///         is missing or not a finite number, a text without faces
-inline PolygonMesh parse_obj(std::string_view text, std::string_view name) {
+inline parts::LabelledMesh parse_obj(std::string_view text, std::string_view name) {
   return detail::ObjReader(text, name).mesh();
 }
 

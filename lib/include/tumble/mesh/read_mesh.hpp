@@ -33,11 +33,12 @@ inline PolygonMesh read_ply(const std::string& path) {
 
 }  // namespace detail
 
-/// Reads a mesh from an OBJ, STL or PLY file, whichever it is by its content.
+/// Reads a mesh from an OBJ, STL or PLY file, whichever it is by its content. Faces of an OBJ file
+/// have the names that it gives them; those of the others have none.
 /// @param path its ending counts only where the content says nothing
 /// @throws std::runtime_error when the file cannot be read
 /// @throws std::invalid_argument as parse_obj(), parse_stl() and parse_ply() do
-inline PolygonMesh read_mesh(const std::string& path) {
+inline parts::LabelledMesh read_mesh(const std::string& path) {
   std::ifstream file = detail::open_file(path);
   const std::size_t size = detail::size_of(file);
   std::string head(512, '\0');

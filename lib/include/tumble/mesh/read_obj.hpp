@@ -18,7 +18,7 @@ namespace tumble::detail {
 /// @param name what the text is called in messages
 /// @throws std::runtime_error when the stream fails
 /// @throws std::invalid_argument as parse_obj() does
-inline PolygonMesh read_obj(std::istream& in, const std::string& name) {
+inline parts::LabelledMesh read_obj(std::istream& in, const std::string& name) {
   constexpr std::size_t block = 1 << 17;  // fits a core's cache
   std::optional<detail::ObjReader> reader;
   const bool all = detail::for_each_block_of_lines(in, block, [&](std::string_view text) {
@@ -35,7 +35,7 @@ inline PolygonMesh read_obj(std::istream& in, const std::string& name) {
 /// Reads a mesh from an OBJ file.
 /// @throws std::runtime_error when the file cannot be read
 /// @throws std::invalid_argument as parse_obj() does
-inline PolygonMesh read_obj(const std::string& path) {
+inline parts::LabelledMesh read_obj(const std::string& path) {
   std::ifstream file = detail::open_file(path);
   return read_obj(file, path);
 }

@@ -57,6 +57,7 @@ void add_ode(std::vector<Method>& methods);
 void add_bullet(std::vector<Method>& methods);
 void add_mujoco(std::vector<Method>& methods);
 void add_libigl(std::vector<Method>& methods);
+void add_volint(std::vector<Method>& methods);
 
 std::vector<Method> own_methods();
 std::vector<Method> peers();

@@ -11,6 +11,9 @@ std::vector<Method> peers() {
 #ifdef TUMBLE_HAS_LIBIGL
   add_libigl(methods);
 #endif
+#ifdef TUMBLE_HAS_VOLINT
+  add_volint(methods);
+#endif
 #ifdef TUMBLE_HAS_MUJOCO
   add_mujoco(methods);
 #endif

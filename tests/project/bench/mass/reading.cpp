@@ -26,6 +26,7 @@ std::vector<MeshFile> write_files(const PolygonMesh& mesh, const std::filesystem
     files.push_back({what, path, static_cast<double>(bytes.size())});
   };
   add("OBJ", "plain.obj", test::plain_obj(mesh));
+  add("OBJ, 100 faces a group", "named.obj", test::named_obj(mesh));
   add("OBJ, v/vt/vn", "full.obj", test::full_obj(mesh));
   add("STL, binary", "binary.stl", test::binary_stl(mesh));
   add("STL, ASCII", "ascii.stl", test::text_stl(mesh));

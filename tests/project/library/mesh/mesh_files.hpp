@@ -54,6 +54,22 @@ inline std::string plain_obj(const PolygonMesh& mesh) {
   return obj_file(mesh, "", [](const std::string& v) { return v; });
 }
 
+/// With a group and a material for every hundred faces.
+inline std::string named_obj(const PolygonMesh& mesh) {
+  const std::string plain = plain_obj(mesh);
+  std::string text;
+  int face = 0;
+  for (std::size_t begin = 0; begin < plain.size();) {
+    const std::size_t end = plain.find('\n', begin) + 1;
+    if (const int part = face / 100; plain[begin] == 'f' && face++ % 100 == 0)
+      text +=
+          "g part" + std::to_string(part) + "\nusemtl material" + std::to_string(part % 7) + '\n';
+    text += plain.substr(begin, end - begin);
+    begin = end;
+  }
+  return text;
+}
+
 /// With a texture and a normal for each vertex.
 inline std::string full_obj(const PolygonMesh& mesh) {
   return obj_file(mesh, "vt 0.250000 0.750000\nvn 0.000000 0.600000 -0.800000\n",

@@ -21,11 +21,14 @@ struct NamedFile {
 };
 
 std::vector<NamedFile> in_every_format(const PolygonMesh& mesh) {
-  return {
-      {"plain.obj", test::plain_obj(mesh)},      {"full.obj", test::full_obj(mesh)},
-      {"text.stl", test::text_stl(mesh)},        {"binary.stl", test::binary_stl(mesh, "solid")},
-      {"text.ply", test::text_ply(mesh)},        {"little.ply", test::binary_ply(mesh)},
-      {"big.ply", test::binary_ply(mesh, false)}};
+  return {{"plain.obj", test::plain_obj(mesh)},
+          {"full.obj", test::full_obj(mesh)},
+          {"named.obj", test::named_obj(mesh)},
+          {"text.stl", test::text_stl(mesh)},
+          {"binary.stl", test::binary_stl(mesh, "solid")},
+          {"text.ply", test::text_ply(mesh)},
+          {"little.ply", test::binary_ply(mesh)},
+          {"big.ply", test::binary_ply(mesh, false)}};
 }
 
 std::string stored(const test::TemporaryFolder& folder, const std::string& name,

@@ -33,7 +33,8 @@ TEST_CASE("simulate: a thrown ball, with its momenta") {
 }
 
 TEST_CASE("simulate: the examples run, and stop where they should") {
-  for (const char* name : {"top", "pendulum", "thrown_box", "on_a_spring", "two_on_a_spring"}) {
+  for (const char* name :
+       {"top", "pendulum", "thrown_box", "thrown_hammer", "on_a_spring", "two_on_a_spring"}) {
     CAPTURE(std::string(name));
     const std::string file =
         std::string(std::getenv("TUMBLE_ROOT")) + "/chapters/scenes/examples/" + name + ".json";
@@ -44,7 +45,7 @@ TEST_CASE("simulate: the examples run, and stop where they should") {
     const json parsed = json::parse(result.output);
     CHECK(content("motion.csv").rfind("time,body,x,y,z,qw", 0) == 0);
     CHECK(mentions(content("motion.svg"), "<svg ", "</svg>", "time [s]"));
-    if (name == std::string("thrown_box")) {
+    if (std::string(name).starts_with("thrown")) {
       CHECK(parsed["stopped"] == true);
       CHECK(std::abs(parsed["end"]["bodies"][0]["position"][2].get<double>()) < 1e-12);
     }
