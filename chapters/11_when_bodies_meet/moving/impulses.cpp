@@ -68,7 +68,8 @@ void draw_world(Sketch& sketch, const PlanarImpact& impact, const Answers& answe
   draw_rod(sketch, tilt);
   draw_velocity(sketch, impact.u, "ink", "before", impact.u.x() < 0);
   const Vec2 &usual = answers.usual.u, &ours = answers.ours.u;
-  const bool alike = (usual - ours).norm() < 0.05, left = usual.x() < ours.x();
+  // Where both stick, only rounding would tell which one is to the left.
+  const bool alike = (usual - ours).norm() < 0.05, left = usual.x() < ours.x() - 1e-9;
   draw_velocity(sketch, usual, answers.usual_colour(), alike ? "" : "tutorials", left);
   draw_velocity(sketch, ours, "c2", alike ? "both" : "slip followed", !left);
 }

@@ -164,7 +164,7 @@ void draw_throw(Sketch& sketch, const Throw& thrown, Settings now, double t) {
   space.curve(path, {"c1", 1.6});
   draw_die(sketch, thrown.at(t));
   const Vec3 hand = path.front(), aim = hand + drawn_second * Vec3(now[along], 0, now[up]);
-  if (aim == hand) return;
+  if ((aim - hand).norm() < 1e-6) return;
   space.arrow(hand, aim, {"c6", 2.4});
   space.words(aim, {12, 6}, "v", "c6");
 }
