@@ -161,7 +161,7 @@ void draw_closed_form(Sketch& sketch, const Scene& shown, bool chosen) {
 }
 
 std::string draw(Settings now) {
-  Sketch sketch(760, 520, "Error against evaluations, by each method");
+  Sketch sketch(760, 495, "Error against evaluations, by each method");
   const Scene& shown = the_scene(now);
   const double error = std::pow(10, -now[asked]);
   const bool closed = shown.promised && *shown.promised <= error;

@@ -24,17 +24,17 @@ using support::Settings;
 using support::Sketch;
 using support::svg_number;
 
-constexpr double longest = 0.8, slower = 10;  // of what is shown [s], than it is
+constexpr double longest = 1, slower = 10;  // of what is shown [s], than it is
 constexpr double edge = 0.016, density = 1200, mu = 0.4;
 constexpr double gravity = 9.81;
 
 enum Which { along, up, spin, restitution, time };
 constexpr std::array<Control, 5> controls{
-    {{"along", "thrown along the table", "m/s", 0, 0.8, 0.05, 0.5},
+    {{"along", "thrown forwards", "m/s", 0, 0.8, 0.05, 0.5},
      {"up", "and upwards", "m/s", -0.6, 0.6, 0.05, 0.4},
      {"spin", "spin forwards", "turns/s", -15, 15, 0.5, 3},
      {"e", "restitution e", "", 0.1, 0.7, 0.05, 0.6},
-     {"t", "time, ten times slower", "s", 0, slower* longest, 0.05, 4.8}}};
+     {"t", "time, slowed 10×", "s", 0, slower* longest, 0.05, 6}}};
 
 // ── The throw ──
 
@@ -63,13 +63,16 @@ struct Throw {
   contact::ContactRun run;
 
   const std::vector<contact::FlightStart>& legs() const { return run.flights[0]; }
-  double rests_from() const { return std::min(run.rest_since[0], longest); }
+  /// When nothing more happens: it rests, or stands on an edge, and the library says that it can't
+  /// tell how that goes on.
+  double end() const { return std::min(run.rest_since[0], run.t); }
 
   SteadyFlight flight(const contact::FlightStart& leg) const {
     const Vec3 pull(0, 0, leg.on_wall < 0 ? -gravity : 0);
     return {body, leg.state, pull, leg.t};
   }
   RigidBodyState<> at(double t) const {
+    t = std::min(t, run.t);
     const auto next =
         std::upper_bound(legs().begin() + 1, legs().end(), t,
                          [](double time, const contact::FlightStart& leg) { return time < leg.t; });
@@ -115,7 +118,7 @@ int number_shown(const RigidBodyState<>& state) {
 }
 
 /// Where the origin is drawn, and how large the world [px], [px/m].
-const support::Window sheet{75, 330, 2250};
+const support::Window sheet{150, 315, 1900};
 Mat3 view() { return support::view_from(-76 * degree, 14 * degree); }
 
 /// One face of the die, if the viewer sees it. A die is convex: no face covers another one.
@@ -134,7 +137,7 @@ void draw_face(Sketch& sketch, const Mat3& R, const Vec2& centre, int axis, doub
   std::vector<Vec2> places;
   for (const Vec2& pip : pips(number_on(axis, side)))
     places.push_back(at(pip.x() / 2, pip.y() / 2));
-  sketch.dots(places, "ink", 0.8 + 1.4 * normal.z());
+  sketch.dots(places, "ink", 0.7 + 1.2 * normal.z());
 }
 
 void draw_die(Sketch& sketch, const RigidBodyState<>& state) {
@@ -152,9 +155,9 @@ void draw_throw(Sketch& sketch, const Throw& thrown, Settings now, double t) {
   sketch.look(sheet);
   support::SpaceSketch space(sketch, view());
   for (const double y : {-0.025, -0.01, 0.005, 0.02})
-    space.curve({{-0.02, y, 0}, {0.29, y, 0}}, {"faint", 1});
+    space.curve({{-0.07, y, 0}, {0.31, y, 0}}, {"faint", 1});
   constexpr double between = 0.04, fine = 0.002;  // [s]
-  const double end = std::min(t, thrown.rests_from());
+  const double end = std::min(t, thrown.end());
   std::vector<Vec3> path;
   for (int i = 0; i * fine < end; ++i) path.push_back(thrown.at(i * fine).x);
   path.push_back(thrown.at(end).x);
@@ -191,15 +194,15 @@ std::vector<Energies> energies_of(const Throw& thrown) {
   std::vector<Energies> all;
   const auto& legs = thrown.legs();
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    const double begin = legs[i].t, end = i + 1 < legs.size() ? legs[i + 1].t : longest;
-    const int parts = static_cast<int>(std::ceil((end - begin) / fine));
+    const double begin = legs[i].t, end = i + 1 < legs.size() ? legs[i + 1].t : thrown.run.t;
+    const int parts = 1 + static_cast<int>((end - begin) / fine);
     for (int k = 0; k <= parts && legs[i].on_wall < 0; ++k)
       all.push_back(energies_at(thrown, thrown.flight(legs[i]), begin + k * (end - begin) / parts));
   }
   return all;
 }
 
-constexpr double strip_left = 60, strip_bottom = 575, per_second = 800, per_millijoule = 21;
+constexpr double strip_left = 60, strip_bottom = 575, per_second = 640, per_millijoule = 21;
 
 /// What lies between two of the curves.
 void draw_band(Sketch& sketch, const std::vector<Energies>& all, double Energies::*low,
@@ -234,10 +237,11 @@ void draw_energy(Sketch& sketch, const Throw& thrown, double t) {
 }
 
 std::string caption_of(const Throw& thrown, double t) {
-  if (t >= thrown.rests_from())
-    return "at rest since " + svg_number(thrown.rests_from(), 2) + " s: it shows " +
-           svg_number(number_shown(thrown.at(t)), 0);
-  return "after " + svg_number(t, 3) + " s";
+  if (t < thrown.end() || thrown.run.ending == contact::Ending::time)
+    return "after " + svg_number(t, 3) + " s";
+  const std::string since = " since " + svg_number(thrown.end(), 2) + " s";
+  if (thrown.run.ending == contact::Ending::lasting_contact) return "on an edge" + since;
+  return "at rest" + since + ": it shows " + svg_number(number_shown(thrown.at(t)), 0);
 }
 
 std::string draw(Settings now) {
