@@ -1,8 +1,8 @@
 #pragma once
 /// @file
-/// One body with three equal moments, which is no ball, over one floor, for the library's simulation
-/// of contacts. It needs no queue, no pairs and no elliptic functions: a page that throws a die has
-/// no room for them.
+/// One body with three equal moments, which is no ball, over one floor, for the library's
+/// simulation of contacts. It needs no queue, no pairs and no elliptic functions: a page that
+/// throws a die has no room for them.
 
 #include <cstdint>
 #include <limits>

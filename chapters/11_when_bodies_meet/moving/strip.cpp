@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "11_when_bodies_meet/moving_figures.hpp"
-#include "11_when_bodies_meet/one_body_events.hpp"
 #include "11_when_bodies_meet/planar_impact.hpp"
+#include "11_when_bodies_meet/thrown_die.hpp"
 #include "support/facets.hpp"
 #include "support/space_sketch.hpp"
 
@@ -25,8 +25,7 @@ using support::Sketch;
 using support::svg_number;
 
 constexpr double longest = 1, slower = 10;  // of what is shown [s], than it is
-constexpr double edge = 0.016, density = 1200, mu = 0.4;
-constexpr double gravity = 9.81;
+constexpr double edge = die_edge, mu = 0.4;
 
 enum Which { along, up, spin, restitution, time };
 constexpr std::array<Control, 5> controls{
@@ -38,11 +37,6 @@ constexpr std::array<Control, 5> controls{
 
 // ── The throw ──
 
-RigidBody<> the_die() {
-  const double mass = density * edge * edge * edge;
-  return {mass, mass * edge * edge / 6 * Mat3::Identity()};
-}
-
 contact::ContactScene scene_of(Settings now) {
   const RigidBody<> body = the_die();
   const Vec3 omega(10, 2 * pi * now[spin], 4);
@@ -52,33 +46,10 @@ contact::ContactScene scene_of(Settings now) {
                                body.I_body() * omega};
   return {{{"die", body, collide::Convex::box(Vec3::Constant(edge)), start}},
           {collide::HalfSpace{Vec3::Zero(), Vec3::UnitZ()}},
-          Vec3(0, 0, -gravity),
+          Vec3(0, 0, -die_gravity),
           now[restitution],
           mu};
 }
-
-/// From the hand to where it rests.
-struct Throw {
-  RigidBody<> body = the_die();
-  contact::ContactRun run;
-
-  const std::vector<contact::FlightStart>& legs() const { return run.flights[0]; }
-  /// When nothing more happens: it rests, or stands on an edge, and the library says that it can't
-  /// tell how that goes on.
-  double end() const { return std::min(run.rest_since[0], run.t); }
-
-  SteadyFlight flight(const contact::FlightStart& leg) const {
-    const Vec3 pull(0, 0, leg.on_wall < 0 ? -gravity : 0);
-    return {body, leg.state, pull, leg.t};
-  }
-  RigidBodyState<> at(double t) const {
-    t = std::min(t, run.t);
-    const auto next =
-        std::upper_bound(legs().begin() + 1, legs().end(), t,
-                         [](double time, const contact::FlightStart& leg) { return time < leg.t; });
-    return flight(*(next - 1)).state(t);
-  }
-};
 
 /// The throw by the settings; it is computed again when they change.
 const Throw& throw_of(Settings now) {
@@ -94,28 +65,6 @@ const Throw& throw_of(Settings now) {
 }
 
 // ── The die ──
-
-/// The pips of a face in units of a quarter of an edge, by their number.
-std::vector<Vec2> pips(int number) {
-  std::vector<Vec2> all;
-  if (number % 2 == 1) all.emplace_back(0, 0);
-  if (number >= 2) all.insert(all.end(), {{1, 1}, {-1, -1}});
-  if (number >= 4) all.insert(all.end(), {{1, -1}, {-1, 1}});
-  if (number == 6) all.insert(all.end(), {{1, 0}, {-1, 0}});
-  return all;
-}
-
-/// Opposite faces add up to seven.
-int number_on(int axis, double side) { return side > 0 ? axis + 1 : 6 - axis; }
-
-/// The number on the face that looks up most.
-int number_shown(const RigidBodyState<>& state) {
-  const Vec3 up = to_matrix(state.q).row(2);
-  int axis = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(up[i]) > std::abs(up[axis])) axis = i;
-  return number_on(axis, up[axis]);
-}
 
 /// Where the origin is drawn, and how large the world [px], [px/m].
 const support::Window sheet{150, 315, 1900};
@@ -185,7 +134,7 @@ Energies energies_at(const Throw& thrown, const SteadyFlight& flight, double t) 
   const double mass = thrown.body.mass(),
                turning = state.L.squaredNorm() / thrown.body.I_body()(0, 0) / 2,
                moving = state.P.squaredNorm() / mass / 2,
-               height = mass * gravity * (state.x.z() - edge / 2);
+               height = mass * die_gravity * (state.x.z() - edge / 2);
   return {t, milli * turning, milli * (turning + moving), milli * (turning + moving + height)};
 }
 
