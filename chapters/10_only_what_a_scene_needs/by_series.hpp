@@ -2,7 +2,8 @@
 /// @file
 /// Steady forces by Taylor series.
 
-#include "common.hpp"
+#include "10_only_what_a_scene_needs/known_turning.hpp"
+#include "tumble/steady/turning_by_series.hpp"
 
 namespace scene_chapter {
 

@@ -1,6 +1,7 @@
 /// @file
 /// Chapter 10: simpler models, closed forms, methods that respect the geometry, and what all of
 /// it costs.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -49,6 +50,6 @@ int main(int argc, char** argv) {
   chapter.figure("clock", clock_figure);
   chapter.figure("sleep", sleep_figure);
   chapter.figure("drift", drift_figure);
-  chapter.figure("work", work_figure);
+  chapter.figure(tumble::figures::work);
   return chapter.run(argc, argv);
 }

@@ -19,8 +19,6 @@ Table energy_by_hand_table();
 
 // ── cost.cpp ──
 
-/// Error against evaluations. The closed form is one question, at the error it promises.
-std::string work_figure();
 /// Evaluations that an error needs.
 Table work_table();
 

@@ -3,8 +3,15 @@
 /// The methods that take equal steps through the same scene.
 
 #include <functional>
+#include <string>
+#include <vector>
 
-#include "common.hpp"
+#include "10_only_what_a_scene_needs/known_turning.hpp"
+#include "tumble/body/dydt.hpp"
+#include "tumble/geometric/lie_group_rk4.hpp"
+#include "tumble/geometric/splitting.hpp"
+#include "tumble/ode/dop853.hpp"
+#include "tumble/ode/rk4.hpp"
 
 namespace scene_chapter {
 

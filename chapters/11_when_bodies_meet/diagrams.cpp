@@ -1,26 +1,15 @@
 /// @file
 /// The rod: how its tip answers to impulses, and what two laws make of the same impact.
 
+#include "common.hpp"
 #include "laws.hpp"
 #include "parts.hpp"
+#include "rod_sketch.hpp"
 #include "support/two_axes.hpp"
 
 namespace contact_chapter {
 
 namespace {
-
-/// The rod as a thick line with its centre, its left end at the origin.
-void draw_rod(Sketch& sketch, double angle) {
-  const Vec2 along(std::cos(angle), std::sin(angle));
-  sketch.curve({{0, 0}, 2 * along}, {"solid", 9});
-  sketch.dot(along, "ink", 4);
-}
-
-void draw_floor(Sketch& sketch, double left, double right) {
-  sketch.curve({{left, 0}, {right, 0}}, {"ink", 1.8});
-  for (double x = left; x < right; x += 0.1)
-    sketch.curve({{x, -0.07}, {x + 0.06, 0}}, {"faint", 1.2});
-}
 
 /// All that K makes of impulses of one size.
 std::vector<Vec2> answers_to_circle(const Mat2& K, double size) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "common.hpp"
 #include "laws.hpp"
 #include "parts.hpp"
 

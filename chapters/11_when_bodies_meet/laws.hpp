@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
-#include "common.hpp"
+#include "11_when_bodies_meet/planar_impact.hpp"
+#include "tumble/contact/friction_impulse.hpp"
 
 namespace contact_chapter {
 

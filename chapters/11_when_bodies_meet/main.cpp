@@ -1,5 +1,6 @@
 /// @file
 /// Chapter 11: when bodies meet, and what an impact leaves.
+#include "moving_figures.hpp"
 #include "parts.hpp"
 #include "support/chapter.hpp"
 
@@ -15,13 +16,14 @@ int main(int argc, char** argv) {
   chapter.table("laws", "A thousand impacts", laws_table);
   chapter.table("painleve", "A slender rod that jams", painleve_table);
   chapter.table("zeno", "A ball that comes to rest", zeno_table);
-  chapter.figure("strip", strip_figure);
+  chapter.figure(tumble::figures::strip);
   chapter.figure("dropped", dropped_figure);
   chapter.figure("plane", plane_figure);
   chapter.figure("staircase", staircase_figure);
   chapter.figure("answers", answers_figure);
   chapter.figure("rod", rod_figure);
   chapter.figure("slip", slip_figure);
+  chapter.figure(tumble::figures::impulses);
   chapter.figure("bounces", bounces_figure);
   chapter.figure("zeno", zeno_figure);
   return chapter.run(argc, argv);

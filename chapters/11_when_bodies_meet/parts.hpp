@@ -50,11 +50,6 @@ std::string slip_figure();
 /// Two boxes and the plane between them.
 std::string plane_figure();
 
-// ── strip.cpp ──
-
-/// A thrown die at equal times.
-std::string strip_figure();
-
 // ── sweep.cpp ──
 
 /// How many pairs sort and sweep compares.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common.hpp"
 #include "laws.hpp"
 
 namespace contact_chapter {

@@ -6,11 +6,26 @@
 
 namespace tumble::support {
 
+/// How bright a face is: 0 darkest … 15 lightest.
+/// @param normal of the face, in the viewer's axes
+inline int shade_of(const Vec3& normal) {
+  const Vec3 light = Vec3(-0.4, 0.55, 0.73).normalized();
+  return static_cast<int>(15 * std::max(0.0, normal.normalized().dot(light)));
+}
+
+/// A face in one colour.
+/// @param path of its corners, as SVG wants it
+/// @param dark the shade of what the light does not reach
+inline std::string draw_facet(const std::string& path, int shade, int dark) {
+  const std::string colour = view_detail::shade_colour(dark + shade * (15 - dark) / 15);
+  return "<path fill=\"" + colour + "\" stroke=\"" + colour + "\" stroke-width=\"0.6\" d=\"" +
+         path + "\"/>\n";
+}
+
 namespace facets_detail {
 
 inline view_detail::PaintedFace painted(const PolygonMesh& mesh, int f, const Mat3& R,
                                         const Placement& at) {
-  const Vec3 light = Vec3(-0.4, 0.55, 0.73).normalized();
   Vec3 normal = Vec3::Zero();  // twice the area, by Newell's sum over the edges
   double depth = 0;
   std::string path;
@@ -22,8 +37,7 @@ inline view_detail::PaintedFace painted(const PolygonMesh& mesh, int f, const Ma
     path += (k == 0 ? "M" : "L") + svg_number(at.x + at.scale * a.x()) + " " +
             svg_number(at.y - at.scale * a.y());
   }
-  const double lambert = std::max(0.0, normal.normalized().dot(light));
-  return {depth, normal.z() > 0 ? static_cast<int>(15 * lambert) : -1, path + "Z"};
+  return {depth, normal.z() > 0 ? shade_of(normal) : -1, path + "Z"};
 }
 
 /// The faces that look towards the viewer, far ones first.
@@ -47,11 +61,8 @@ inline std::vector<view_detail::PaintedFace> painted_facets(const PolygonMesh& m
 inline std::string draw_facets(const PolygonMesh& mesh, const Mat3& R, const Placement& at,
                                int dark = 0) {
   std::string svg;
-  for (const view_detail::PaintedFace& face : facets_detail::painted_facets(mesh, R, at)) {
-    const std::string colour = view_detail::shade_colour(dark + face.shade * (15 - dark) / 15);
-    svg += "<path fill=\"" + colour + "\" stroke=\"" + colour + "\" stroke-width=\"0.6\" d=\"" +
-           face.path + "\"/>\n";
-  }
+  for (const view_detail::PaintedFace& face : facets_detail::painted_facets(mesh, R, at))
+    svg += draw_facet(face.path, face.shade, dark);
   return svg;
 }
 

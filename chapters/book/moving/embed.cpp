@@ -1,6 +1,6 @@
 /// @file
-/// A chapter's module as a script: pages from disk may load scripts, and nothing else.
-/// tumble_embed FILE.wasm CHAPTER SCRIPT.js
+/// A figure's module as a script: pages from disk may load scripts, and nothing else.
+/// tumble_embed FILE.wasm NAME SCRIPT.js
 
 #include <exception>
 #include <iostream>
@@ -28,14 +28,14 @@ std::string base64(const std::string& bytes) {
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    std::cerr << "usage: tumble_embed FILE.wasm CHAPTER SCRIPT.js\n";
+    std::cerr << "usage: tumble_embed FILE.wasm NAME SCRIPT.js\n";
     return 2;
   }
   try {
     const std::string bytes = tumble::support::read_text(argv[1]);
     if (bytes.size() > most) {
-      std::cerr << "tumble_embed: " << argv[1] << " has " << bytes.size() << " bytes; a chapter's "
-                << "figures may have " << most << '\n';
+      std::cerr << "tumble_embed: " << argv[1] << " has " << bytes.size() << " bytes; a figure "
+                << "may have " << most << '\n';
       return 1;
     }
     tumble::support::write_text_and_folders(

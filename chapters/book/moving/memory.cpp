@@ -78,3 +78,19 @@ void* operator new(std::size_t size) { return malloc(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return malloc(size); }
 void operator delete(void* memory) noexcept { free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { free(memory); }
+
+// What wants to lie at a multiple of more than 16: the piece's own place stands in front of it.
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto step = static_cast<std::uintptr_t>(alignment);
+  void* const piece = malloc(size + step + sizeof(void*));
+  const std::uintptr_t after = reinterpret_cast<std::uintptr_t>(piece) + sizeof(void*);
+  void** const place = reinterpret_cast<void**>((after + step - 1) / step * step);
+  place[-1] = piece;
+  return place;
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  if (memory) free(static_cast<void**>(memory)[-1]);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t alignment) noexcept {
+  operator delete(memory, alignment);
+}

@@ -2,10 +2,10 @@
 // passes settings in and puts the picture up. Without it, or where it fails, the still picture stays.
 const tumbleMoving = (function () {
   const folder = document.currentScript.src.replace(/[^/]*$/, "moving/");
-  const arrivals = {}; // chapter → who waits for its bytes
-  const chapters = {}; // chapter → a promise of its module
+  const arrivals = {}; // module → who waits for its bytes
+  const modules = {}; // its name → a promise of it
 
-  // ── A chapter's module ──
+  // ── A figure's module ──
 
   function instantiate(base64) {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
@@ -24,24 +24,24 @@ const tumbleMoving = (function () {
       memory = c.memory;
       c._initialize();
       return {
-        declaration: (i) => JSON.parse(text(c.declaration(i), c.text_size())),
-        draw: (i) => text(c.draw(i), c.text_size()),
+        declaration: () => JSON.parse(text(c.declaration(), c.text_size())),
+        draw: () => text(c.draw(), c.text_size()),
         drag: c.drag,
         // A view of the memory, made anew each time: it moves when the memory grows.
-        settings: (i, count) => new Float64Array(memory.buffer, c.settings(i), count),
+        settings: (count) => new Float64Array(memory.buffer, c.settings(), count),
       };
     });
   }
 
-  function load(chapter) {
-    chapters[chapter] ??= new Promise((resolve, reject) => {
-      arrivals[chapter] = (base64) => instantiate(base64).then(resolve, reject);
+  function load(name) {
+    modules[name] ??= new Promise((resolve, reject) => {
+      arrivals[name] = (base64) => instantiate(base64).then(resolve, reject);
       const script = document.createElement("script");
-      script.src = folder + chapter + ".js";
+      script.src = folder + name + ".js";
       script.onerror = () => reject(new Error(script.src + " is missing"));
       document.head.append(script);
     });
-    return chapters[chapter];
+    return modules[name];
   }
 
   // ── The controls of a figure ──
@@ -80,9 +80,9 @@ const tumbleMoving = (function () {
   // ── A figure of the page ──
 
   class Figure {
-    constructor(place, name, module, i) {
-      Object.assign(this, { place, name, module, i, playing: false, seen: true });
-      this.declared = module.declaration(i);
+    constructor(place, name, module) {
+      Object.assign(this, { place, name, module, playing: false, seen: true });
+      this.declared = module.declaration();
       this.controls = this.declared.controls;
       this.fields = this.controls.map((control, k) => field(control, (value) => this.set(k, value)));
       (place.closest(".scroll") ?? place).after(this.panel()); // it stays where a wide picture scrolls
@@ -91,7 +91,7 @@ const tumbleMoving = (function () {
     }
 
     settings() {
-      return this.module.settings(this.i, this.controls.length);
+      return this.module.settings(this.controls.length);
     }
 
     panel() {
@@ -129,7 +129,7 @@ const tumbleMoving = (function () {
     }
 
     draw() {
-      this.place.innerHTML = this.module.draw(this.i);
+      this.place.innerHTML = this.module.draw();
     }
 
     showValues() {
@@ -195,7 +195,7 @@ const tumbleMoving = (function () {
       let last = null;
       const drag = (event) => {
         const [x, y] = this.at(event);
-        this.module.drag(this.i, x, y, last ? x - last[0] : 0, last ? y - last[1] : 0);
+        this.module.drag(x, y, last ? x - last[0] : 0, last ? y - last[1] : 0);
         last = [x, y];
         this.changed();
       };
@@ -213,10 +213,10 @@ const tumbleMoving = (function () {
 
   // ── The page ──
 
-  function start(place, chapter, name, i) {
-    return load(chapter)
+  function start(place, chapter, name) {
+    return load(chapter + "." + name)
       .then((module) => {
-        const figure = new Figure(place, name, module, i);
+        const figure = new Figure(place, name, module);
         new IntersectionObserver((entries) => (figure.seen = entries.at(-1).isIntersecting)).observe(place);
         const linked = figure.readLink();
         window.addEventListener("hashchange", () => figure.readLink());
@@ -229,9 +229,9 @@ const tumbleMoving = (function () {
   }
 
   return {
-    arrived: (chapter, base64) => arrivals[chapter](base64),
+    arrived: (name, base64) => arrivals[name](base64),
     figures: [], // promises of those that were seen
-    /// figures: file of the picture → [chapter, name, number]
+    /// figures: file of the picture → [chapter, name]
     page(figures) {
       for (const place of document.querySelectorAll("[data-figure]")) {
         const found = figures[place.dataset.figure];

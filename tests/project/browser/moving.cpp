@@ -86,7 +86,7 @@ TEST_CASE("moving figures: the page draws what the program draws, byte for byte"
     browser.evaluate("figure.reset()");
     const fs::path root = std::getenv("TUMBLE_ROOT");
     const auto drawn = [&] {
-      return browser.evaluate("figure.module.draw(figure.i)").get<std::string>();
+      return browser.evaluate("figure.module.draw()").get<std::string>();
     };
     if (moving.is_its_own())
       CHECK(difference(drawn(), tumble::support::read_text(root / moving.picture)) == "");

@@ -45,6 +45,7 @@ class ContactEvents {
   int size() const { return static_cast<int>(flights_.size()); }
   std::int64_t queries() const { return queries_; }
   RigidBodyState<> state(int i, double t) const { return of(i).flight.state(t); }
+  bool is_ball(int i) const { return scene_.body(i).shape.points().size() == 1; }
 
   /// What counts as touching: no less than places have digits for.
   double tolerance(int i) const {

@@ -10,6 +10,8 @@
 namespace tumble::contact::detail {
 
 /// One run.
+/// @tparam Events finds the next impact: ContactEvents, or what does the same for less
+template <class Events>
 class ContactSimulation {
  public:
   ContactSimulation(const ContactScene& scene, const ContactSettings& settings)
@@ -98,7 +100,7 @@ class ContactSimulation {
     events_.fly(i, state, run_.t);
   }
 
-  bool is_ball(int i) const { return scene_.body(i).shape.points().size() == 1; }
+  bool is_ball(int i) const { return events_.is_ball(i); }
   double pull(const Vec3& normal) const { return -normal.dot(scene_.gravity); }
 
   /// The speed of the lowest hops of a body.
@@ -189,7 +191,7 @@ class ContactSimulation {
 
   const ContactScene& scene_;
   ContactSettings settings_;
-  ContactEvents events_;
+  Events events_;
   ContactRun run_;
   std::vector<Landings> landings_;
   int handled_ = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "tumble/body/derived.hpp"
 #include "tumble/collide/bounds.hpp"

@@ -5,7 +5,8 @@
 ///
 /// All in the contact's own axes: two along the surface, the third one along the normal.
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "tumble/core/types.hpp"
@@ -26,18 +27,17 @@ inline Vec2 holding_friction(const Mat3& K) {
 /// falls with λ, and is above 1 at λ = 0 because μ does not suffice. Source for its being unique:
 /// Batlle, "Rough balanced collisions", J. Applied Mechanics 63 (1996).
 inline Vec2 direction_of_escape(const Mat3& K, double mu) {
-  const Eigen::SelfAdjointEigenSolver<Mat2> axes(K.topLeftCorner<2, 2>());
-  const Vec2 stiffness = mu * axes.eigenvalues();
-  const Vec2 push = axes.eigenvectors().transpose() * K.topRightCorner<2, 1>();
+  const Mat2 stiffness = mu * K.topLeftCorner<2, 2>();
+  const Vec2 push = K.topRightCorner<2, 1>();
   const auto slide = [&](double lambda) -> Vec2 {
-    return push.cwiseQuotient(stiffness + Vec2::Constant(lambda));
+    return (stiffness + lambda * Mat2::Identity()).inverse() * push;
   };
   double low = 0, high = push.norm();  // |slide(|push|)| < 1
   for (int i = 0; i < 200 && std::nextafter(low, high) < high; ++i) {
     const double middle = low + (high - low) / 2;
     (slide(middle).squaredNorm() > 1 ? low : high) = middle;
   }
-  return axes.eigenvectors() * slide(high).normalized();
+  return slide(high).normalized();
 }
 
 /// What presses per normal impulse: friction and the normal itself.

@@ -28,7 +28,7 @@ inline ContactRun simulate_contacts(const ContactScene& scene, const ContactSett
           " m is not positive");
   require(settings.most_impacts > 0, "contacts: at most ", settings.most_impacts, " impacts");
   scene.require_valid(settings.tolerance);
-  return detail::ContactSimulation(scene, settings).run();
+  return detail::ContactSimulation<detail::ContactEvents>(scene, settings).run();
 }
 
 /// @}
