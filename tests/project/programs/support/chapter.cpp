@@ -45,7 +45,7 @@ TEST_CASE("chapter: prints its tables, and leaves them and its figures") {
   CHECK(result.status == 0);
   CHECK(mentions(result.output, "A steady turn of 2 rad/s", "times of this machine", "Figures"));
   CHECK(files_with(".csv").size() == 11);
-  CHECK(files_with(".svg").size() == 9);
+  CHECK(files_with(".svg").size() == 10);
 }
 
 TEST_CASE("chapter: one table and nothing else, or the figures and nothing else") {
@@ -55,7 +55,7 @@ TEST_CASE("chapter: one table and nothing else, or the figures and nothing else"
   CHECK_FALSE(mentions(result.output, "Figures"));
   result = chapter("--figures '" + folder.string() + "'");
   CHECK(result.output == "");
-  CHECK(files_with(".svg").size() == 9);
+  CHECK(files_with(".svg").size() == 10);
   CHECK(files_with(".csv").empty());
 }
 
