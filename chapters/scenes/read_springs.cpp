@@ -26,13 +26,13 @@ SpringBetween read_spring(const Place& place, const std::vector<SceneBody>& bodi
   place.require_only({"from", "to", "stiffness", "length", "damping"});
   const End from = read_end(place["from"], bodies), to = read_end(place["to"], bodies);
   require(from.body != to.body, place.name(), " joins ", bodies[from.body].name, " to itself");
-  const SpringBetween spring{from.body,
-                             to.body,
-                             from.p_body,
-                             to.p_body,
-                             place["stiffness"].number(),
-                             place.number_or("length", 0),
-                             place.number_or("damping", 0)};
+  SpringBetween spring{from.body,
+                       to.body,
+                       from.p_body,
+                       to.p_body,
+                       place["stiffness"].number(),
+                       place.number_or("length", 0),
+                       place.number_or("damping", 0)};
   place.refused_here([&] { spring.require_valid(); });
   return spring;
 }

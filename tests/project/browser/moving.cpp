@@ -85,9 +85,7 @@ TEST_CASE("moving figures: the page draws what the program draws, byte for byte"
     REQUIRE(browser.evaluate(find(moving)) == true);
     browser.evaluate("figure.reset()");
     const fs::path root = std::getenv("TUMBLE_ROOT");
-    const auto drawn = [&] {
-      return browser.evaluate("figure.module.draw()").get<std::string>();
-    };
+    const auto drawn = [&] { return browser.evaluate("figure.module.draw()").get<std::string>(); };
     if (moving.is_its_own())
       CHECK(difference(drawn(), tumble::support::read_text(root / moving.picture)) == "");
     for (const double part : {0.3, 0.77}) {

@@ -59,7 +59,7 @@ Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyState<>& st
 /// @throws std::invalid_argument as SteadyForces::require_valid() does
 template <class... Forces>
 SteadyForces valid_steady_forces(const RigidBody<>& body, const Forces&... forces) {
-  const SteadyForces sum = steady_forces(body, forces...);
+  SteadyForces sum = steady_forces(body, forces...);
   sum.require_valid();
   return sum;
 }
