@@ -29,7 +29,7 @@ TEST_CASE("simulate_changes: a ball that you turn back yourself, against the clo
     const auto motion =
         simulate_changes(dropped_ball, dropped, {0, 8, 1e-9}, height, bounce(e), Weight{});
     REQUIRE(motion.events.size() >= 4);
-    double t = std::sqrt(10 / gravity), v = g * t;
+    double t = std::sqrt(10 / gravity), v = gravity * t;
     for (const Event& event : motion.events) {
       // A rounding for each event before it, of times up to 8 s.
       CHECK(std::abs(event.t - t) < 1e-14);
