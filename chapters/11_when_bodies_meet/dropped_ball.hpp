@@ -36,13 +36,25 @@ inline Falling in_truth(double t) {
 /// When a program that takes steps turns the velocity round.
 enum class Turn { when_below, before_it_would_pass };
 
-/// One step of a game: first the velocity, then the place.
-inline Falling stepped(Falling ball, double h, Turn turn) {
-  ball.v -= h * gravity;
-  if (turn == Turn::before_it_would_pass && ball.z + h * ball.v < 0) ball.v = std::abs(ball.v);
-  ball.z += h * ball.v;
-  if (turn == Turn::when_below && ball.z < 0) ball.v = std::abs(ball.v);
-  return ball;
+/// Where a step of a game leads in flight: first the velocity, then the place.
+inline Falling game_step(const Falling& ball, double h) {
+  const double v = ball.v - h * gravity;
+  return {ball.z + h * v, v};
+}
+
+/// Where the parabola leads.
+inline Falling exact_step(const Falling& ball, double h) {
+  return {ball.z + h * ball.v - gravity * h * h / 2, ball.v - h * gravity};
+}
+
+/// One step with the floor.
+/// @param flight game_step or exact_step
+inline Falling stepped(const Falling& ball, double h, Turn turn,
+                       Falling (*flight)(const Falling&, double) = game_step) {
+  const Falling next = flight(ball, h);
+  if (next.z >= 0) return next;
+  if (turn == Turn::when_below) return {next.z, std::abs(next.v)};
+  return {ball.z + h * std::abs(next.v), std::abs(next.v)};
 }
 
 }  // namespace contact_chapter

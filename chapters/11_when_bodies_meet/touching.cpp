@@ -50,7 +50,7 @@ double by_advancement(Watched& gap, double speed, double t1) {
 
 // ── The bullet ──
 
-constexpr double bullet_speed = 1e4, bullet_start = 12.34, plate = 1e-3;
+constexpr double bullet_speed = 1e4, bullet_start = 12.3456789, plate = 1e-3;
 
 /// To the plate from either side.
 double bullet_gap(double t) {

@@ -120,8 +120,8 @@ void draw_steps(support::Sketch& sketch, Complex z, const Shown& method) {
   sketch.dots(dots, colour, 3.2);
   const std::string exact = size_of(std::exp(z));
   sketch.words({0, 117}, {0, 0},
-               "40 steps with z = " + text_of(z) +
-                   ": each multiplies y by |R| = " + size_of(factor) + "; exact is " + exact + ".");
+               "40 steps, z = " + text_of(z) + ": each multiplies y by |R| = " + size_of(factor) +
+                   ", exactly |eᶻ| = " + exact + ".");
 }
 
 std::string draw(Settings now) {
@@ -131,7 +131,7 @@ std::string draw(Settings now) {
   draw_plane(sketch);
   sketch.dot({z.real(), z.imag()}, "ink", 7);
   sketch.dot({z.real(), z.imag()}, std::string(method.colour), 4.5);
-  sketch.words({z.real(), z.imag()}, {10, -8}, "z");
+  sketch.words({z.real(), z.imag()}, {10, -8}, "z = hλ");
   draw_steps(sketch, z, method);
   return sketch.svg();
 }

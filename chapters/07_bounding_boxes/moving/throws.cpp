@@ -106,7 +106,7 @@ void draw_box(Sketch& sketch, const Mat3& R, const boxes::OrientedBox& box, doub
            millimetres(box.size[2]) + " mm",
        "c6");
   line(410, svg_number(box.volume() / volume, 1) + " times the racket's volume", "c6");
-  line(434, "δ = " + svg_number(difference, 3), "c6");
+  line(434, "the tensors differ by δ = " + svg_number(difference, 3), "c6");
 }
 
 void draw_throw(Sketch& sketch, const FreeTrajectory& motion, double t, double x,
@@ -144,7 +144,8 @@ void draw_apart(Sketch& sketch, const Throws& both, double t, double difference)
   sketch.dot(in_plot(t, both.apart(t)), "c6", 6);
   sketch.words({left, -bottom + per_degree * 180}, {0, -14},
                "apart by " + svg_number(both.apart(t) / degree, 0) +
-                   "°; δ ω t = " + svg_number(difference * spin * t / degree, 0) + "°");
+                   "°; grey: the estimate δ ω t, " + svg_number(difference * spin * t / degree, 0) +
+                   "°");
 }
 
 std::string draw(Settings now) {

@@ -68,9 +68,10 @@ void draw_world(Sketch& sketch, const PlanarImpact& impact, const Answers& answe
   draw_floor(sketch, -1.8, 2.1);
   draw_rod(sketch, tilt);
   draw_velocity(sketch, impact.u, "ink", "before", impact.u.x() < 0);
+  sketch.words({0, 0}, {-150, -215}, "drag the rod, or the arrow below the floor", "faint");
   const Vec2 &usual = answers.usual.u, &ours = answers.ours.u;
   // Where both stick, only rounding would tell which one is to the left.
-  const bool alike = (usual - ours).norm() < 0.05, left = usual.x() < ours.x() - 1e-9;
+  const bool alike = (usual - ours).norm() < 0.01, left = usual.x() < ours.x() - 1e-9;
   draw_velocity(sketch, usual, answers.usual_colour(), alike ? "" : "tutorials", left);
   draw_velocity(sketch, ours, "c2", alike ? "both" : "slip followed", !left);
 }
@@ -161,21 +162,30 @@ void draw_plane(Sketch& sketch, const PlanarImpact& impact, const Answers& answe
 
 // ── Energy ──
 
-void draw_energy(Sketch& sketch, const Answers& answers) {
-  constexpr double left = 150, top = 450, unit = 270, line = 28;
+/// What becomes of the slip, in words.
+std::string fate_of_slip(const PlanarImpact& impact, const PlanarResult& ours) {
+  if (ContactPath(impact).rest() >= ours.impulse.y()) return "the slip doesn't end";
+  return std::abs(ours.u.x()) < 1e-9 ? "the tip sticks" : "the slip turns round";
+}
+
+void draw_energy(Sketch& sketch, const PlanarImpact& impact, const Answers& answers) {
+  constexpr double left = 150, top = 455, unit = 270, line = 28;
   sketch.look({0, 0, 1});
   const auto bar = [&](int i, const std::string& name, double share, const std::string& colour) {
     const double y = -top - i * line, end = left + unit * share;
     sketch.curve({{left, y - 7}, {end, y - 7}, {end, y + 7}, {left, y + 7}, {left, y - 7}},
                  {colour, 1, 1, 0.6});
     sketch.words({left, y}, {-10, 6}, name, colour, "end");
-    sketch.words({end, y}, {8, 6}, svg_number(100 * share, 1) + " %", colour);
+    const bool meets_line = share > 0.7 && share < 1;
+    sketch.words({meets_line ? left + unit : end, y}, {8, 6}, svg_number(100 * share, 1) + " %",
+                 colour);
   };
   bar(0, "before", 1, "ink");
   bar(1, "tutorials", answers.usual_left, answers.usual_colour());
   bar(2, "slip followed", answers.ours_left, "c2");
   sketch.curve({{left + unit, -top + 12}, {left + unit, -top - 2 * line - 12}}, {"ink", 1, 0.6});
-  sketch.words({plane_right, -top - 2 * line}, {0, 6}, "outside the oval: more energy", "ink",
+  sketch.words({left, -top + 12}, {0, -10}, "energy that is left, of ½ uᵀK⁻¹u");
+  sketch.words({plane_right, -top - 2 * line}, {0, 6}, fate_of_slip(impact, answers.ours), "c2",
                "end");
 }
 
@@ -185,14 +195,18 @@ std::string draw(Settings now) {
   const Answers answers = answers_of(impact);
   draw_world(sketch, impact, answers, now[angle] * degree);
   draw_plane(sketch, impact, answers);
-  draw_energy(sketch, answers);
+  draw_energy(sketch, impact, answers);
   return sketch.svg();
 }
 
+/// Above the floor the rod follows the pointer, below it the arrow with which its tip comes.
 void drag(std::span<double> settings, const Drag& pointer) {
   if (pointer.x > plane_left) return;
   const double up = world.y - pointer.y, right = pointer.x - world.x;
-  settings[angle] = allowed(controls[angle], std::atan2(up, right) / degree);
+  if (up < 0)
+    settings[slip] = allowed(controls[slip], right / world.scale);
+  else
+    settings[angle] = allowed(controls[angle], std::atan2(up, right) / degree);
 }
 
 }  // namespace

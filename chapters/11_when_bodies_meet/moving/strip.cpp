@@ -33,7 +33,7 @@ constexpr std::array<Control, 5> controls{
      {"up", "and upwards", "m/s", -0.6, 0.6, 0.05, 0.4},
      {"spin", "spin forwards", "turns/s", -15, 15, 0.5, 3},
      {"e", "restitution e", "", 0.1, 0.7, 0.05, 0.6},
-     {"t", "time, slowed 10×", "s", 0, slower* longest, 0.05, 6}}};
+     {"t", "film, slowed 10×", "s", 0, slower* longest, 0.05, 6}}};
 
 // ── The throw ──
 
@@ -176,8 +176,8 @@ void draw_energy(Sketch& sketch, const Throw& thrown, double t) {
     marks.push_back({{per_second * impact.t, -9}, {per_second * impact.t, 0}});
   sketch.curves(marks, {"c6", 1.2});
   sketch.curve({{per_second * t, -12}, {per_second * t, 150}}, {"ink", 1.2});
-  sketch.words({0, per_millijoule * all[0].all}, {-6, 6}, svg_number(all[0].all, 1), "ink", "end");
-  sketch.words({0, 0}, {-6, 4}, "mJ", "ink", "end");
+  sketch.words({0, per_millijoule * all[0].all}, {-6, 6}, svg_number(all[0].all, 1) + " mJ", "ink",
+               "end");
   const double right = per_second * longest;
   sketch.words({right, 140}, {0, 0}, "energy: height", "c2", "end");
   sketch.words({right, 117}, {0, 0}, "moving", "c0", "end");
@@ -190,7 +190,7 @@ std::string caption_of(const Throw& thrown, double t) {
     return "after " + svg_number(t, 3) + " s";
   const std::string since = " since " + svg_number(thrown.end(), 2) + " s";
   if (thrown.run.ending == contact::Ending::lasting_contact) return "on an edge" + since;
-  return "at rest" + since + ": it shows " + svg_number(number_shown(thrown.at(t)), 0);
+  return "at rest" + since + ": on top is " + svg_number(number_shown(thrown.at(t)), 0);
 }
 
 std::string draw(Settings now) {

@@ -158,15 +158,12 @@ const tumbleMoving = (function () {
       return true;
     }
 
-    open(playing) {
-      this.draw();
-      if (playing) this.play(true);
-    }
-
     play(on) {
       this.playing = on;
       if (this.playButton) this.playButton.textContent = on ? "Pause" : "Play";
       if (!on) return;
+      const k = this.declared.plays, { start, least } = this.controls[k];
+      if (this.settings()[k] === start) this.set(k, least); // not from where nothing moves any more
       let before = performance.now();
       const frame = (now) => {
         if (!this.playing) return;
@@ -222,7 +219,10 @@ const tumbleMoving = (function () {
         window.addEventListener("hashchange", () => figure.readLink());
         const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
         // It replaces another picture, as on the front page.
-        if (!place.dataset.figure.endsWith("/" + name + ".svg")) figure.open(!still && !linked);
+        if (!place.dataset.figure.endsWith("/" + name + ".svg")) {
+          figure.draw();
+          if (!still && !linked) figure.play(true);
+        }
         return figure;
       })
       .catch((error) => place.after(made("p", { className: "moving-error" }, "This figure stands still here: " + error.message)));
