@@ -1,0 +1,119 @@
+// Judges in the page: a compiler and a judge, each in a Web Worker of its own.
+
+const patience = 2000; // [ms] for one answer, as natively
+
+/** One worker, and what is being asked of it. */
+class Asked {
+  constructor(url) {
+    this.worker = new Worker(url, { type: "module" });
+    this.last = 0;
+  }
+
+  /**
+   * The message that answers this one.
+   * @param hear is called with those before it
+   */
+  ask(message, hear = () => {}) {
+    const id = ++this.last;
+    return new Promise((resolve, reject) => {
+      this.fail = reject;
+      this.worker.onerror = (event) => reject(new Error(event.message || "a script of the page cannot be loaded"));
+      this.worker.onmessage = ({ data }) => {
+        if (data.id !== id) return;
+        if (data.failure) reject(new Error(data.failure));
+        else if ("built" in data || "verdict" in data) resolve(data);
+        else hear(data);
+      };
+      this.worker.postMessage({ ...message, id });
+    });
+  }
+
+  end() {
+    this.worker.terminate();
+  }
+}
+
+/** A question that has no answer in time. */
+class Hung extends Error {
+  constructor(at) {
+    super("no answer in time");
+    this.at = at;
+  }
+}
+
+export class Judge {
+  constructor(base = new URL("./", import.meta.url)) {
+    this.base = base;
+    this.queue = Promise.resolve();
+  }
+
+  /**
+   * The verdict on a file: the object that `./tumble check --json` writes of a unit.
+   * @param unit       "04_quaternions/product"
+   * @param seed       of the inputs
+   * @param onProgress is called with {done, total} [bytes] while something is downloaded
+   */
+  check(unit, source, { seed = freshSeed(), onProgress = () => {} } = {}) {
+    const verdict = this.queue.then(() => this.#check(unit, source, seed, onProgress));
+    this.queue = verdict.catch(() => {}); // the next one has its own chance
+    return verdict;
+  }
+
+  /** Downloads what a chapter needs, without judging. */
+  async prepare(onProgress = () => {}) {
+    await this.#build(null, null, onProgress);
+  }
+
+  async #check(unit, source, seed, onProgress) {
+    const began = performance.now();
+    const { built } = await this.#build(unit, source, onProgress);
+    const hung = [];
+    for (;;) {
+      try {
+        const { verdict } = await this.#judge({ unit, source, built, seed, hung }, onProgress);
+        return { ...verdict, seconds: (performance.now() - began) / 1000 };
+      } catch (failure) {
+        if (!(failure instanceof Hung)) throw failure;
+        hung.push(failure.at); // the same again, and this question has no answer
+      }
+    }
+  }
+
+  #build(unit, source, onProgress) {
+    this.compiler ??= new Asked(new URL("compiler.mjs", this.base));
+    return this.compiler.ask({ unit, source }, ({ progress }) => onProgress(progress)).catch((failure) => {
+      this.compiler.end();
+      this.compiler = null;
+      throw failure;
+    });
+  }
+
+  /** One run of a spec. A worker whose student does not answer in time is ended. */
+  async #judge(message, onProgress) {
+    const judge = (this.judge ??= new Asked(new URL("judge.mjs", this.base)));
+    let clock;
+    const end = (why) => {
+      judge.end();
+      this.judge = null;
+      judge.fail(why);
+    };
+    const hear = ({ at, progress }) => {
+      if (progress) return onProgress(progress);
+      clearTimeout(clock);
+      if (at) clock = setTimeout(() => end(new Hung(at)), patience);
+    };
+    try {
+      return await judge.ask(message, hear);
+    } catch (failure) {
+      end(failure);
+      throw failure;
+    } finally {
+      clearTimeout(clock);
+    }
+  }
+}
+
+/** A seed as `./tumble check` takes one. */
+export function freshSeed() {
+  return 1 + (crypto.getRandomValues(new Uint32Array(1))[0] % 1000000);
+}

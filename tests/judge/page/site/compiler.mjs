@@ -1,0 +1,51 @@
+// A Web Worker: from a student's file to a module, with clang.
+import { Assets, manifest } from "./assets.mjs";
+import { parseTar } from "./nanotar.mjs";
+import { Toolchain } from "./toolchain.mjs";
+
+/** The compiler fetches its files by itself: the large ones come unpacked from where they are kept. */
+function fetchThrough(assets) {
+  const fetchOther = globalThis.fetch.bind(globalThis);
+  const large = new Map(assets.about.files.map(({ path }) => [assets.address(path), path]));
+  globalThis.fetch = (resource, options) => {
+    const path = large.get(resource.href ?? resource);
+    return path ? assets.response(path) : fetchOther(resource, options);
+  };
+}
+
+/** A tar as a tree {name: tree or bytes}. */
+function treeOfTar(bytes) {
+  const root = {};
+  for (const { name, type, data } of parseTar(bytes.buffer)) {
+    const names = name.split("/");
+    const last = names.pop();
+    const folder = names.reduce((tree, each) => tree[each], root);
+    folder[last] = type === "directory" ? {} : data;
+  }
+  return root;
+}
+
+async function load(hear) {
+  const assets = new Assets(await manifest(), hear);
+  const recipe = fetch(new URL("compiler/recipe.json", import.meta.url)).then((response) => response.json());
+  const tree = treeOfTar(await assets.bytes("compiler/tumble.tar"));
+  fetchThrough(assets);
+  const llvm = await import("./compiler/bundle.js");
+  await llvm.runLLVM(null, {}, { fetchProgress: () => {} }); // fetches what it needs, runs nothing
+  return new Toolchain(llvm, await recipe, tree);
+}
+
+let toolchain;
+let listener = () => {};
+
+onmessage = async ({ data: { id, unit, source } }) => {
+  listener = (progress) => postMessage({ id, progress });
+  try {
+    toolchain ??= load((progress) => listener(progress));
+    const built = unit ? await (await toolchain).build(unit, source) : (await toolchain, null);
+    postMessage({ id, built });
+  } catch (failure) {
+    toolchain = undefined; // a download that was broken off begins again
+    postMessage({ id, failure: String(failure.message ?? failure) });
+  }
+};
