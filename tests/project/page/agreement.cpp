@@ -1,0 +1,110 @@
+/// @file
+/// The same file, the same seed, the same verdict: in a browser and natively, but for what differs
+/// by nature (tests/judge/page/README.md).
+#include <doctest/doctest.h>
+
+#include <iostream>
+#include <regex>
+
+#include "project/harness/skip.hpp"
+#include "project/judge/mistakes/mistake.hpp"
+#include "project/page/page_judge.hpp"
+
+using namespace tumble::test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::uint64_t seed = 20250711;
+
+/// Of a chapter, or of all: "04".
+bool is_wanted(const std::string& unit) {
+  return unit.starts_with(from_environment("TUMBLE_PAGE_CHAPTER"));
+}
+
+/// The solution and the stub of every unit.
+std::vector<Written> answers_of_the_course() {
+  std::vector<Written> files;
+  for (const Json& unit : Json::parse(tumble::support::read_text(
+           std::filesystem::path(from_environment("TUMBLE_EXERCISES")) / "units.json"))) {
+    const std::string id = unit.at("id");
+    if (!is_wanted(id)) continue;
+    files.push_back({id, "stub", unit.at("stub")});
+    files.push_back({id, "solution", text_of(root() / "solutions" / (id + ".cpp"))});
+  }
+  return files;
+}
+
+/// Mistakes that students make: every so many of the corpus, as many as are asked for.
+std::vector<Written> mistakes_of_students(std::size_t most) {
+  std::vector<Written> all, files;
+  for (const Mistake& each : all_mistakes())
+    if (is_wanted(each.unit)) all.push_back({each.unit, each.name, each.text});
+  const std::size_t step = std::max<std::size_t>(1, all.size() / most);
+  for (std::size_t i = 0; i < all.size(); i += step) files.push_back(all[i]);
+  return files;
+}
+
+/// A verdict without what is never the same twice: its times.
+Json without_times(Json verdict) {
+  verdict.erase("seconds");
+  const std::string text = verdict.at("explanation");
+  verdict["explanation"] = std::regex_replace(text, std::regex(R"(  \([0-9.]+ s\))"), "");
+  return verdict;
+}
+
+/// And without what another compiler says in other words, of a file that it refuses or warns about.
+Json without_words_of_compiler(Json verdict) {
+  verdict.erase("detail");
+  std::string& text = verdict.at("explanation").get_ref<std::string&>();
+  if (verdict.at("summary") == "does not compile") text.clear();
+  if (const auto warned = text.find("  The compiler warns:"); warned != std::string::npos)
+    text.erase(warned);
+  return verdict;
+}
+
+/// Says what differs; nothing if nothing does.
+std::string difference(const Json& page, const Json& native) {
+  std::string text;
+  for (const auto& [key, value] : native.items())
+    if (!page.contains(key) || page.at(key) != value)
+      text += key + "\n  native: " + value.dump() +
+              "\n  page:   " + (page.contains(key) ? page.at(key).dump() : "nothing") + "\n";
+  for (const auto& [key, value] : page.items())
+    if (!native.contains(key)) text += key + " in the page only: " + value.dump() + "\n";
+  return text;
+}
+
+/// The verdicts of both judges, compared.
+void compare(PageJudge& page, const Written& file) {
+  CAPTURE(file.unit);
+  CAPTURE(file.name);
+  const Json outcome = page.verdict_on(file, seed);
+  REQUIRE_MESSAGE(outcome.contains("verdict"), outcome.dump());
+  const auto normal = [](const Json& verdict) {
+    return without_words_of_compiler(without_times(verdict));
+  };
+  const std::string differs =
+      difference(normal(outcome.at("verdict")), normal(native_verdict_on(file, seed)));
+  CHECK_MESSAGE(differs.empty(), file.unit, " ", file.name, ":\n", differs);
+}
+
+bool can_compare() {
+  if (from_environment("TUMBLE_EXERCISES").empty() ||
+      !std::filesystem::exists(from_environment("TUMBLE_EXERCISES")))
+    return skip("the exercises in the page are not built: ./tumble book --exercises"), false;
+  if (chromium_program().empty()) return skip("there is no Chromium"), false;
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("stubs, solutions and mistakes have the same verdict in a browser as natively") {
+  if (!can_compare()) return;
+  PageJudge page;
+  std::vector<Written> files = answers_of_the_course();
+  REQUIRE(files.size() >= 2);
+  for (Written& each : mistakes_of_students(100)) files.push_back(std::move(each));
+  for (const Written& each : files) compare(page, each);
+  MESSAGE(files.size(), " files compared");
+}

@@ -1,0 +1,81 @@
+#pragma once
+/// @file
+/// The judge in a browser and the judge of this build, asked about the same files.
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "project/harness/chromium.hpp"
+#include "project/harness/command.hpp"
+#include "project/harness/served_folder.hpp"
+#include "project/harness/temporary_folder.hpp"
+#include "support/text_file.hpp"
+
+namespace tumble::test {
+
+/// A student's file.
+struct Written {
+  std::string unit;  ///< "04_quaternions/product"
+  std::string name;  ///< of what is tried, "solution"
+  std::string text;
+};
+
+/// What a variable of the environment says; empty if there is none.
+inline std::string from_environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// The judge in headless Chromium: the folder that a site serves as exercises/.
+class PageJudge {
+ public:
+  PageJudge() : served_(from_environment("TUMBLE_SERVE"), from_environment("TUMBLE_EXERCISES")) {
+    browser_.open(served_.address() + "manifest.json");  // any address of the same server
+    browser_.evaluate("import('/client.mjs').then(({Judge}) => { judge = new Judge(); })");
+  }
+
+  Chromium& browser() { return browser_; }
+
+  /// The verdict's JSON.
+  nlohmann::ordered_json verdict_on(const Written& file, std::uint64_t seed) {
+    const nlohmann::json source = file.text;
+    browser_.evaluate("outcome = null; judge.check('" + file.unit + "', " + source.dump() +
+                      ", {seed: " + std::to_string(seed) +
+                      "}).then((verdict) => { outcome = {verdict}; }, (why) => { outcome = "
+                      "{failure: String(why)}; }); 0");
+    return nlohmann::ordered_json::parse(outcome());
+  }
+
+ private:
+  /// What a promise has come to, asked again and again: a first verdict may take a minute here.
+  std::string outcome() {
+    const auto began = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - began < std::chrono::minutes(5)) {
+      const nlohmann::json text = browser_.evaluate(
+          "new Promise((resolve) => setTimeout(resolve, 50)).then(() => JSON.stringify(outcome))");
+      if (text != "null") return text.get<std::string>();
+    }
+    throw std::runtime_error("the page gives no verdict");
+  }
+
+  ServedFolder served_;
+  Chromium browser_;
+};
+
+/// What `./tumble check --json` says of a file. No sanitizers: a page has none.
+inline nlohmann::ordered_json native_verdict_on(const Written& file, std::uint64_t seed) {
+  const TemporaryFolder folder;
+  const std::filesystem::path source = folder.path() / (file.unit + ".cpp");
+  std::filesystem::create_directories(source.parent_path());
+  support::write_text(source, file.text);
+  const std::filesystem::path json = folder.path() / "verdict.json";
+  run_command(from_environment("TUMBLE_JUDGE") + " check " + file.unit + " --once --seed " +
+              std::to_string(seed) + " --from " + folder.path().string() + " --json " +
+              json.string());
+  return nlohmann::ordered_json::parse(support::read_text(json)).at("units").at(0);
+}
+
+}  // namespace tumble::test
