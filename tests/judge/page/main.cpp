@@ -12,8 +12,8 @@
 #include "judge/page/page_build.hpp"
 #include "judge/page/page_course.hpp"
 #include "judge/page/page_worker.hpp"
-#include "judge/verdict/judge_answers.hpp"
 #include "judge/verdict/json.hpp"
+#include "judge/verdict/judge_answers.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge {

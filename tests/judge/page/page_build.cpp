@@ -44,7 +44,7 @@ std::string forbidden_header(const PageBuild& build) {
   return {};
 }
 
-std::string reason_to_refuse(const Course& course, const Unit& unit, const std::string& source) {
+std::string refusal(const Course& course, const Unit& unit, const std::string& source) {
   std::string why = too_large(source.size());
   if (why.empty()) why = reason_to_refuse(source);
   if (why.empty()) return {};
@@ -53,8 +53,8 @@ std::string reason_to_refuse(const Course& course, const Unit& unit, const std::
 
 void report_failure(BuildReport& report, const PageBuild& build, const Course& course,
                     const Unit& unit) {
-  report.outcome = build.step == "time" ? BuildOutcome::too_expensive
-                                        : BuildOutcome::does_not_compile;
+  report.outcome =
+      build.step == "time" ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
   report.detail = messages_about(unit.name + ".cpp", build.output, true);
   if (build.step == "link")
     explain_link_failure(report, course, unit, build.output, build.functions);
@@ -70,7 +70,7 @@ PageBuild page_build_of(const nlohmann::json& j) {
 BuildReport report_of(const PageBuild& build, const Course& course, const Unit& unit,
                       const std::string& source) {
   BuildReport report;
-  if (report.detail = reason_to_refuse(course, unit, source); !report.detail.empty())
+  if (report.detail = refusal(course, unit, source); !report.detail.empty())
     report.outcome = BuildOutcome::refused;
   else if (report.detail = forbidden_header(build); !report.detail.empty())
     report.outcome = BuildOutcome::forbidden_include;

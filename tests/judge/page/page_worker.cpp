@@ -14,9 +14,8 @@
 
 // site/student.mjs
 EM_JS(void, student_forget, (), { Module.student.forget(); });
-EM_JS(char*, student_answer, (int case_number, int question), {
-  return allocateUTF8(JSON.stringify(Module.student.answer(case_number, question)));
-});
+EM_JS(char*, student_answer, (int case_number, int question),
+      { return allocateUTF8(JSON.stringify(Module.student.answer(case_number, question))); });
 
 namespace tumble::judge {
 
