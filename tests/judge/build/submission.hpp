@@ -6,15 +6,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "judge/build/source_text.hpp"
+
 namespace tumble::judge {
 
 /// A file that is not looked at any further; the message says why.
 struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-/// The largest source file that is read, in bytes: ten thousand lines.
-inline constexpr std::size_t largest_submission = 256 << 10;
 
 /// The text of a regular file (no link, no pipe, no device), UTF-8 without NUL.
 /// @throws Refused if it is missing, empty, too large, or anything else

@@ -7,6 +7,7 @@
 #include "judge/build/confined_compiler.hpp"
 #include "judge/build/diagnostics.hpp"
 #include "judge/build/inspection.hpp"
+#include "judge/build/link_failure.hpp"
 #include "judge/build/object_cache.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/course/contract.hpp"
@@ -212,16 +213,6 @@ class Builder {
     return found;
   }
 
-  /// What is defined there, for whom a letter or a type is wrong.
-  std::string found_instead() const {
-    constexpr std::size_t most = 5;
-    std::string text;
-    const std::vector<std::string> functions = compiler_.functions_in(object());
-    for (std::size_t i = 0; i < std::min(most, functions.size()); ++i)
-      text += "  " + functions[i].substr(0, 200) + "\n";
-    return text.empty() ? "" : "found there:\n" + text;
-  }
-
   bool link(WorkerBuild& result) {
     Finished step = run_linker();
     while (step.ending != Ending{false, 0} &&
@@ -230,24 +221,7 @@ class Builder {
     if (result.outcome != BuildOutcome::built) return false;
     if (succeeded(step, result, true)) return true;
     if (result.outcome != BuildOutcome::does_not_compile) return false;
-    const std::vector<std::string> undefined = undefined_functions(step.output);
-    const bool absent = std::any_of(undefined.begin(), undefined.end(), [&](const auto& name) {
-      return name.ends_with("::" + unit_.name);
-    });
-    result.explained = !undefined.empty();
-    if (absent) {
-      result.outcome = BuildOutcome::wrong_signature;
-      result.detail = read_declaration(course_, unit_).signature + "\n" + found_instead();
-    } else if (!undefined.empty()) {
-      result.detail = "Your code calls these functions, but nothing defines them:\n";
-      for (const std::string& name : undefined) result.detail += "  " + name + "\n";
-      const bool of_eigen = undefined.front().find("Eigen::") != std::string::npos;
-      result.detail += of_eigen
-                           ? "(Eigen/Core is all of Eigen that an exercise has.)\n"
-                           : "(A later exercise? A helper that is declared, but not defined?)\n";
-    } else {
-      result.detail = "linking fails:\n" + step.output;  // names of functions, no text of a file
-    }
+    explain_link_failure(result, course_, unit_, step.output, compiler_.functions_in(object()));
     return false;
   }
 
@@ -293,30 +267,6 @@ WorkerBuild with_text_of(const fs::path& source, Step&& step) {
     return result;
   }
 }
-
-}  // namespace
-
-std::string name_of(BuildOutcome outcome) {
-  switch (outcome) {
-    case BuildOutcome::built:
-      return "built";
-    case BuildOutcome::refused:
-      return "refused";
-    case BuildOutcome::does_not_compile:
-      return "does not compile";
-    case BuildOutcome::forbidden_include:
-      return "forbidden include";
-    case BuildOutcome::assembly:
-      return "assembly";
-    case BuildOutcome::too_expensive:
-      return "too expensive to compile";
-    case BuildOutcome::wrong_signature:
-      return "wrong signature";
-  }
-  return "unknown";
-}
-
-namespace {
 
 /// A text for this unit that compiles wherever the machine can compile at all.
 std::string known_to_compile(const Course& course, const Unit& unit) {

@@ -2,19 +2,13 @@
 /// @file
 /// Asks a student's worker: one fresh process a test case, behind all walls.
 
-#include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <optional>
-#include <random>
 #include <string>
-#include <vector>
 
-#include "judge/protocol/message.hpp"
+#include "judge/conversation/exchange.hpp"
 #include "judge/sandbox/confined_process.hpp"
 #include "judge/sandbox/pipe.hpp"
 #include "judge/sandbox/worker_program.hpp"
-#include "judge/spec/answerer.hpp"
 #include "judge/spec/session.hpp"
 
 namespace tumble::judge {
@@ -31,11 +25,8 @@ class StudentWorker : public Answerer {
  private:
   struct Running;
 
-  void send(Kind kind, const List& content);
+  void send(const std::string& frame);
   Message receive();
-  /// The message for which the judge has the bytes already, if it has all of them.
-  std::optional<Message> take_message();
-  Value answer_of(const Message& message);
   /// What it printed before it ended may say why.
   void read_last_words();
   /// The pipe for answers is at its end: says how the worker has ended.
@@ -43,15 +34,15 @@ class StudentWorker : public Answerer {
   /// The deadline has passed: gives another one to a program that this machine keeps from
   /// computing.
   void wait_longer_or_stop();
-  [[noreturn]] void stop(Outcome outcome, const std::string& detail);
+  /// It says that the system has refused it something.
+  [[noreturn]] void refused_call(const Message& message);
 
   WorkerProgram program_;
+  Exchange exchange_;
   std::unique_ptr<Running> running_;
   std::string printed_;
-  std::mt19937_64 tokens_{std::random_device{}()};
-  std::int64_t token_ = 0;
   Clock::time_point deadline_;
-  int delays_ = 0, hung_cases_ = 0;
+  int delays_ = 0;
 };
 
 }  // namespace tumble::judge

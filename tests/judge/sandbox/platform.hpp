@@ -13,6 +13,8 @@
 #include <iterator>
 #include <string>
 
+#include "judge/sandbox/linux_walls.hpp"
+
 #if defined(__SANITIZE_ADDRESS__)
 #define TUMBLE_HAS_ASAN 1
 #elif defined(__has_feature)
@@ -21,13 +23,10 @@
 #define TUMBLE_HAS_ASAN 0
 #endif
 
-#if defined(__linux__) && !defined(TUMBLE_PORTABLE_WORKER)
-#define TUMBLE_LINUX_WALLS 1
+#if TUMBLE_LINUX_WALLS
 #include <sys/prctl.h>
 
 #include <csignal>
-#else
-#define TUMBLE_LINUX_WALLS 0
 #endif
 
 namespace tumble::judge::platform {

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "judge/conversation/endings.hpp"
 #include "judge/course/contract.hpp"
 #include "judge/spec/demand.hpp"
 #include "judge/verdict/number_text.hpp"
@@ -202,8 +203,7 @@ class Printer {
     std::istringstream in(finding.printed);
     std::string kept;
     for (std::string line; std::getline(in, line);)
-      if (line.find("Assertion ") == std::string::npos || !line.ends_with("failed."))
-        kept += line + "\n";
+      if (!tells_an_assertion(line)) kept += line + "\n";
     return kept;
   }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "judge/conversation/student_worker.hpp"
-#include "judge/spec/run.hpp"
 #include "judge/verdict/crash_place.hpp"
+#include "judge/verdict/judge_answers.hpp"
 #include "judge/verdict/names_from_source.hpp"
 #include "support/text_file.hpp"
 
@@ -48,8 +48,7 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
   if (failed == result.cases.end() || result.untouched()) return;
   Finding& finding = *failed->finding;
   const std::string source = support::read_text(job.source);
-  for (CaseResult& each : result.cases)
-    if (each.finding) name_from_source(*each.finding, source);
+  name_from_source(result, source);
   if (!judgement.locate_crashes || !is_worth_another_run(finding, source)) return;
   const int cpu_seconds = finding.outcome == Outcome::hung ? 3 : 10;  // sanitizers are slow
   finding.place = crash_place(job, {job.unit.id(), result.seed, failed->number}, cpu_seconds);
@@ -59,20 +58,12 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
 }  // namespace
 
 UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerBuild& build) {
-  UnitResult result;
-  result.unit = job.unit;
-  result.source = job.source;
+  UnitResult result = result_of_build(job.unit, job.source, build);
   result.seed = judgement.seed;
-  result.build = build.outcome;
-  result.build_detail = build.detail;
-  result.warnings = build.warnings;
   if (build.outcome != BuildOutcome::built) return result;
 
   StudentWorker worker(build.worker);
-  for (int i = 0; i < judgement.seeds && (i == 0 || result.passed()); ++i) {
-    result.seed = judgement.seed + static_cast<std::uint64_t>(i);
-    result.cases = run_spec({job.unit.id(), result.seed, judgement.only_case}, worker);
-  }
+  judge_answers(result, {judgement.seed, judgement.seeds, judgement.only_case}, worker);
   if (judgement.only_sanitized) {
     for (CaseResult& each : result.cases)
       if (each.finding) read_report(*each.finding, job, build);

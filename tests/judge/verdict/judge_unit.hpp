@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "judge/build/job.hpp"
+#include "judge/build/worker_build.hpp"
 #include "judge/sandbox/pipe.hpp"
 #include "judge/verdict/unit_result.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/build/worker_build.hpp"
+#include "judge/build/build_outcome.hpp"
 #include "judge/course/course.hpp"
 #include "judge/protocol/finding.hpp"
 

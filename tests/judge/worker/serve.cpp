@@ -6,17 +6,18 @@
 #endif
 
 #include <cerrno>
-#include <csignal>
 #include <exception>
 #include <new>
 #include <string>
 
 #include "judge/protocol/message.hpp"
-#include "judge/sandbox/platform.hpp"
+#include "judge/sandbox/linux_walls.hpp"
 #include "judge/worker/descriptors.hpp"
 #include "not_implemented.hpp"
 
 #if TUMBLE_LINUX_WALLS
+#include <csignal>
+
 // Theirs is the name, where there are sanitizers; else it is null.
 extern "C" void __sanitizer_print_stack_trace()  // NOLINT(bugprone-reserved-identifier)
     __attribute__((weak));

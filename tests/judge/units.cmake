@@ -1,0 +1,11 @@
+# The units of one contract, as a list of "4.1 product".
+function(tumble_units_of contract out)
+  file(STRINGS ${contract} headings REGEX "^// == [0-9]+\\.[0-9]+ [a-z0-9_]+: ")
+  set(units)
+  foreach(heading IN LISTS headings)
+    string(REGEX REPLACE "^// == ([0-9.]+ [a-z0-9_]+): .*" "\\1" unit "${heading}")
+    list(APPEND units "${unit}")
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${contract})
+  set(${out} "${units}" PARENT_SCOPE)
+endfunction()

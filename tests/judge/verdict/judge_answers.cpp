@@ -1,0 +1,31 @@
+#include "judge/verdict/judge_answers.hpp"
+
+#include "judge/spec/run.hpp"
+#include "judge/verdict/names_from_source.hpp"
+
+namespace tumble::judge {
+
+UnitResult result_of_build(const Unit& unit, const std::filesystem::path& source,
+                           const BuildReport& build) {
+  UnitResult result;
+  result.unit = unit;
+  result.source = source;
+  result.build = build.outcome;
+  result.build_detail = build.detail;
+  result.warnings = build.warnings;
+  return result;
+}
+
+void judge_answers(UnitResult& result, const Trial& trial, Answerer& answerer) {
+  for (int i = 0; i < trial.seeds && (i == 0 || result.passed()); ++i) {
+    result.seed = trial.seed + static_cast<std::uint64_t>(i);
+    result.cases = run_spec({result.unit.id(), result.seed, trial.only_case}, answerer);
+  }
+}
+
+void name_from_source(UnitResult& result, const std::string& source) {
+  for (CaseResult& each : result.cases)
+    if (each.finding) name_from_source(*each.finding, source);
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,46 @@
+/// @file
+/// What is said of a worker that has ended: the assertion that it has printed, whoever's words
+/// these are.
+#include "judge/conversation/endings.hpp"
+
+#include <doctest/doctest.h>
+#include <signal.h>
+
+using tumble::judge::crashed, tumble::judge::Outcome, tumble::judge::tells_an_assertion;
+
+namespace {
+
+std::string told(const std::string& printed) { return crashed(SIGABRT, printed).what(); }
+
+}  // namespace
+
+TEST_CASE("an assertion is told, as glibc, libstdc++, wasi-libc and libc++ print it") {
+  CHECK(told("x: x.cpp:3: int f(): Assertion `a == 1' failed.\n") == "an assertion failed, a == 1");
+  CHECK(
+      told(
+          "/usr/v.h:1125: T& v::operator[](size_type): Assertion '__n < this->size()' failed.\n") ==
+      "an assertion failed, __n < this->size() (an index out of range)");
+  CHECK(told("Assertion failed: index >= 0 && index < size() (Eigen/a.h: operator(): 181)\n") ==
+        "an assertion failed, index >= 0 && index < size() (an index out of range)");
+  CHECK(told("/v.h:9: libc++ Hardening assertion __n < size() failed: vector[] index out of "
+             "bounds\n") == "an assertion failed, __n < size() (an index out of range)");
+}
+
+TEST_CASE("the last assertion counts, and none is no assertion") {
+  CHECK(told("Assertion `a' failed.\nhello\nAssertion `b' failed.\nbye\n") ==
+        "an assertion failed, b");
+  CHECK(told("Assertion of mine\n").starts_with("SIGABRT: "));
+  CHECK(told("").starts_with("SIGABRT: "));
+}
+
+TEST_CASE("other signals have their own words, whatever was printed") {
+  const auto ending = crashed(SIGFPE, "Assertion `a' failed.\n");
+  CHECK(ending.outcome == Outcome::crashed);
+  CHECK(std::string(ending.what()).starts_with("SIGFPE: "));
+}
+
+TEST_CASE("a line that a student prints is kept, the assertion's is not") {
+  CHECK_FALSE(tells_an_assertion("my Assertion "));
+  CHECK(tells_an_assertion("x.cpp:3: int f(): Assertion `a == 1' failed."));
+  CHECK(tells_an_assertion("Assertion failed: a == 1 (x.cpp: f: 3)"));
+}
