@@ -63,7 +63,7 @@ export async function makeEditor(place, { text, label, describedBy, check, chang
   const touch = matchMedia("(pointer: coarse)").matches;
   const editor = globalThis.CodeMirror(place, {
     value: text, mode: "text/x-c++src", theme: "tumble", indentUnit: 2, tabSize: 2, lineNumbers: true,
-    matchBrackets: true, autoCloseBrackets: !touch, viewportMargin: Infinity, extraKeys: keys(check),
+    lineWrapping: true, matchBrackets: true, autoCloseBrackets: !touch, viewportMargin: Infinity, extraKeys: keys(check),
     inputStyle: touch ? "contenteditable" : "textarea",
   });
   nameForReaders(editor, label, describedBy);

@@ -44,12 +44,11 @@ const styles = [
 ];
 
 function shownLine(line, rules) {
-  for (const [pattern, make] of rules) {
-    const match = pattern.exec(line);
-    if (match) return element("span", {}, ...make(...match), "\n");
-  }
-  const style = styles.find(([pattern]) => pattern.test(line))?.[1] ?? "";
-  return element("span", { className: style }, line, "\n");
+  const [pattern, make] = rules.find(([pattern]) => pattern.test(line)) ?? [/.*/, () => [line]];
+  const className = styles.find(([pattern]) => pattern.test(line))?.[1] ?? "";
+  const shown = element("span", { className }, ...make(...pattern.exec(line)), "\n");
+  shown.style.setProperty("--indent", line.search(/\S|$/));
+  return shown;
 }
 
 /** Its first line, and the others as the terminal has them. */
