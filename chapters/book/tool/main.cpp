@@ -5,6 +5,7 @@
 #include "book/tool/check.hpp"
 #include "book/tool/converter.hpp"
 #include "book/tool/dead_ends.hpp"
+#include "book/tool/editors.hpp"
 #include "book/tool/exercises.hpp"
 #include "book/tool/finish.hpp"
 #include "book/tool/html.hpp"
@@ -57,7 +58,7 @@ int main(int argc, char** argv) {
   CLI::App app("the pages of the book", "tumble_book");
   app.require_subcommand(1);
   Places places;
-  fs::path file, theme;
+  fs::path file, theme, made;
   app.add_option("--root", places.root, "of the project")->required();
   app.add_option("--programs", places.programs, "folder with the chapters' programs");
   CLI::App* checking = app.add_subcommand("check", "code, numbers, formulas and links are true");
@@ -67,12 +68,16 @@ int main(int argc, char** argv) {
   CLI::App* preparing = app.add_subcommand("prepare", "write what Doxygen reads beside the pages");
   preparing->add_option("theme", theme)->required();
   CLI::App* finishing = app.add_subcommand("finish", "complete the pages that Doxygen has made");
+  CLI::App* exercises = app.add_subcommand("exercises", "put editors into a site that is there");
+  exercises->add_option("site", file, "the folder with index.html")->required();
+  exercises->add_option("folder", made, "what was made for the exercises")->required();
   for (CLI::App* each : {preparing, finishing}) each->add_option("site", file)->required();
   return tumble::support::run_command_line(app, argc, argv, [&] {
     if (*checking) return print_mistakes(mistakes_in(places));
     if (*writing) write_all(places);
     if (*filter) std::cout << for_doxygen(places.root, read_page(file));
     if (*preparing) prepare_site(places.root, theme, file);
+    if (*exercises) add_editors(file, made);
     if (*finishing) return finish(places.root, file);
     return tumble::support::exit_status::achieved;
   });

@@ -41,6 +41,15 @@ case $* in
   tumble_judge)
     mkdir -p "$folder/tests/judge"
     cp "$JUDGE" "$folder/tests/judge/tumble_judge" ;;
+  book)
+    mkdir -p "$folder/book/html" "$folder/chapters/book"
+    : >"$folder/book/html/index.html"
+    { echo '#!/bin/sh'; echo 'echo "tumble_book $*" >>"$CALLS"'; } >"$folder/chapters/book/tumble_book"
+    chmod +x "$folder/chapters/book/tumble_book" ;;
+  tumble_serve)
+    mkdir -p "$folder/chapters/book"
+    { echo '#!/bin/sh'; echo 'echo "serve: $*"'; } >"$folder/chapters/book/tumble_serve"
+    chmod +x "$folder/chapters/book/tumble_serve" ;;
   tumble_tour)
     if [ -n "${NINJA_FAILS:-}" ]; then
       echo '[1/9] 0.5 Building a'
@@ -169,6 +178,49 @@ expect 2 'did you mean --write?'
 run completion fish
 expect 2 "there is no shell 'fish'"
 called_nothing
+
+what='the exercises in the book, served'
+for each in emcc npm; do pretend $each </dev/null; done
+pretend node <<'STUB'
+echo "node $*" >>"$CALLS"
+STUB
+ABSENT=libjs-codemirror run book --no-install --exercises
+expect 2 'exercises in the page need emscripten (112 MB to download), node, npm and CodeMirror' 'missing: libjs-codemirror'
+called_nothing
+pretend emcmake <<'STUB'
+echo "emcmake $*" >>"$CALLS"
+mkdir -p "${5:?}"
+: >"$5/build.ninja"
+STUB
+run book --exercises --no-open
+expect 0 "$tree/build/release/book/html/index.html"
+called "emcmake cmake -S $tree/tests/judge/page -B $tree/build/page/judge -G Ninja"
+called "node $tree/tests/judge/page/build/make.mjs --judge $tree/build/page/judge --out $tree/build/page/site"
+called 'ninja book'
+called "tumble_book --root $tree exercises $tree/build/release/book/html $tree/build/page/site"
+run book --exercises --no-open
+expect 0 index.html
+if grep -q emcmake "$CALLS"; then complain 'it is configured once'; fi
+run book --serve --no-open --port 8123
+expect 0 "serve: $tree/build/release/book/html --port 8123"
+if grep -q 'ninja book' "$CALLS"; then complain 'the site that is there is served as it is'; fi
+run book --serve
+expect 0 "serve: $tree/build/release/book/html --port 0"
+run book --exercises --serve --no-open
+expect 0 "serve: $tree/build/release/book/html --port 0"
+called "exercises $tree/build/release/book/html"
+rm -r "$tree/build/release/book"
+run book --serve --no-open
+expect 0 serve
+called 'ninja book'
+run book --port
+expect 2 'tumble: --port needs a number'
+run book --port=high
+expect 2 "tumble: --port needs a number, not 'high'"
+run book --pdf --serve
+expect 2 'tumble: --pdf goes with neither --exercises nor --serve'
+for each in emcc npm emcmake node; do rm "$bin/$each"; done
+fresh
 
 what='the book on paper'
 pretend chromium <<'STUB'

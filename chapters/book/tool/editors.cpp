@@ -1,0 +1,96 @@
+#include "book/tool/editors.hpp"
+
+#include <map>
+#include <stdexcept>
+
+#include "book/tool/html.hpp"
+
+namespace tumble::book {
+
+namespace {
+
+const std::string box = "<div class=\"now-write\"", title = "Now write ";
+const std::string script = "<script type=\"module\" src=\"exercises/exercise.mjs\"></script>\n";
+
+void demand(const fs::path& folder, const std::vector<std::string>& names) {
+  std::string missing;
+  for (const std::string& name : names)
+    if (!fs::exists(folder / name)) missing += (missing.empty() ? "" : ", ") + name;
+  if (!missing.empty())
+    throw std::invalid_argument(folder.string() + " is not complete: it has no " + missing);
+}
+
+/// The exercise of a box: "4.1" of "… Now write 4.1: …".
+std::string number_behind(const std::string& text, std::size_t start) {
+  const std::size_t at = text.find(title, start);
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + title.size();
+  return text.substr(begin, text.find_first_not_of("0123456789.", begin) - begin);
+}
+
+/// Names the boxes of a page, so that links lead to them. @return their exercises
+std::vector<std::string> name_boxes(std::string& text) {
+  std::vector<std::string> numbers;
+  for (auto at = text.find(box); at != std::string::npos; at = text.find(box, at + 1)) {
+    const std::string number = number_behind(text, at);
+    if (number.empty()) continue;
+    const std::size_t end = text.find('>', at);
+    text.replace(at, end - at, box + " id=\"now-write-" + number + "\"");
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+void add_script(const fs::path& page, std::string& text) {
+  if (text.find(script) != std::string::npos) return;
+  const std::size_t end = text.rfind("</body>");
+  if (end == std::string::npos)
+    throw std::invalid_argument(page.string() + " is no page: it has no </body>");
+  text.insert(end, script);
+}
+
+/// The pages that people read: on the one that is printed nobody writes.
+std::vector<fs::path> pages_in(const fs::path& site) {
+  std::vector<fs::path> pages;
+  for (const auto& entry : fs::directory_iterator(site))
+    if (entry.path().extension() == ".html" && entry.path().filename() != "print.html")
+      pages.push_back(entry.path());
+  return pages;
+}
+
+/// @return {"4.1": "chapters-04_quaternions.html", …}
+std::string as_json(const std::map<std::string, std::string>& page_of) {
+  std::string json;
+  for (const auto& [number, page] : page_of)
+    json += (json.empty() ? "" : ",\n") + std::string("  \"") + number + "\": \"" + page + "\"";
+  return "{\n" + json + "\n}\n";
+}
+
+void copy_exercises(const fs::path& site, const fs::path& folder) {
+  fs::remove_all(site / "exercises");
+  fs::copy(folder, site / "exercises", fs::copy_options::recursive);
+  fs::rename(site / "exercises/service_worker.js", site / "service_worker.js");
+}
+
+}  // namespace
+
+void add_editors(const fs::path& site, const fs::path& folder) {
+  demand(site, {"index.html"});
+  demand(folder,
+         {"manifest.json", "units.json", "exercise.mjs", "exercise.css", "client.mjs",
+          "service_worker.js", "codemirror/codemirror.js", "codemirror/codemirror.css",
+          "codemirror/clike.js", "codemirror/matchbrackets.js", "codemirror/closebrackets.js"});
+  copy_exercises(site, folder);
+  std::map<std::string, std::string> page_of;
+  for (const fs::path& page : pages_in(site)) {
+    std::string text = text_of(page);
+    const std::vector<std::string> numbers = name_boxes(text);
+    if (numbers.empty() && page.filename() != "index.html") continue;
+    for (const std::string& number : numbers) page_of[number] = page.filename().string();
+    add_script(page, text);
+    write_text(page, text);
+  }
+  write_text(site / "exercises/pages.json", as_json(page_of));
+}
+
+}  // namespace tumble::book

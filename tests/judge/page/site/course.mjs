@@ -1,0 +1,30 @@
+// What the site's folder of exercises holds: the units, where their boxes are, what a check downloads.
+export const base = new URL("./", import.meta.url);
+
+const fetched = {};
+
+/** A JSON file of the folder, asked for once. */
+export function json(name) {
+  fetched[name] ??= fetch(new URL(name, base), { cache: "no-cache" }).then((response) => {
+    if (!response.ok) throw new Error(`${name} cannot be read: ${response.status}`);
+    return response.json();
+  });
+  return fetched[name];
+}
+
+export const units = () => json("units.json");
+export const manifest = () => json("manifest.json");
+
+/** "4.1" → "chapters-04_quaternions.html" */
+export const pages = () => json("pages.json");
+
+export async function addressOf(unit) {
+  const page = (await pages())[unit.number];
+  return page && new URL(`../${page}#now-write-${unit.number}`, base).href;
+}
+
+export async function solutionOf(unit) {
+  const response = await fetch(new URL(`solutions/${unit.id}.cpp`, base));
+  if (!response.ok) throw new Error(`the solution cannot be read: ${response.status}`);
+  return response.text();
+}

@@ -1,0 +1,65 @@
+// What a first check downloads: it is said before, once, and what the judge has not asked for itself
+// is fetched afterwards, so that every exercise can be judged offline.
+import { base, manifest } from "./course.mjs";
+import { element, megabytes } from "./element.mjs";
+import { saveSetting, setting } from "./store.mjs";
+
+/** Whether the reader has agreed to download this version. */
+export async function hasAgreed() {
+  return (await setting("agreed")) === (await manifest()).version;
+}
+
+async function question() {
+  const size = megabytes((await manifest()).total_wire);
+  return element("p", {}, `The first check downloads a C++ compiler and the judge: ${size}, once. They stay in ` +
+    "this browser, for all exercises and without a network. What you write is sent nowhere.");
+}
+
+/** Asks in `place`; the promise is of the answer. */
+export async function askToDownload(place) {
+  const text = await question();
+  const answer = await new Promise((resolve) => {
+    const yes = element("button", { type: "button", className: "main", onclick: () => resolve(true) }, "Download and check");
+    const no = element("button", { type: "button", onclick: () => resolve(false) }, "Not now");
+    place.replaceChildren(text, element("div", { className: "buttons" }, yes, no));
+    place.hidden = false;
+    yes.focus();
+  });
+  place.replaceChildren();
+  place.hidden = true;
+  if (answer) await saveSetting("agreed", (await manifest()).version);
+  return answer;
+}
+
+/** A bar in `place` that shows {done, total, what}. */
+export function progressBar(place) {
+  const bar = element("progress", { max: 1, "aria-label": "Download" });
+  const words = element("span", {});
+  return {
+    show({ done, total, what }) {
+      if (!bar.isConnected) place.replaceChildren(bar, words);
+      place.hidden = false;
+      if (total > 0) bar.value = Math.min(1, done / total);
+      const count = total > 1000 ? `${megabytes(done)} of ${megabytes(total)}` : "";
+      words.textContent = [what, count].filter(Boolean).join(": ");
+    },
+    remove() {
+      place.replaceChildren();
+      place.hidden = true;
+    },
+  };
+}
+
+let completing = false;
+
+/** Fetches, one after the other, what is not kept yet; the service worker keeps it. */
+export async function completeDownload() {
+  if (completing || !navigator.serviceWorker?.controller) return;
+  completing = true;
+  for (const { path } of (await manifest()).files) {
+    const address = new URL(path, base);
+    if (await caches.match(address)) continue;
+    await fetch(address).then((response) => response.arrayBuffer()).catch(() => {});
+  }
+  completing = false;
+}

@@ -1,0 +1,92 @@
+// An editor for C++: CodeMirror, fetched when the first one is needed.
+import { base } from "./course.mjs";
+import { element } from "./element.mjs";
+
+let loaded = null;
+
+function script(name) {
+  return new Promise((resolve, reject) => {
+    const made = element("script", { src: new URL(`codemirror/${name}`, base).href, onload: resolve });
+    made.onerror = () => reject(new Error(`${name} cannot be read`));
+    document.head.append(made);
+  });
+}
+
+function loadCodeMirror() {
+  loaded ??= (async () => {
+    const href = new URL("codemirror/codemirror.css", base).href;
+    document.head.prepend(element("link", { rel: "stylesheet", href }));
+    await script("codemirror.js");
+    await Promise.all(["clike.js", "matchbrackets.js", "closebrackets.js"].map(script));
+  })();
+  return loaded;
+}
+
+/** Tab indents; after Escape it leaves, as it does everywhere else, until something is typed. */
+function keys(check) {
+  const indents = {
+    Tab: (editor) => (editor.somethingSelected() ? editor.indentSelection("add") : editor.execCommand("insertSoftTab")),
+    "Shift-Tab": "indentLess",
+    "Ctrl-Enter": check,
+    "Cmd-Enter": check,
+  };
+  return { ...indents, Esc: (editor) => editor.setOption("extraKeys", { ...indents, Tab: false, "Shift-Tab": false }) };
+}
+
+function nameForReaders(editor, label, describedBy) {
+  const field = editor.getInputField();
+  field.setAttribute("aria-label", label);
+  field.setAttribute("aria-describedby", describedBy);
+}
+
+function markLine(editor, { line, column, kind, text }) {
+  const at = Math.min(line, editor.lineCount()) - 1;
+  const note = element("div", { className: `compiler-note ${kind}` }, `${kind}: ${text}`);
+  editor.addLineClass(at, "background", `compiler-line-${kind}`);
+  const widget = editor.addLineWidget(at, note, { coverGutter: false });
+  const end = { line: at, ch: Math.max(column, editor.findWordAt({ line: at, ch: column - 1 }).head.ch) };
+  const mark = editor.markText({ line: at, ch: column - 1 }, end, { className: `compiler-mark-${kind}` });
+  return () => {
+    editor.removeLineClass(at, "background", `compiler-line-${kind}`);
+    widget.clear();
+    mark.clear();
+  };
+}
+
+/**
+ * @param place where it goes
+ * @param options {text, label, describedBy, check, changed}: what it holds; its name for a screen
+ *   reader, and the id of its help; what Ctrl-Enter and a change call
+ */
+export async function makeEditor(place, { text, label, describedBy, check, changed }) {
+  await loadCodeMirror();
+  const touch = matchMedia("(pointer: coarse)").matches;
+  const editor = globalThis.CodeMirror(place, {
+    value: text, mode: "text/x-c++src", theme: "tumble", indentUnit: 2, tabSize: 2, lineNumbers: true,
+    lineWrapping: true, matchBrackets: true, autoCloseBrackets: !touch, viewportMargin: Infinity, extraKeys: keys(check),
+    inputStyle: touch ? "contenteditable" : "textarea",
+  });
+  nameForReaders(editor, label, describedBy);
+  const indentAgain = () => editor.setOption("extraKeys", keys(check));
+  editor.on("blur", indentAgain);
+  let marks = [];
+  const unmark = () => marks.splice(0).forEach((clear) => clear());
+  editor.on("changes", (_, changes) => {
+    indentAgain();
+    if (changes.some(({ origin }) => origin !== "setValue")) changed();
+  });
+  return {
+    text: () => editor.getValue(),
+    replace(other) {
+      unmark();
+      editor.setValue(other);
+    },
+    focus: () => editor.focus(),
+    hasFocus: () => editor.hasFocus(),
+    /** Shows what the compiler says, each in its line: [{line, column, kind, text}]. */
+    mark(messages) {
+      unmark();
+      marks = messages.map((message) => markLine(editor, message));
+    },
+  };
+}

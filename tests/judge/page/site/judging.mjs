@@ -1,0 +1,79 @@
+// From the button Check to the verdict.
+import { base } from "./course.mjs";
+import { askToDownload, completeDownload, hasAgreed, progressBar } from "./download.mjs";
+import { saveVerdict } from "./store.mjs";
+import { compilerMessages, showVerdict } from "./verdict.mjs";
+
+let judge = null;
+
+/** One compiler and one judge for all boxes of a page. */
+async function theJudge() {
+  judge ??= import("./client.mjs").then(({ Judge }) => new Judge(base.href));
+  return judge;
+}
+
+const freshSeed = () => 1 + Math.floor(Math.random() * 1e6);
+
+export class Judging {
+  /**
+   * @param parts of the box: check, progress, line, text
+   * @param box {text(), mark(messages), hint(), judged()}
+   */
+  constructor(unit, parts, box) {
+    Object.assign(this, { unit, parts, box, busy: false });
+  }
+
+  async check(seed = freshSeed()) {
+    if (this.busy) return;
+    this.setBusy(true);
+    try {
+      if ((await hasAgreed()) || (await askToDownload(this.parts.progress))) await this.run(seed);
+    } catch (error) {
+      this.say(`The judge does not work here: ${error.message}. This is not a verdict on your code.`);
+    }
+    this.setBusy(false);
+  }
+
+  async run(seed) {
+    const { unit, parts, box } = this;
+    const text = box.text();
+    const bar = progressBar(parts.progress);
+    this.say("Checking …");
+    try {
+      const verdict = await (await theJudge()).check(unit.id, text, { seed, onProgress: (at) => bar.show(at) });
+      this.show(verdict);
+      await saveVerdict(unit.id, text, verdict);
+      box.judged();
+    } finally {
+      bar.remove();
+    }
+    completeDownload();
+  }
+
+  setBusy(busy) {
+    this.busy = busy;
+    this.parts.check.setAttribute("aria-disabled", busy);
+  }
+
+  say(words) {
+    this.parts.line.className = "verdict-line";
+    this.parts.line.textContent = words;
+  }
+
+  show(verdict) {
+    this.verdict = verdict;
+    showVerdict(verdict, this.parts, { check: (seed) => this.check(seed), hint: () => this.box.hint() });
+    this.markAgain();
+  }
+
+  /** For an editor that came after the verdict. */
+  markAgain() {
+    if (this.verdict) this.box.mark(compilerMessages(this.verdict));
+  }
+
+  clear() {
+    this.verdict = null;
+    this.parts.text.hidden = true;
+    this.say("");
+  }
+}

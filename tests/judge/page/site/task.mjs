@@ -1,0 +1,41 @@
+// The text of a box beside its editor: what the contract demands, and how to do it on the command line.
+import { base } from "./course.mjs";
+import { element } from "./element.mjs";
+
+const contracts = {};
+
+function pageOf(chapter) {
+  contracts[chapter] ??= fetch(new URL(`../exercises-${chapter}.html`, base))
+    .then((response) => (response.ok ? response.text() : ""))
+    .then((text) => new DOMParser().parseFromString(text, "text/html"));
+  return contracts[chapter];
+}
+
+/** What stands below the title of an exercise on the contract's page, before its signature. */
+async function demanded(unit) {
+  const anchor = (await pageOf(unit.chapter)).getElementById(`exercises-${unit.chapter}-${unit.number}`);
+  const parts = [];
+  let next = anchor?.nextElementSibling?.nextElementSibling; // below the heading
+  for (next = next?.nextElementSibling; next && !next.matches(".fragment"); next = next.nextElementSibling)
+    parts.push(document.importNode(next, true));
+  return parts;
+}
+
+/** The contract's words: they arrive a moment later. */
+export function contractText(unit) {
+  const place = element("div", { className: "demanded" });
+  demanded(unit).then((parts) => place.append(...parts), () => {});
+  return place;
+}
+
+/** Folds away what the box says about the command line, and takes it out of the box. */
+export function foldCommand(place) {
+  const command = [...place.querySelectorAll(":scope > .fragment")].at(-1);
+  const contract = command.previousElementSibling;
+  for (const node of contract.childNodes)
+    if (node.nodeType === Node.TEXT_NODE) node.data = node.data.replace(/\s*Ask the judge:/, "");
+  place.querySelector(":scope > details")?.remove();
+  const words = element("p", {}, "On your own computer, in the course's folder:");
+  return element("details", { className: "on-the-command-line" },
+    element("summary", {}, "On the command line"), words, command);
+}
