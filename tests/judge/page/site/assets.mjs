@@ -68,6 +68,11 @@ export class Assets {
     return response;
   }
 
+  /** Sees to it that a file is there the next time. */
+  async keep(path) {
+    if (!(await (await this.kept)?.match(this.address(path)))) await this.response(path);
+  }
+
   async bytes(path) {
     return new Uint8Array(await (await this.response(path)).arrayBuffer());
   }

@@ -52,14 +52,13 @@ export function progressBar(place) {
 
 let completing = false;
 
-/** Fetches, one after the other, what is not kept yet; the service worker keeps it. */
+/** Fetches what is not kept yet, so that every exercise can be judged without a network. */
 export async function completeDownload() {
-  if (completing || !navigator.serviceWorker?.controller) return;
+  if (completing) return;
   completing = true;
-  for (const { path } of (await manifest()).files) {
-    const address = new URL(path, base);
-    if (await caches.match(address)) continue;
-    await fetch(address).then((response) => response.arrayBuffer()).catch(() => {});
-  }
+  const { Assets } = await import("./assets.mjs");
+  const about = await manifest();
+  const assets = new Assets(about);
+  for (const { path } of about.files) await assets.keep(path).catch(() => {});
   completing = false;
 }

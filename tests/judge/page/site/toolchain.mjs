@@ -44,39 +44,34 @@ export class Toolchain {
   /**
    * @param unit   "04_quaternions/product"
    * @param source the student's file
-   * @returns {ok, step: "compile" or "link", output, headers, wasm}
+   * @returns {ok, step: "compile" or "link", output, headers, functions, wasm}
    */
   async build(unit, source) {
     const compiled = await this.compile(unit, source);
-    if (!compiled.ok) return { ...compiled, step: "compile", wasm: null };
-    const linked = await this.link(unit, compiled.object);
-    return {
-      ok: linked.ok,
-      step: linked.ok ? "compile" : "link",
-      output: linked.ok ? compiled.output : linked.output,
-      headers: compiled.headers,
-      wasm: linked.wasm,
-    };
+    if (!compiled.ok) return { ok: false, step: "compile", output: compiled.output, headers: compiled.headers, wasm: null };
+    const { ok, output, wasm } = await this.link(unit, compiled.object);
+    if (ok) return { ok, step: "compile", output: compiled.output, headers: compiled.headers, wasm };
+    const functions = await this.functionsIn(compiled.object);
+    return { ok, step: "link", output, headers: compiled.headers, functions, wasm: null };
   }
 
   async compile(unit, source) {
     const [chapter, name] = unit.split("/");
-    const file = `/student/${name}.cpp`;
+    const file = `${name}.cpp`;
     const args = [
       ...this.recipe.compile,
       ...["-I", `/tumble/exercises/${chapter}`, "-I", "/tumble/exercises"],
       ...["-include", `/tumble/exercises/${chapter}/contract.hpp`],
-      ...["-dependency-file", "/student/rule", "-MT", "object", "-sys-header-deps"],
-      ...["-main-file-name", `${name}.cpp`, "-o", "/student/object", "-x", "c++", file],
+      ...["-dependency-file", "rule", "-MT", "object", "-sys-header-deps"],
+      ...["-main-file-name", file, "-o", "object", "-x", "c++", file],
     ];
-    const done = await run(this.llvm, args, { ...this.files, student: { [`${name}.cpp`]: source } });
-    const made = done.files.student ?? {};
-    const headers = made.rule ? filesOfRule(made.rule) : [];
+    const { ok, output, files } = await run(this.llvm, args, { ...this.files, [file]: source });
+    const headers = files.rule ? filesOfRule(files.rule) : [];
     return {
-      ok: done.ok,
-      output: done.output,
+      ok,
+      output,
       headers: headers.filter((each) => each !== file && !this.allows(each)),
-      object: made.object,
+      object: files.object,
     };
   }
 
@@ -92,12 +87,18 @@ export class Toolchain {
     const args = [
       ...this.recipe.link,
       `/tumble/objects/${chapter}/${name}.worker.o`,
-      "/student/object",
+      "object",
       ...earlier,
       ...this.recipe.libraries,
-      ...["-o", "/student/module"],
+      ...["-o", "module"],
     ];
-    const done = await run(this.llvm, args, { ...this.files, student: { object } });
-    return { ok: done.ok, output: done.output, wasm: done.files.student?.module ?? null };
+    const { ok, output, files } = await run(this.llvm, args, { ...this.files, object });
+    return { ok, output, wasm: files.module ?? null };
+  }
+
+  /** The functions that an object defines, as they are declared: "quaternions::prod(double)". */
+  async functionsIn(object) {
+    const { output } = await run(this.llvm, ["nm", "--defined-only", "--extern-only", "--demangle", "object"], { object });
+    return [...output.matchAll(/^[0-9a-f]+ T (.+)$/gm)].map((line) => line[1]);
   }
 }
