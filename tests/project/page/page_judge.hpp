@@ -39,24 +39,27 @@ class PageJudge {
 
   Chromium& browser() { return browser_; }
 
-  /// The verdict's JSON.
+  /// The verdict's JSON; {"failure": why} if there is none.
   nlohmann::ordered_json verdict_on(const Written& file, std::uint64_t seed) {
     const nlohmann::json source = file.text;
     browser_.evaluate("outcome = null; judge.check('" + file.unit + "', " + source.dump() +
                       ", {seed: " + std::to_string(seed) +
-                      "}).then((verdict) => { outcome = {verdict}; }, (why) => { outcome = "
+                      "}).then((verdict) => { outcome = {verdict: verdict.json}; }, (why) => { outcome = "
                       "{failure: String(why)}; }); 0");
-    return nlohmann::ordered_json::parse(outcome());
+    const nlohmann::ordered_json said = outcome();
+    return said.contains("verdict")
+               ? nlohmann::ordered_json::parse(said.at("verdict").get<std::string>())
+               : said;
   }
 
  private:
   /// What a promise has come to, asked again and again: a first verdict may take a minute here.
-  std::string outcome() {
+  nlohmann::ordered_json outcome() {
     const auto began = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - began < std::chrono::minutes(5)) {
       const nlohmann::json text = browser_.evaluate(
           "new Promise((resolve) => setTimeout(resolve, 50)).then(() => JSON.stringify(outcome))");
-      if (text != "null") return text.get<std::string>();
+      if (text != "null") return nlohmann::ordered_json::parse(text.get<std::string>());
     }
     throw std::runtime_error("the page gives no verdict");
   }

@@ -1,11 +1,11 @@
 // Makes the folder that a site serves as exercises/: the compiler, what it needs, the judge, the page's
 // scripts. Everything that is large is packed, and named with its size in manifest.json.
 //
-//   node make.mjs --root REPOSITORY --judge BUILT_JUDGE --out FOLDER [--level 1..19]
+//   node make.mjs --judge BUILT_JUDGE --out FOLDER [--level 1..19]
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { Clang } from "./clang.mjs";
 import { describe } from "./course.mjs";
@@ -15,17 +15,17 @@ import { contractsTree, eigenTree, isNeeded, put, treeOf } from "./sysroot.mjs";
 
 const { values: options } = parseArgs({
   options: {
-    root: { type: "string" },
+    root: { type: "string", default: join(dirname(fileURLToPath(import.meta.url)), "../../../..") },
     judge: { type: "string" },
     out: { type: "string" },
     emscripten: { type: "string", default: "/usr/share/emscripten" },
     eigen: { type: "string", default: "/usr/include/eigen3" },
     nlohmann: { type: "string", default: "/usr/include/nlohmann" },
     codemirror: { type: "string", default: "/usr/share/javascript/codemirror" },
-    level: { type: "string", default: "19" },
+    level: { type: "string" }, // of zstd
   },
 });
-for (const needed of ["root", "judge", "out"]) if (!options[needed]) throw new Error(`make.mjs needs --${needed}`);
+for (const needed of ["judge", "out"]) if (!options[needed]) throw new Error(`make.mjs needs --${needed}`);
 const { root, out } = options;
 const here = join(root, "tests/judge/page");
 

@@ -60,7 +60,7 @@ const editor = ["codemirror.js", "codemirror.css", "mode/clike/clike.js", "addon
 
 /** Everything under one folder, and manifest.json about it, which is given back. */
 export function writeSite(folder, { root, judge, modules, compiler, codemirror, units, level }) {
-  const site = new Site(folder, Number(level));
+  const site = new Site(folder, Number(level || 19));
   site.add(join(root, "tests/judge/page/site"), ".");
   site.add(join(modules, "fzstd/esm/index.mjs"), "fzstd.mjs");
   site.add(join(modules, "nanotar/dist/index.mjs"), "nanotar.mjs");

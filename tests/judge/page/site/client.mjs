@@ -48,7 +48,8 @@ export class Judge {
   }
 
   /**
-   * The verdict on a file: the object that `./tumble check --json` writes of a unit.
+   * The verdict on a file: the object that `./tumble check --json` writes of a unit; its `json` is
+   * that text.
    * @param unit       "04_quaternions/product"
    * @param seed       of the inputs
    * @param onProgress is called with {done, total} [bytes] while something is downloaded
@@ -71,7 +72,7 @@ export class Judge {
     for (;;) {
       try {
         const { verdict } = await this.#judge({ unit, source, built, seed, hung }, onProgress);
-        return { ...verdict, seconds: (performance.now() - began) / 1000 };
+        return { ...JSON.parse(verdict), json: verdict, seconds: (performance.now() - began) / 1000 };
       } catch (failure) {
         if (!(failure instanceof Hung)) throw failure;
         hung.push(failure.at); // the same again, and this question has no answer

@@ -88,6 +88,7 @@ export class ChapterJudge {
 
   /// @param request {unit, source, built, seed, seeds?, onlyCase?, hung?}: see README.md
   /// @param at      told which question is asked: {case, question}; null when it is answered
+  /// @return the verdict as JSON: as text, for it has whole numbers that JavaScript's do not hold
   /// @throws Error if the request cannot be carried out
   judge(request, at = () => {}) {
     const {wasm, ...said} = request.built;
@@ -95,9 +96,10 @@ export class ChapterJudge {
     this.#desk.begin(module, request.hung ?? [], at);
     const {unit, source, seed, seeds = 1, onlyCase = 0} = request;
     const text = JSON.stringify({unit, source, built: said, seed, seeds, onlyCase});
-    const verdict = JSON.parse(this.#judge.ccall('judge_unit', 'string', ['string'], [text]));
+    const verdict = this.#judge.ccall('judge_unit', 'string', ['string'], [text]);
     this.#desk.forget();
-    if (verdict.failure) throw new Error(verdict.failure);
+    const {failure} = JSON.parse(verdict);
+    if (failure) throw new Error(failure);
     return verdict;
   }
 }
