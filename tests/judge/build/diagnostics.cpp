@@ -21,7 +21,6 @@ bool starts_message(std::string_view line) {
 bool is_error(std::string_view line) { return line.find("error: ") != std::string_view::npos; }
 
 std::string without(std::string text, const std::string& part) {
-  if (part.empty()) return text;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at))
     text.erase(at, part.size());
   return text;
@@ -31,7 +30,7 @@ std::string without(std::string text, const std::string& part) {
 
 std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
                            bool others) {
-  const std::string folder = source.has_parent_path() ? source.parent_path().string() + "/" : "";
+  const std::string folder = source.parent_path().string() + "/";
   const std::string own = source.filename().string() + ":";
   std::istringstream in(compiler_output);
   std::string kept, elsewhere;  // the last warning at a place elsewhere: its notes may be about us

@@ -1,6 +1,5 @@
 #include "judge/page/page_build.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "judge/build/diagnostics.hpp"
@@ -16,33 +15,22 @@ bool contains_assembler(const std::string& source) {
   return mentions(source, "asm") || mentions(source, "__asm") || mentions(source, "__asm__");
 }
 
-/// Of Eigen an exercise has Eigen/Core. All else that it may not see is not there at all.
-bool is_forbidden(const std::string& header) {
-  const auto at = header.find("Eigen/");
-  if (at == std::string::npos) return false;
-  const std::string path = header.substr(at);
-  return header.find("unsupported/") != std::string::npos ||
-         !(path == "Eigen/Core" || path.starts_with("Eigen/src/Core/") ||
-           path.starts_with("Eigen/src/plugins/"));
-}
-
-/// The headers that were looked for and are not there: "… 'Eigen/Dense' file not found".
-std::vector<std::string> missing_headers(const std::string& output) {
-  std::vector<std::string> headers;
-  for (auto end = output.find("' file not found"); end != std::string::npos;
-       end = output.find("' file not found", end + 1))
-    if (const auto start = output.rfind('\'', end - 1); start != std::string::npos)
-      headers.push_back(output.substr(start + 1, end - start - 1));
-  return headers;
+/// What of Eigen is not there, though it is installed where the judge runs natively, and may not be
+/// seen: "fatal error: 'Eigen/Dense' file not found". Empty if nothing.
+std::string missing_of_eigen(const std::string& output) {
+  const auto end = output.find("' file not found");
+  const auto start = output.rfind('\'', end - 1);
+  if (end == std::string::npos || start == std::string::npos) return {};
+  const std::string header = output.substr(start + 1, end - start - 1);
+  return header.starts_with("Eigen/") || header.starts_with("unsupported/") ? header : "";
 }
 
 std::string forbidden_header(const PageBuild& build) {
-  for (const auto& headers : {build.headers, missing_headers(build.output)})
-    if (const auto found = std::find_if(headers.begin(), headers.end(), is_forbidden);
-        found != headers.end())
-      return *found;
-  return {};
+  return build.headers.empty() ? missing_of_eigen(build.output) : build.headers.front();
 }
+
+/// Where the page's compiler finds the file.
+fs::path place_of(const Unit& unit) { return fs::path("/student") / (unit.name + ".cpp"); }
 
 std::string refusal(const Course& course, const Unit& unit, const std::string& source) {
   std::string why = too_large(source.size());
@@ -55,7 +43,7 @@ void report_failure(BuildReport& report, const PageBuild& build, const Course& c
                     const Unit& unit) {
   report.outcome =
       build.step == "time" ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
-  report.detail = messages_about(unit.name + ".cpp", build.output, true);
+  report.detail = messages_about(place_of(unit), build.output, true);
   if (build.step == "link")
     explain_link_failure(report, course, unit, build.output, build.functions);
 }
@@ -79,7 +67,7 @@ BuildReport report_of(const PageBuild& build, const Course& course, const Unit& 
   else if (!build.ok)
     report_failure(report, build, course, unit);
   else
-    report.warnings = messages_about(unit.name + ".cpp", build.output, false);
+    report.warnings = messages_about(place_of(unit), build.output, false);
   return report;
 }
 

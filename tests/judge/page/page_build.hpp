@@ -16,14 +16,14 @@ struct PageBuild {
   bool ok = false;
   std::string step;    ///< the last one: "compile", "link"; "time" if it took too long
   std::string output;  ///< what compiler and linker have printed
-  std::vector<std::string> headers;    ///< what the file includes, itself and through others
+  std::vector<std::string> headers;    ///< what the file includes and an exercise may not see
   std::vector<std::string> functions;  ///< what it defines; empty if that is not known
 };
 
 /// @throws nlohmann::json::exception if something is missing or of another type
 PageBuild page_build_of(const nlohmann::json& json);
 
-/// @param source the text that was compiled as "product.cpp" for the unit 4.1 product
+/// @param source the text that was compiled, as "/student/product.cpp" for 4.1 product
 BuildReport report_of(const PageBuild& build, const Course& course, const Unit& unit,
                       const std::string& source);
 

@@ -2,7 +2,7 @@
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { ChapterJudge } from "../site/judge.mjs";
+import { ChapterJudge } from "../site/judges.mjs";
 
 /** The units of all chapters, in the order of the course. */
 export async function describe(judge) {

@@ -91,7 +91,7 @@ export class Judge {
 
   /** One run of a spec. A worker whose student does not answer in time is ended. */
   async #judge(message, onProgress) {
-    const judge = (this.judge ??= new Asked(new URL("judge_worker.mjs", this.base)));
+    const judge = (this.judge ??= new Asked(new URL("judge.mjs", this.base)));
     let clock;
     const end = (why) => {
       judge.end();

@@ -57,15 +57,15 @@ export class Toolchain {
 
   async compile(unit, source) {
     const [chapter, name] = unit.split("/");
-    const file = `${name}.cpp`;
+    const file = `/student/${name}.cpp`;
     const args = [
       ...this.recipe.compile,
       ...["-I", `/tumble/exercises/${chapter}`, "-I", "/tumble/exercises"],
       ...["-include", `/tumble/exercises/${chapter}/contract.hpp`],
       ...["-dependency-file", "rule", "-MT", "object", "-sys-header-deps"],
-      ...["-main-file-name", file, "-o", "object", "-x", "c++", file],
+      ...["-main-file-name", `${name}.cpp`, "-o", "object", "-x", "c++", file],
     ];
-    const { ok, output, files } = await run(this.llvm, args, { ...this.files, [file]: source });
+    const { ok, output, files } = await run(this.llvm, args, { ...this.files, student: { [`${name}.cpp`]: source } });
     const headers = files.rule ? filesOfRule(files.rule) : [];
     return {
       ok,
