@@ -138,8 +138,9 @@ class Box {
   // ── What the buttons do ──
 
   showHint(i) {
-    this.parts.hints.append(element("li", {}, element("strong", {}, `Hint ${i + 1}, ${hintNames[i]}. `),
-      ...inlineMarkdown(this.unit.hints[i])));
+    for (const earlier of this.parts.hints.querySelectorAll("details")) earlier.open = false;
+    this.parts.hints.append(element("li", {}, element("details", { open: true },
+      element("summary", {}, `Hint ${i + 1}: ${hintNames[i]}`), element("p", {}, ...inlineMarkdown(this.unit.hints[i])))));
     this.parts.hint.disabled = i + 1 >= this.unit.hints.length;
   }
 

@@ -53,6 +53,7 @@ export class Judging {
   setBusy(busy) {
     this.busy = busy;
     this.parts.check.setAttribute("aria-disabled", busy);
+    this.parts.text.classList.toggle("of-before", busy);
   }
 
   say(words) {
