@@ -84,8 +84,7 @@ void compare(PageJudge& page, const Written& file) {
   const auto normal = [](const Json& verdict) {
     return without_words_of_compiler(without_times(verdict));
   };
-  const std::string differs =
-      difference(normal(outcome), normal(native_verdict_on(file, seed)));
+  const std::string differs = difference(normal(outcome), normal(native_verdict_on(file, seed)));
   CHECK_MESSAGE(differs.empty(), file.unit, " ", file.name, ":\n", differs);
 }
 

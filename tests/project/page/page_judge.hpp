@@ -42,10 +42,11 @@ class PageJudge {
   /// The verdict's JSON; {"failure": why} if there is none.
   nlohmann::ordered_json verdict_on(const Written& file, std::uint64_t seed) {
     const nlohmann::json source = file.text;
-    browser_.evaluate("outcome = null; judge.check('" + file.unit + "', " + source.dump() +
-                      ", {seed: " + std::to_string(seed) +
-                      "}).then((verdict) => { outcome = {verdict: verdict.json}; }, (why) => { outcome = "
-                      "{failure: String(why)}; }); 0");
+    browser_.evaluate(
+        "outcome = null; judge.check('" + file.unit + "', " + source.dump() +
+        ", {seed: " + std::to_string(seed) +
+        "}).then((verdict) => { outcome = {verdict: verdict.json}; }, (why) => { outcome = "
+        "{failure: String(why)}; }); 0");
     const nlohmann::ordered_json said = outcome();
     return said.contains("verdict")
                ? nlohmann::ordered_json::parse(said.at("verdict").get<std::string>())
@@ -78,7 +79,12 @@ inline nlohmann::ordered_json native_verdict_on(const Written& file, std::uint64
   run_command(from_environment("TUMBLE_JUDGE") + " check " + file.unit + " --once --seed " +
               std::to_string(seed) + " --from " + folder.path().string() + " --json " +
               json.string());
-  return nlohmann::ordered_json::parse(support::read_text(json)).at("units").at(0);
+  std::string text = support::read_text(json);
+  // In a page the file lies where the course has it.
+  const std::string here = folder.path().string() + "/";
+  for (auto at = text.find(here); at != std::string::npos; at = text.find(here, at))
+    text.replace(at, here.size(), "exercises/");
+  return nlohmann::ordered_json::parse(text).at("units").at(0);
 }
 
 }  // namespace tumble::test

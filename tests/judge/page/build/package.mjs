@@ -2,7 +2,7 @@
 import { createHash } from "node:crypto";
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { dirname, join, relative } from "node:path";
+import { basename, dirname, join, relative } from "node:path";
 
 /** The entries of a tree {name: tree or bytes}, folders before what is in them. */
 function entriesOf(tree, above = "") {
@@ -56,7 +56,7 @@ class Site {
   }
 }
 
-const editor = ["codemirror.js", "codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js", "addon/edit/closebrackets.js"];
+const editor = ["lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js", "addon/edit/closebrackets.js"];
 
 /** Everything under one folder, and manifest.json about it, which is given back. */
 export function writeSite(folder, { root, judge, modules, compiler, codemirror, units, level }) {
@@ -64,10 +64,7 @@ export function writeSite(folder, { root, judge, modules, compiler, codemirror, 
   site.add(join(root, "tests/judge/page/site"), ".");
   site.add(join(modules, "fzstd/esm/index.mjs"), "fzstd.mjs");
   site.add(join(modules, "nanotar/dist/index.mjs"), "nanotar.mjs");
-  for (const file of editor) {
-    const inLib = /^codemirror\./.test(file) ? `lib/${file}` : file;
-    site.add(join(codemirror, inLib), `codemirror/${file}`);
-  }
+  for (const file of editor) site.add(join(codemirror, file), `codemirror/${basename(file)}`);
   for (const file of readdirSync(compiler)) if (/\.(js|json|wasm|tar)$/.test(file)) site.add(join(compiler, file), `compiler/${file}`);
   for (const file of readdirSync(judge)) if (/^judge_[0-9]+\.(mjs|wasm)$/.test(file)) site.add(join(judge, file), `judge/${file}`);
   for (const { id } of units) site.add(join(root, "solutions", `${id}.cpp`), `solutions/${id}.cpp`);
