@@ -1,6 +1,6 @@
 // What every student's file includes anyway, compiled once; and what most of them make the compiler
-// work out from that, worked out once. More of it makes the header larger and each file slower. A page
-// downloads the header: there it has no more than what is included.
+// work out from that, worked out once. More of it makes the header larger and each file slower. A
+// page downloads the header: there it has no more than what is included.
 #include <Eigen/Core>
 #include <array>
 #include <cmath>

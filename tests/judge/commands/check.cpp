@@ -42,8 +42,9 @@ Selection select(const Course& course, const Progress& progress, const std::stri
   return {course.select(what.substr(0, second_dot)), number_of(what.substr(second_dot + 1))};
 }
 
-fs::path source_of(const Course& course, const CheckOptions& options, const Unit& unit) {
-  if (options.from) return file_in(fs::weakly_canonical(*options.from), unit);
+fs::path source_of(const Course& course, const CheckOptions& options,
+                   const std::optional<GivenFiles>& given, const Unit& unit) {
+  if (given) return given->of(unit);
   return options.solutions ? course.solution(unit) : course.exercise(unit);
 }
 
@@ -101,14 +102,17 @@ int check(const Course& course, const CheckOptions& options) {
   // With sanitizers the walls are lower: not for a class's submissions.
   judgement.locate_crashes = !options.strict && !options.sanitized && !options.once;
 
+  std::optional<GivenFiles> given;
+  if (options.from) given.emplace(course, *options.from);
+
   ConsoleStyle style = style_of_terminal();
   style.every_case = options.every_case;
   const bool own_work = !options.from && !options.solutions && selection.only_case == 0;
   std::vector<UnitResult> results;
   std::vector<UnitRecord> records;
   judge_all(
-      course, selection.units, [&](const Unit& unit) { return source_of(course, options, unit); },
-      judgement,
+      course, selection.units,
+      [&](const Unit& unit) { return source_of(course, options, given, unit); }, judgement,
       [&](const UnitResult& result) {
         const bool brief = selection.units.size() > 1 && result.untouched();
         if (brief)

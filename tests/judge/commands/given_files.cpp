@@ -1,5 +1,8 @@
 #include "judge/commands/given_files.hpp"
 
+#include "judge/class/file_kinds.hpp"
+#include "tumble/core/require.hpp"
+
 namespace tumble::judge {
 
 fs::path file_in(const fs::path& folder, const Unit& unit) {
@@ -8,6 +11,23 @@ fs::path file_in(const fs::path& folder, const Unit& unit) {
   const bool flat =
       !fs::exists(fs::symlink_status(in_chapter)) && fs::exists(fs::symlink_status(folder / name));
   return flat ? folder / name : in_chapter;
+}
+
+bool is_archive(const fs::path& given) {
+  return fs::is_regular_file(given) && !archive_stem(given.filename().string()).empty();
+}
+
+GivenFiles::GivenFiles(const Course& course, const fs::path& from)
+    : folder_(fs::weakly_canonical(from)) {
+  if (!is_archive(folder_)) return;
+  Submission submission{"", folder_};
+  submission.is_archive = true;
+  unpacked_ = std::make_unique<Sources>(course, course.units, submission);
+  require(unpacked_->refused().empty(), from.string(), " ", unpacked_->refused());
+}
+
+fs::path GivenFiles::of(const Unit& unit) const {
+  return unpacked_ ? unpacked_->of(unit) : file_in(folder_, unit);
 }
 
 }  // namespace tumble::judge

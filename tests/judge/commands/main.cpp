@@ -78,8 +78,10 @@ class CommandLine {
           return check_.student ? check_student(course, check_) : check(course, check_);
         },
         [this](const Course& course) {
-          return specs_of(check_.student ? units_of_student(course, check_)
-                                         : units_to_check(course, check_.what));
+          Targets targets = specs_of(check_.student ? units_of_student(course, check_)
+                                                    : units_to_check(course, check_.what));
+          if (check_.from && is_archive(*check_.from)) targets.emplace_back("grading_tools");
+          return targets;
         });
     app.add_option("what", check_.what,
                    "exercise (4.1 or product), chapter (4), all; 4.1.3 is one case");
@@ -87,7 +89,8 @@ class CommandLine {
                    "of the random inputs; another one each time if not given");
     app.add_option("--seeds", check_.seeds, "try this many, one after the other")
         ->check(CLI::Range(1, 100000));
-    app.add_option("--from", check_.from, "folder with the files to judge, instead of exercises/");
+    app.add_option("--from", check_.from,
+                   "folder or zip with the files to judge, instead of exercises/");
     CLI::Option* json =
         app.add_option("--json", check_.json, "write the results here, again after each exercise");
     app.add_option("--student", check_.student,
@@ -105,7 +108,7 @@ class CommandLine {
         "mine", "an engine of your own functions, beside the library",
         [this](const Course& course) { return mine_command(course, mine_); }, everything);
     app.add_flag("--fill", mine_.fill, "take the functions that are missing from the solutions");
-    app.add_option("--from", mine_.from, "folder with your files, instead of exercises/");
+    app.add_option("--from", mine_.from, "folder or zip with your files, instead of exercises/");
     app.add_option("--svg", mine_.svg, "write the figure here, instead of build/mine.svg");
     app.add_option("--json", mine_.json, "write the numbers here");
     app.add_flag("--strict", mine_.strict, "refuse to run if a wall of the sandbox is missing");

@@ -101,14 +101,12 @@ int run_mine(const Course& course, const MineOptions& options) {
     std::cerr << "tumble: --fill: this tree has no solutions, it was handed out without them\n";
     return 2;
   }
+  std::optional<GivenFiles> given;
+  if (options.from) given.emplace(course, *options.from);
   const WorkFolder work;
   progress("compiling the functions that an engine needs");
   const mine::EngineBuild build = mine::build_engine(
-      course,
-      [&](const Unit& unit) {
-        return options.from ? file_in(fs::weakly_canonical(*options.from), unit)
-                            : course.exercise(unit);
-      },
+      course, [&](const Unit& unit) { return given ? given->of(unit) : course.exercise(unit); },
       work.path());
   if (const std::vector<mine::Part> missing = build.missing(); !missing.empty() && !options.fill) {
     mine::print_missing(std::cout, course, build);

@@ -218,6 +218,12 @@ void Chromium::drag(double x, double y, double to_x, double to_y) {
   mouse("mouseReleased", to_x, to_y, 0);
 }
 
+void Chromium::press(const std::string& key, int number) {
+  for (const char* type : {"rawKeyDown", "keyUp"})
+    call("Input.dispatchKeyEvent",
+         {{"type", type}, {"key", key}, {"code", key}, {"windowsVirtualKeyCode", number}});
+}
+
 void Chromium::screenshot(const fs::path& file) {
   const Json answer = call("Page.captureScreenshot", {{"format", "png"}});
   std::ofstream(file, std::ios::binary) << decoded(answer["data"]);

@@ -37,6 +37,8 @@ class Chromium {
   nlohmann::json evaluate(const std::string& expression);
   /// Presses the mouse at a point of the window, moves it, and lets go [px].
   void drag(double x, double y, double to_x, double to_y);
+  /// Presses a key, by its name and the number that browsers have for it: ("Tab", 9).
+  void press(const std::string& key, int number);
   /// A picture of the window, as PNG.
   void screenshot(const std::filesystem::path& file);
 

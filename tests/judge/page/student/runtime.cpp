@@ -1,6 +1,7 @@
 /// @file
 /// What a student's module has beside the worker: what its C++ library leaves out. That library is
-/// built without exceptions; the rest of them comes from libc++abi's own sources (build/runtime.mjs).
+/// built without exceptions; the rest of them comes from libc++abi's own sources
+/// (build/runtime.mjs).
 
 #include <cstdlib>
 #include <new>

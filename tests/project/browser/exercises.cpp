@@ -1,0 +1,83 @@
+/// @file
+/// The exercises in the page, without the compiler: the editor, its keys, a check and its verdict.
+#include "project/browser/exercise_page.hpp"
+
+using namespace tumble::test;
+using Json = nlohmann::json;
+
+TEST_CASE("exercises in the page: the box has the stub in an editor, and the command folded away") {
+  if (!can_try()) return;
+  ExercisePage page;
+  CHECK(page.says("editor().getValue()").get<std::string>().find("throw NotImplemented{};") !=
+        std::string::npos);
+  CHECK(page.says("box.querySelector('.on-the-command-line').open") == false);
+  CHECK(page.says("box.querySelector('.on-the-command-line .line').textContent") ==
+        "./tumble check 4.1");
+  CHECK(
+      page.says(
+          "until(() => box.querySelector('.demanded').textContent.includes('any quaternions'))") ==
+      true);
+  CHECK(page.says("document.documentElement.scrollWidth") == 1280);
+}
+
+TEST_CASE("exercises in the page: Tab indents, and after Escape it leaves") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.says("editor().focus(), editor().setCursor(7, 0)");
+  page.browser.press("Tab", 9);
+  CHECK(page.says("editor().getLine(7)") == "    throw NotImplemented{};");
+  page.browser.press("Escape", 27);
+  page.browser.press("Tab", 9);
+  CHECK(page.says("document.activeElement.textContent") == "Check");
+  CHECK(page.says("editor().getLine(7)") == "    throw NotImplemented{};");
+}
+
+TEST_CASE("exercises in the page: the first check says what is downloaded, and asks once") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.says("write('wrong'), button('Check').click()");
+  REQUIRE(page.says("until(() => button('Download and check'))") == true);
+  CHECK(page.says("box.querySelector('.download').textContent.includes('33.1 MB, once')") == true);
+  page.says("button('Not now').click()");
+  CHECK(page.says("until(() => !button('Not now'))") == true);
+  CHECK(page.says("line()") == "");
+  REQUIRE(page.says("check('wrong')") == true);
+  page.open();
+  page.says("button('Check').click()");
+  CHECK(page.says("until(() => globalThis.seeds)") == true);
+}
+
+TEST_CASE("exercises in the page: a verdict links its section, and repeats its numbers") {
+  if (!can_try()) return;
+  ExercisePage page;
+  REQUIRE(page.says("check('wrong')") == true);
+  CHECK(page.says("line()") == "✗ 4.1 product  wrong, 4 of 5 laws hold  (0.01 s)");
+  CHECK(page.says("box.querySelector('.verdict a').hash") ==
+        "#chapters-04_quaternions-the-product");
+  CHECK(
+      page.says("[...box.querySelectorAll('.verdict .fails')].map((l) => l.textContent.trim())") ==
+      Json{"✗ a law"});
+  page.says("button('Check with the same numbers').click()");
+  CHECK(page.says("until(() => seeds.at(-1) === 7 && seeds.length === 2)") == true);
+  CHECK(page.says("button('Solution')") == Json());
+}
+
+TEST_CASE("exercises in the page: what the compiler says stands in its line") {
+  if (!can_try()) return;
+  ExercisePage page;
+  REQUIRE(page.says("check('compile')") == true);
+  CHECK(page.says("box.querySelector('.compiler-note').textContent") == "error: what is wrong");
+  CHECK(page.says("editor().lineInfo(1).bgClass") == "compiler-line-error");
+  REQUIRE(page.says("check('wrong')") == true);
+  CHECK(page.says("box.querySelector('.compiler-note')") == Json());
+}
+
+TEST_CASE("exercises in the page: Reset keeps the text, and it can be put back") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.says("write('mine\\n'), button('Reset').click()");
+  CHECK(page.says("until(() => editor().getValue().includes('NotImplemented'))") == true);
+  CHECK(page.says("until(() => button('Put back'))") == true);
+  page.says("button('Put back').click()");
+  CHECK(page.says("until(() => editor().getValue() === 'mine\\n')") == true);
+}
