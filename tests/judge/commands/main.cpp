@@ -6,6 +6,7 @@
 #include "judge/class/lms.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/course_file.hpp"
+#include "judge/commands/given_files.hpp"
 #include "judge/commands/needs.hpp"
 #include "judge/platforms/platform.hpp"
 #include "support/command_line.hpp"

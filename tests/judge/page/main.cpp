@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
+#include "judge/commands/matrix.hpp"
 #include "judge/course/contract.hpp"
 #include "judge/course/hints.hpp"
 #include "judge/page/page_build.hpp"
@@ -122,6 +124,17 @@ EMSCRIPTEN_KEEPALIVE const char* describe_units() {
     ordered_json list = ordered_json::array();
     for (const Unit& unit : course.units) list.push_back(description_of(course, unit));
     return list;
+  });
+}
+/// The kill matrix of this module: {"matrix": Markdown, "complete": whether all are killed and named}.
+EMSCRIPTEN_KEEPALIVE const char* kill_matrix(double seed) {
+  using namespace tumble::judge;
+  return answer_to_page([&] {
+    const Course course = page_course();
+    std::ostringstream table;
+    const bool complete =
+        print_kill_matrix(table, course, course.units, static_cast<std::uint64_t>(seed));
+    return ordered_json{{"matrix", table.str()}, {"complete", complete}};
   });
 }
 }

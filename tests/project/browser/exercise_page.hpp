@@ -77,6 +77,7 @@ inline bool can_try() {
   const char* folder = std::getenv("TUMBLE_CODEMIRROR");
   if (!folder || !std::filesystem::exists(std::string(folder) + "/lib/codemirror.js"))
     return skip("CodeMirror is not here"), false;
+  if (server_program().empty()) return skip("cpp-httplib is not here"), false;
   return can_look();
 }
 

@@ -3,17 +3,15 @@
 /// A copy of the site with editors in it, served as ./tumble book --serve does. A stand-in gives
 /// the verdicts: there is no compiler.
 
-#include <signal.h>
-#include <sys/wait.h>
-
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "book/tool/editors.hpp"
 #include "project/browser/site.hpp"
+#include "project/harness/served_folder.hpp"
 #include "project/harness/temporary_folder.hpp"
 #include "support/text_file.hpp"
 
@@ -32,16 +30,10 @@ class ServedSite {
     folder_.write("made/units.json", units(root).dump());
     folder_.write("made/manifest.json", R"({"version":"1","files":[],"total_wire":33100000})");
     book::add_editors(folder_.path() / "site", made);
-    start();
-  }
-  ServedSite(const ServedSite&) = delete;
-  ServedSite& operator=(const ServedSite&) = delete;
-  ~ServedSite() {
-    kill(process_, SIGTERM);
-    pclose(server_);
+    server_.emplace(folder_.path() / "site");
   }
 
-  std::string address(const std::string& page) const { return address_ + page; }
+  std::string address(const std::string& page) const { return server_->address() + page; }
 
  private:
   static void copy_codemirror(const std::filesystem::path& to) {
@@ -65,26 +57,8 @@ class ServedSite {
     return all;
   }
 
-  /// The shell says its number, and becomes the server, which says its address.
-  void start() {
-    const std::string command = "echo $$; exec '" + std::string(std::getenv("TUMBLE_SERVE")) +
-                                "' '" + (folder_.path() / "site").string() + "' 2>/dev/null";
-    server_ = popen(command.c_str(), "r");
-    process_ = std::stoi(line());
-    address_ = line();
-  }
-
-  std::string line() {
-    std::string text;
-    for (int c = std::fgetc(server_); c != EOF && c != '\n'; c = std::fgetc(server_))
-      text += static_cast<char>(c);
-    return text;
-  }
-
   TemporaryFolder folder_;
-  std::FILE* server_ = nullptr;
-  pid_t process_ = -1;
-  std::string address_;
+  std::optional<ServedFolder> server_;
 };
 
 }  // namespace tumble::test

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -15,10 +16,16 @@
 
 namespace tumble::test {
 
+/// The server of the book; empty if it is not built.
+inline std::string server_program() {
+  const char* program = std::getenv("TUMBLE_SERVE");
+  return program && std::filesystem::exists(program) ? program : "";
+}
+
 class ServedFolder {
  public:
-  /// @param program the server of the book, which says its address in its first line
-  ServedFolder(const std::string& program, const std::filesystem::path& folder) {
+  explicit ServedFolder(const std::filesystem::path& folder) {
+    const std::string program = server_program();
     std::array<int, 2> ends{};
     require(pipe2(ends.data(), O_CLOEXEC) == 0, "no pipe to the server");
     process_ = fork();
@@ -28,6 +35,7 @@ class ServedFolder {
       _exit(127);
     }
     close(ends[1]);
+    // Its first line is the address.
     for (char letter = 0; read(ends[0], &letter, 1) == 1 && letter != '\n';) address_ += letter;
     close(ends[0]);
     require(address_.starts_with("http://127.0.0.1:"), program, " does not serve ",

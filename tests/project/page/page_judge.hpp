@@ -32,7 +32,7 @@ inline std::string from_environment(const char* name) {
 /// The judge in headless Chromium: the folder that a site serves as exercises/.
 class PageJudge {
  public:
-  PageJudge() : served_(from_environment("TUMBLE_SERVE"), from_environment("TUMBLE_EXERCISES")) {
+  PageJudge() : served_(from_environment("TUMBLE_EXERCISES")) {
     browser_.open(served_.address() + "manifest.json");  // any address of the same server
     browser_.evaluate("import('/client.mjs').then(({Judge}) => { judge = new Judge(); })");
   }

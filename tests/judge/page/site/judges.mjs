@@ -85,6 +85,9 @@ export class ChapterJudge {
   /// [{id, number, chapter, name, title, signature, stub, hints}]
   describe() { return JSON.parse(this.#judge.ccall('describe_units', 'string', [], [])); }
 
+  /// {matrix, complete}: every spec against every misconception, as ./tumble matrix prints it
+  killMatrix(seed) { return JSON.parse(this.#judge.ccall('kill_matrix', 'string', ['number'], [seed])); }
+
   /// @param request {unit, source, built, seed, seeds?, onlyCase?, hung?}: see README.md
   /// @param at      told which question is asked: {case, question}; null when it is answered
   /// @return the verdict as JSON: its fingerprints are larger than a number of JavaScript
