@@ -126,7 +126,8 @@ EMSCRIPTEN_KEEPALIVE const char* describe_units() {
     return list;
   });
 }
-/// The kill matrix of this module: {"matrix": Markdown, "complete": whether all are killed and named}.
+/// The kill matrix of this module: {"matrix": Markdown, "complete": whether all are killed and
+/// named}.
 EMSCRIPTEN_KEEPALIVE const char* kill_matrix(double seed) {
   using namespace tumble::judge;
   return answer_to_page([&] {

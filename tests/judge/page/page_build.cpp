@@ -42,7 +42,7 @@ std::string refusal(const Course& course, const Unit& unit, const std::string& s
 void report_failure(BuildReport& report, const PageBuild& build, const Course& course,
                     const Unit& unit) {
   report.outcome =
-      build.step == "time" ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
+      build.step == "limit" ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
   report.detail = messages_about(place_of(unit), build.output, true);
   if (build.step == "link")
     explain_link_failure(report, course, unit, build.output, build.functions);

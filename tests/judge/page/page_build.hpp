@@ -14,8 +14,9 @@ namespace tumble::judge {
 /// What came back from site/compiler.mjs.
 struct PageBuild {
   bool ok = false;
-  std::string step;    ///< the last one: "compile", "link"; "time" if it took too long
-  std::string output;  ///< what compiler and linker have printed
+  std::string
+      step;  ///< the last one: "compile", "link"; "limit" if it took too much of time or memory
+  std::string output;                  ///< what compiler and linker have printed
   std::vector<std::string> headers;    ///< what the file includes and an exercise may not see
   std::vector<std::string> functions;  ///< what it defines; empty if that is not known
 };

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <regex>
 
-#include "project/harness/skip.hpp"
 #include "project/judge/mistakes/mistake.hpp"
 #include "project/page/page_judge.hpp"
 
@@ -14,8 +13,6 @@ using namespace tumble::test;
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-constexpr std::uint64_t seed = 20250711;
 
 /// Of a chapter, or of all: "04".
 bool is_wanted(const std::string& unit) {
@@ -88,22 +85,16 @@ void compare(PageJudge& page, const Written& file) {
   CHECK_MESSAGE(differs.empty(), file.unit, " ", file.name, ":\n", differs);
 }
 
-bool can_compare() {
-  if (from_environment("TUMBLE_EXERCISES").empty() ||
-      !std::filesystem::exists(from_environment("TUMBLE_EXERCISES")))
-    return skip("the exercises in the page are not built: ./tumble book --exercises"), false;
-  if (chromium_program().empty()) return skip("there is no Chromium"), false;
-  return true;
-}
-
 }  // namespace
 
 TEST_CASE("stubs, solutions and mistakes have the same verdict in a browser as natively") {
-  if (!can_compare()) return;
+  if (!can_judge_in_page()) return;
   PageJudge page;
   std::vector<Written> files = answers_of_the_course();
   REQUIRE(files.size() >= 2);
-  for (Written& each : mistakes_of_students(100)) files.push_back(std::move(each));
+  const std::string most = from_environment("TUMBLE_PAGE_MISTAKES");
+  for (Written& each : mistakes_of_students(most.empty() ? 100 : std::stoul(most)))
+    files.push_back(std::move(each));
   for (const Written& each : files) compare(page, each);
   MESSAGE(files.size(), " files compared");
 }

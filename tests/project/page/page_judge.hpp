@@ -11,10 +11,14 @@
 #include "project/harness/chromium.hpp"
 #include "project/harness/command.hpp"
 #include "project/harness/served_folder.hpp"
+#include "project/harness/skip.hpp"
 #include "project/harness/temporary_folder.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::test {
+
+/// Of the inputs of every question here.
+constexpr std::uint64_t seed = 20250711;
 
 /// A student's file.
 struct Written {
@@ -29,6 +33,15 @@ inline std::string from_environment(const char* name) {
   return value ? value : "";
 }
 
+/// Whether there is a page's judge to ask, and a browser; says what is missing.
+inline bool can_judge_in_page() {
+  if (!std::filesystem::exists(from_environment("TUMBLE_EXERCISES") + "/units.json"))
+    return skip("the exercises in the page are not built: ./tumble book --exercises"), false;
+  if (server_program().empty()) return skip("cpp-httplib is not here"), false;
+  if (chromium_program().empty()) return skip("there is no Chromium"), false;
+  return true;
+}
+
 /// The judge in headless Chromium: the folder that a site serves as exercises/.
 class PageJudge {
  public:
@@ -38,6 +51,20 @@ class PageJudge {
   }
 
   Chromium& browser() { return browser_; }
+
+  /// The kill matrix of a chapter, "04": {matrix, complete}.
+  nlohmann::ordered_json kill_matrix(const std::string& digits, std::uint64_t seed) {
+    return browser_.evaluate(
+        "Promise.all([import('/judges.mjs'), import('/assets.mjs'), import('/judge/judge_" +
+        digits +
+        ".mjs')]).then(async ([{ChapterJudge}, {Assets, manifest}, {default: factory}]) => {"
+        "const wasm = await new Assets(await manifest()).response('judge/judge_" +
+        digits +
+        ".wasm');"
+        "const judge = await ChapterJudge.start(factory, await WebAssembly.compileStreaming(wasm));"
+        "return judge.killMatrix(" +
+        std::to_string(seed) + "); })");
+  }
 
   /// The verdict's JSON; {"failure": why} if there is none.
   nlohmann::ordered_json verdict_on(const Written& file, std::uint64_t seed) {

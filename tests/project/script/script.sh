@@ -193,6 +193,9 @@ mkdir -p "${5:?}"
 : >"$5/build.ninja"
 STUB
 run book --exercises --no-open
+expect 2 'exercises in a page need the solutions'
+mkdir "$tree/solutions"
+run book --exercises --no-open
 expect 0 "$tree/build/release/book/html/index.html"
 called "emcmake cmake -S $tree/tests/judge/page -B $tree/build/page/judge -G Ninja"
 called "node $tree/tests/judge/page/build/make.mjs --judge $tree/build/page/judge --out $tree/build/page/site"
@@ -221,6 +224,7 @@ run book --port=high
 expect 2 "tumble: --port needs a number, not 'high'"
 run book --pdf --serve
 expect 2 'tumble: --pdf goes with neither --exercises nor --serve'
+rmdir "$tree/solutions"
 for each in emcc npm emcmake node; do rm "$bin/$each"; done
 fresh
 

@@ -110,6 +110,7 @@ async function main() {
   const modules = install(join(out, "npm"));
   const tar = await import(pathToFileURL(join(modules, "nanotar/dist/index.mjs")).href);
   const llvm = await import(cutCompiler(modules, tar, join(out, "compiler")));
+  await llvm.runLLVM(null, {}, { fetchProgress: () => {} }); // loads it, runs nothing
   const units = await describe(resolve(options.judge));
   const tree = { exercises: contractsTree(join(root, "exercises")) };
   const clang = new Clang(llvm, { tumble: tree });

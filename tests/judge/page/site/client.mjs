@@ -1,6 +1,7 @@
 // Judges in the page: a compiler and a judge, each in a Web Worker of its own.
 
 const patience = 2000; // [ms] for one answer, as natively
+const patienceWithCompiler = 30000; // [ms] for one file: a hundred times what an exercise takes
 
 /** One worker, and what is being asked of it. */
 class Asked {
@@ -41,6 +42,9 @@ class Hung extends Error {
   }
 }
 
+/** A file that keeps the compiler busy. */
+class TooExpensive extends Error {}
+
 export class Judge {
   constructor(base = new URL("./", import.meta.url)) {
     this.base = base;
@@ -80,13 +84,24 @@ export class Judge {
     }
   }
 
-  #build(unit, source, onProgress) {
-    this.compiler ??= new Asked(new URL("compiler.mjs", this.base));
-    return this.compiler.ask({ unit, source }, ({ progress }) => onProgress(progress)).catch((failure) => {
-      this.compiler.end();
+  /** What the compiler has made of a file. If that takes too long, the compiler is ended. */
+  async #build(unit, source, onProgress) {
+    const compiler = (this.compiler ??= new Asked(new URL("compiler.mjs", this.base)));
+    let clock;
+    const hear = ({ progress, compiling }) => {
+      if (progress) onProgress(progress);
+      if (compiling) clock = setTimeout(() => compiler.fail(new TooExpensive()), patienceWithCompiler);
+    };
+    try {
+      return await compiler.ask({ unit, source }, hear);
+    } catch (failure) {
+      compiler.end();
       this.compiler = null;
+      if (failure instanceof TooExpensive) return { built: { ok: false, step: "limit", output: "", headers: [] } };
       throw failure;
-    });
+    } finally {
+      clearTimeout(clock);
+    }
   }
 
   /** One run of a spec. A worker whose student does not answer in time is ended. */

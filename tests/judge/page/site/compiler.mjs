@@ -42,8 +42,9 @@ onmessage = async ({ data: { id, unit, source } }) => {
   listener = (progress) => postMessage({ id, progress });
   try {
     toolchain ??= load((progress) => listener(progress));
-    const built = unit ? await (await toolchain).build(unit, source) : (await toolchain, null);
-    postMessage({ id, built });
+    const loaded = await toolchain;
+    if (unit) postMessage({ id, compiling: true }); // from now on the page counts
+    postMessage({ id, built: unit ? await loaded.build(unit, source) : null });
   } catch (failure) {
     toolchain = undefined; // a download that was broken off begins again
     postMessage({ id, failure: String(failure.message ?? failure) });

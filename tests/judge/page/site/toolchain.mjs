@@ -1,7 +1,10 @@
 // From a student's file to a module: compile, and link with the worker and the solutions of earlier
 // units. Runs in the page and, while the site is made, in node.
 
-/** What a tool of LLVM said and made. */
+/**
+ * What a tool of LLVM said and made.
+ * @returns {ok, files, output}, and `limit` if it had no memory or no stack left
+ */
 async function run(llvm, args, files) {
   let output = "";
   const text = new TextDecoder();
@@ -13,9 +16,7 @@ async function run(llvm, args, files) {
     const made = await llvm.runLLVM(args, files, options);
     return { ok: true, files: made, output };
   } catch (failure) {
-    // A compiler that has crashed says so in the same place as one that has refused the file.
-    if (!(failure instanceof llvm.Exit)) output += `the compiler failed: ${failure.message ?? failure}\n`;
-    return { ok: false, files: failure.files ?? {}, output };
+    return { ok: false, files: failure.files ?? {}, output, limit: !(failure instanceof llvm.Exit) };
   }
 }
 
@@ -44,13 +45,14 @@ export class Toolchain {
   /**
    * @param unit   "04_quaternions/product"
    * @param source the student's file
-   * @returns {ok, step: "compile" or "link", output, headers, functions, wasm}
+   * @returns {ok, step: "compile", "link" or "limit", output, headers, functions, wasm}
    */
   async build(unit, source) {
     const compiled = await this.compile(unit, source);
-    if (!compiled.ok) return { ok: false, step: "compile", output: compiled.output, headers: compiled.headers, wasm: null };
+    const step = compiled.limit ? "limit" : "compile";
+    if (!compiled.ok) return { ok: false, step, output: compiled.output, headers: compiled.headers, wasm: null };
     const { ok, output, wasm } = await this.link(unit, compiled.object);
-    if (ok) return { ok, step: "compile", output: compiled.output, headers: compiled.headers, wasm };
+    if (ok) return { ok, step, output: compiled.output, headers: compiled.headers, wasm };
     const functions = await this.functionsIn(compiled.object);
     return { ok, step: "link", output, headers: compiled.headers, functions, wasm: null };
   }
@@ -65,11 +67,12 @@ export class Toolchain {
       ...["-dependency-file", "rule", "-MT", "object", "-sys-header-deps"],
       ...["-main-file-name", `${name}.cpp`, "-o", "object", "-x", "c++", file],
     ];
-    const { ok, output, files } = await run(this.llvm, args, { ...this.files, student: { [`${name}.cpp`]: source } });
+    const { ok, output, files, limit } = await run(this.llvm, args, { ...this.files, student: { [`${name}.cpp`]: source } });
     const headers = files.rule ? filesOfRule(files.rule) : [];
     return {
       ok,
       output,
+      limit,
       headers: headers.filter((each) => each !== file && !this.allows(each)),
       object: files.object,
     };
