@@ -7,9 +7,9 @@ set(tumble_judge_folder ${CMAKE_CURRENT_LIST_DIR})
 
 # What a student's file is compiled with, by the judge and by the build alike. What is never set has a
 # mark instead of what was in memory before, so that every compiler gives the same wrong answer; an index
-# behind the end of a std::vector ends the program.
+# behind the end of a std::vector ends the program. A loop without end stays one, whatever the language allows.
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -ffp-contract=off -DEIGEN_DONT_VECTORIZE
+set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -ffp-contract=off -fno-finite-loops -DEIGEN_DONT_VECTORIZE
   -ftrivial-auto-var-init=pattern -DEIGEN_INITIALIZE_MATRICES_BY_NAN -D_GLIBCXX_ASSERTIONS
   -Wall -Wextra -Wno-unused-parameter -Werror=return-type)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # clang stops after twenty by itself

@@ -31,7 +31,7 @@ const here = join(root, "tests/judge/page");
 
 // As the judge compiles a student's file (tests/judge/course.cmake), with clang's names for the same.
 const flags = [
-  ...["-std=c++20", "-O1", "-fwasm-exceptions", "-ffp-contract=off", "-ftrivial-auto-var-init=pattern"],
+  ...["-std=c++20", "-O1", "-fwasm-exceptions", "-ffp-contract=off", "-fno-finite-loops", "-ftrivial-auto-var-init=pattern"],
   ...["-DEIGEN_DONT_VECTORIZE", "-DEIGEN_INITIALIZE_MATRICES_BY_NAN"],
   ...["-D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_EXTENSIVE"],
   ...["-Wall", "-Wextra", "-Wno-unused-parameter", "-Werror=return-type", "-isystem", "/usr/include/eigen3"],

@@ -58,7 +58,7 @@ export class Judge {
    * @param seed       of the inputs
    * @param onProgress is called with {done, total} [bytes] while something is downloaded
    */
-  check(unit, source, { seed = freshSeed(), onProgress = () => {} } = {}) {
+  check(unit, source, { seed, onProgress = () => {} }) {
     const verdict = this.queue.then(() => this.#check(unit, source, seed, onProgress));
     this.queue = verdict.catch(() => {}); // the next one has its own chance
     return verdict;
@@ -127,9 +127,4 @@ export class Judge {
       clearTimeout(clock);
     }
   }
-}
-
-/** A seed as `./tumble check` takes one. */
-export function freshSeed() {
-  return 1 + (crypto.getRandomValues(new Uint32Array(1))[0] % 1000000);
 }

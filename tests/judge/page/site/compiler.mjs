@@ -44,7 +44,9 @@ onmessage = async ({ data: { id, unit, source } }) => {
     toolchain ??= load((progress) => listener(progress));
     const loaded = await toolchain;
     if (unit) postMessage({ id, compiling: true }); // from now on the page counts
-    postMessage({ id, built: unit ? await loaded.build(unit, source) : null });
+    const began = performance.now();
+    const built = unit ? await loaded.build(unit, source) : null;
+    postMessage({ id, built: built && { ...built, seconds: (performance.now() - began) / 1000 } });
   } catch (failure) {
     toolchain = undefined; // a download that was broken off begins again
     postMessage({ id, failure: String(failure.message ?? failure) });
