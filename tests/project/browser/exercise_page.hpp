@@ -74,9 +74,8 @@ class ExercisePage {
 };
 
 inline bool can_try() {
-  const char* folder = std::getenv("TUMBLE_CODEMIRROR");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/lib/codemirror.js"))
-    return skip("CodeMirror is not here"), false;
+  if (!std::filesystem::exists(ServedSite::editor()))
+    return skip("the exercises in the page are not built: ./tumble book --exercises"), false;
   if (server_program().empty()) return skip("cpp-httplib is not here"), false;
   return can_look();
 }

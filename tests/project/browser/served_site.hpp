@@ -19,13 +19,19 @@ namespace tumble::test {
 
 class ServedSite {
  public:
+  /// CodeMirror, as exercises that were built have it.
+  static std::filesystem::path editor() {
+    const char* exercises = std::getenv("TUMBLE_EXERCISES");
+    return std::filesystem::path(exercises ? exercises : "") / "codemirror";
+  }
+
   /// @param client the text of client.mjs
   explicit ServedSite(const std::string& client) {
     namespace fs = std::filesystem;
     const fs::path root = std::getenv("TUMBLE_ROOT"), made = folder_.path() / "made";
     fs::copy(site_folder(), folder_.path() / "site", fs::copy_options::recursive);
     fs::copy(root / "tests/judge/page/site", made, fs::copy_options::recursive);
-    copy_codemirror(made / "codemirror");
+    fs::copy(editor(), made / "codemirror");
     folder_.write("made/client.mjs", client);
     folder_.write("made/units.json", units(root).dump());
     folder_.write("made/manifest.json", R"({"version":"1","files":[],"total_wire":33100000})");
@@ -36,13 +42,6 @@ class ServedSite {
   std::string address(const std::string& page) const { return server_->address() + page; }
 
  private:
-  static void copy_codemirror(const std::filesystem::path& to) {
-    std::filesystem::create_directories(to);
-    for (const char* file : {"lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js",
-                             "addon/edit/matchbrackets.js", "addon/edit/closebrackets.js"})
-      std::filesystem::copy(std::filesystem::path(std::getenv("TUMBLE_CODEMIRROR")) / file, to);
-  }
-
   static nlohmann::json units(const std::filesystem::path& root) {
     nlohmann::json all = nlohmann::json::array();
     for (const auto& [number, name] : {std::pair{"4.1", "product"}, {"4.2", "inverse"}}) {

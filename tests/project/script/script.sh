@@ -184,17 +184,17 @@ for each in emcc npm; do pretend $each </dev/null; done
 pretend node <<'STUB'
 echo "node $*" >>"$CALLS"
 STUB
-ABSENT=libjs-codemirror run book --no-install --exercises
-expect 2 'exercises in the page need emscripten (112 MB to download), node, npm and CodeMirror' 'missing: libjs-codemirror'
+run book --exercises --no-open
+expect 2 'exercises in a page need the solutions'
+mkdir "$tree/solutions"
+ABSENT=zstd run book --no-install --exercises
+expect 2 'exercises in the page need emscripten (112 MB to download), node, npm and zstd' 'missing: zstd'
 called_nothing
 pretend emcmake <<'STUB'
 echo "emcmake $*" >>"$CALLS"
 mkdir -p "${5:?}"
 : >"$5/build.ninja"
 STUB
-run book --exercises --no-open
-expect 2 'exercises in a page need the solutions'
-mkdir "$tree/solutions"
 run book --exercises --no-open
 expect 0 "$tree/build/release/book/html/index.html"
 called "emcmake cmake -S $tree/tests/judge/page -B $tree/build/page/judge -G Ninja"

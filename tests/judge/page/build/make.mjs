@@ -18,15 +18,13 @@ const { values: options } = parseArgs({
     root: { type: "string", default: join(dirname(fileURLToPath(import.meta.url)), "../../../..") },
     judge: { type: "string" },
     out: { type: "string" },
-    emscripten: { type: "string", default: "/usr/share/emscripten" },
-    eigen: { type: "string", default: "/usr/include/eigen3" },
-    nlohmann: { type: "string", default: "/usr/include/nlohmann" },
-    codemirror: { type: "string", default: "/usr/share/javascript/codemirror" },
     level: { type: "string" }, // of zstd
   },
 });
 for (const needed of ["judge", "out"]) if (!options[needed]) throw new Error(`make.mjs needs --${needed}`);
 const { root, out } = options;
+const headers = join(resolve(options.judge), "headers"); // Eigen and JSON, as the judge was compiled with
+const emscripten = execFileSync("em-config", ["EMSCRIPTEN_ROOT"], { encoding: "utf8" }).trim();
 const here = join(root, "tests/judge/page");
 
 // As the judge compiles a student's file (tests/judge/course.cmake), with clang's names for the same.
@@ -64,7 +62,7 @@ function cutCompiler(modules, tar, folder) {
   mkdirSync(all);
   execFileSync("tar", ["xf", join(generated, "llvm-resources.tar"), "-C", all]);
   const usr = treeOf(all, isNeeded);
-  usr.include.eigen3 = eigenTree(options.eigen);
+  usr.include.eigen3 = eigenTree(headers);
   rmSync(all, { recursive: true });
   writeTar(tar, join(folder, "llvm-resources.tar"), usr);
   return pathToFileURL(join(folder, "bundle.js")).href;
@@ -95,13 +93,16 @@ async function recipe(clang, units, headers, objects) {
   const compile = await clang.command([...flags, ...precompiled, "-c", "x.cpp", "-o", "x.o"], source);
   const link = await clang.command([...linked, "x.o", "-o", "x.wasm"], { "x.o": "" });
   const place = link.indexOf("x.o");
+  // Beside a header that every file sees, all others of the C library (build/inspection.cpp); of Eigen none.
+  const ofC = headers.filter((each) => each.startsWith("/usr/include/") && !each.includes("/Eigen/"));
   return {
     units: units.map((unit) => unit.id),
     compile: withoutFiles(compile, "-main-file-name", "-o", "-x").filter((word) => word !== "x.cpp"),
     link: link.slice(0, place),
     libraries: [...objects.map((each) => `/tumble/libraries/${each}`), ...withoutFiles(link.slice(place + 1), "-o")],
     headers,
-    folders: ["/usr/include/c++/v1/", "/tumble/exercises/"],
+    folders: [...new Set(ofC.map((each) => each.slice(0, each.lastIndexOf("/") + 1)))],
+    trees: ["/usr/include/c++/v1/", "/tumble/exercises/"],
   };
 }
 
@@ -118,7 +119,7 @@ async function main() {
   const { pch, headers } = await precompile(clang);
   tree["precompiled.pch"] = pch;
   step("compiling the worker");
-  const paths = { root, emscripten: options.emscripten, nlohmann: options.nlohmann, units, flags };
+  const paths = { root, emscripten, nlohmann: join(headers, "nlohmann"), units, flags };
   tree.libraries = await libraries(clang, paths);
   step(`compiling the solutions of ${units.length} units`);
   const steps = await recipe(clang, units, headers, Object.keys(tree.libraries));

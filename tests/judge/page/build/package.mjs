@@ -59,12 +59,12 @@ class Site {
 const editor = ["lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js", "addon/edit/closebrackets.js"];
 
 /** Everything under one folder, and manifest.json about it, which is given back. */
-export function writeSite(folder, { root, judge, modules, compiler, codemirror, units, level }) {
+export function writeSite(folder, { root, judge, modules, compiler, units, level }) {
   const site = new Site(folder, Number(level || 19));
   site.add(join(root, "tests/judge/page/site"), ".");
   site.add(join(modules, "fzstd/esm/index.mjs"), "fzstd.mjs");
   site.add(join(modules, "nanotar/dist/index.mjs"), "nanotar.mjs");
-  for (const file of editor) site.add(join(codemirror, file), `codemirror/${basename(file)}`);
+  for (const file of editor) site.add(join(modules, "codemirror", file), `codemirror/${basename(file)}`);
   for (const file of readdirSync(compiler)) if (/\.(js|json|wasm|tar)$/.test(file)) site.add(join(compiler, file), `compiler/${file}`);
   for (const file of readdirSync(judge)) if (/^judge_[0-9]+\.(mjs|wasm)$/.test(file)) site.add(join(judge, file), `judge/${file}`);
   for (const { id } of units) site.add(join(root, "solutions", `${id}.cpp`), `solutions/${id}.cpp`);

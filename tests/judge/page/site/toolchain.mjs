@@ -78,9 +78,11 @@ export class Toolchain {
     };
   }
 
-  /** Whether an exercise may see this header: its contracts, Eigen/Core, the standard library. */
+  /** Whether an exercise may see this header: its contracts, Eigen/Core, the standard libraries of C++ and C. */
   allows(header) {
-    return this.recipe.folders.some((each) => header.startsWith(each)) || this.recipe.headers.includes(header);
+    const { trees, folders, headers } = this.recipe;
+    const folder = header.slice(0, header.lastIndexOf("/") + 1);
+    return trees.some((each) => header.startsWith(each)) || folders.includes(folder) || headers.includes(header);
   }
 
   async link(unit, object) {
