@@ -183,19 +183,19 @@ int hits(const Mesh& mesh, const Vec3& p, const Meets& meets) {
   return count;
 }
 
-bool closed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+bool meets_closed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   const Vec3 areas = areas_around(a, b, c, p);
   return areas.minCoeff() >= 0 || areas.maxCoeff() <= 0;
 }
 
-bool open(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+bool meets_open(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   const Vec3 areas = areas_around(a, b, c, p);
   return areas.minCoeff() > 0 || areas.maxCoeff() < 0;
 }
 
 /// Right but for rounding: on which side of an edge the line passes is found from where the edge
 /// begins, which is another end for the other triangle.
-bool half_open(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+bool meets_half_open(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   const auto crossing = [&](const Vec3& u, const Vec3& v) {
     const bool up = v.y() > p.y();
     if ((u.y() > p.y()) == up) return 0;
@@ -215,7 +215,7 @@ Trial rounding_trap(int axis, double sign) {
     const Mesh upright = mapped(mesh, turn);
     for (int n = 0; n < 20; ++n) {
       const Vec3 place = any_place_beside(mesh, axis, any_number(0.1, 0.9));
-      const bool counted = hits(upright, turn * place, half_open) % 2 == 1;
+      const bool counted = hits(upright, turn * place, meets_half_open) % 2 == 1;
       if (counted != reference(mesh, place)) return {mesh, place};
     }
   }
@@ -359,29 +359,29 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
       "You have counted a ray that meets an edge for both of its triangles, as if it "
       "had passed two walls, and at a corner even more often. Count it once.",
       "A ray that meets an edge",
-      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, closed) % 2 == 1; }},
+      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets_closed) % 2 == 1; }},
      {"edges never counted",
       "You have not counted a ray that meets an edge or a corner, as if there were a "
       "gap between the triangles. Count it once.",
       "A ray that meets an edge",
-      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, open) % 2 == 1; }},
+      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets_open) % 2 == 1; }},
      {"each triangle rounds for itself",
       "On which side of an edge does the ray pass? You have rounded that in one way for "
       "one of its triangles and in another way for the other, so both of them may "
       "count, or none. Let the numbers that decide be the very same for both.",
       "A ray that meets an edge",
-      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, half_open) % 2 == 1; }},
+      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets_half_open) % 2 == 1; }},
      {"any hit is inside",
       "You have taken a point to be inside if its ray meets the surface. But a ray from "
       "outside may go in and out again: ask how often it does.",
       "Is a point inside?",
-      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, half_open) > 0; }},
+      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets_half_open) > 0; }},
      {"exactly one hit",
       "You have taken a point to be inside if its ray meets the surface just once. But "
       "a ray from inside a body with notches, or of several parts, may leave, come in "
       "and leave again.",
       "Is a point inside?",
-      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, half_open) == 1; }},
+      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets_half_open) == 1; }},
      {"nothing is inside",
       "Your answer is always false. Do you count hits behind the point? A line goes in "
       "as often as it comes out, so its hits are never odd in number. A ray begins at "

@@ -73,7 +73,7 @@ Inside any_cells(const Grid& grid) {
   std::vector<bool> full(static_cast<std::size_t>(grid.n * grid.n * grid.n));
   for (std::size_t i = 0; i < full.size(); ++i) full[i] = any_number(0, 1) < 0.4;
   full[full.size() / 3] = true;
-  return [=](const Vec3& point) {
+  return [=](const Vec3& point) -> bool {
     if (!point.allFinite()) return false;
     const Vec3 at = (point - grid.low).cwiseQuotient(grid.cell());
     const auto index = [&](int axis) {
