@@ -34,8 +34,10 @@ void prepare(httplib::Server& server, const std::string& site) {
 /// @param port 0: any that is free
 /// @return the port
 int bind(httplib::Server& server, int port) {
-  if (port == 0) port = server.bind_to_any_port(this_machine);
-  else if (!server.bind_to_port(this_machine, port)) port = -1;
+  if (port == 0)
+    port = server.bind_to_any_port(this_machine);
+  else if (!server.bind_to_port(this_machine, port))
+    port = -1;
   if (port < 0) throw std::runtime_error("cannot listen at this port: another program does");
   return port;
 }

@@ -44,8 +44,7 @@ std::string assertion_in(const std::string& line) {
   if (const std::string quoted = between(line, "Assertion ", line.find("' failed"));
       quoted.size() > 1)
     return quoted.substr(1);
-  if (std::string named = between(line, "Assertion failed: ", line.rfind(" ("));
-      !named.empty())
+  if (std::string named = between(line, "Assertion failed: ", line.rfind(" (")); !named.empty())
     return named;
   return between(line, "Hardening assertion ", line.find(" failed: "));
 }

@@ -23,7 +23,7 @@ const { values: options } = parseArgs({
 });
 for (const needed of ["judge", "out"]) if (!options[needed]) throw new Error(`make.mjs needs --${needed}`);
 const { root, out } = options;
-const headers = join(resolve(options.judge), "headers"); // Eigen and JSON, as the judge was compiled with
+const brought = join(resolve(options.judge), "headers"); // Eigen and JSON, as the judge was compiled with
 const emscripten = execFileSync("em-config", ["EMSCRIPTEN_ROOT"], { encoding: "utf8" }).trim();
 const here = join(root, "tests/judge/page");
 
@@ -62,7 +62,7 @@ function cutCompiler(modules, tar, folder) {
   mkdirSync(all);
   execFileSync("tar", ["xf", join(generated, "llvm-resources.tar"), "-C", all]);
   const usr = treeOf(all, isNeeded);
-  usr.include.eigen3 = eigenTree(headers);
+  usr.include.eigen3 = eigenTree(brought);
   rmSync(all, { recursive: true });
   writeTar(tar, join(folder, "llvm-resources.tar"), usr);
   return pathToFileURL(join(folder, "bundle.js")).href;
@@ -119,7 +119,7 @@ async function main() {
   const { pch, headers } = await precompile(clang);
   tree["precompiled.pch"] = pch;
   step("compiling the worker");
-  const paths = { root, emscripten, nlohmann: join(headers, "nlohmann"), units, flags };
+  const paths = { root, emscripten, nlohmann: join(brought, "nlohmann"), units, flags };
   tree.libraries = await libraries(clang, paths);
   step(`compiling the solutions of ${units.length} units`);
   const steps = await recipe(clang, units, headers, Object.keys(tree.libraries));
