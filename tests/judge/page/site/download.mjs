@@ -59,6 +59,9 @@ export async function completeDownload() {
   const { Assets } = await import("./assets.mjs");
   const about = await manifest();
   const assets = new Assets(about);
-  for (const { path } of about.files) await assets.keep(path).catch(() => {});
+  for (const { path } of about.files) {
+    await assets.keep(path).catch(() => {});
+    if (path.startsWith("judge/")) await fetch(new URL(path.replace(".wasm", ".mjs"), base)).catch(() => {}); // the service worker keeps it
+  }
   completing = false;
 }

@@ -5,13 +5,20 @@ import { element } from "./element.mjs";
 import { makeBox } from "./box.mjs";
 import { showProgress } from "./progress.mjs";
 
+/** From then on the service worker sees what the page asks for; not after a reload that goes around it. */
+function seenByWorker() {
+  if (navigator.serviceWorker.controller) return null;
+  return new Promise((resolve) => navigator.serviceWorker.addEventListener("controllerchange", resolve, { once: true }));
+}
+
 async function keepOffline() {
   if (!navigator.serviceWorker) return;
+  const seen = seenByWorker();
   await navigator.serviceWorker.register(new URL("../service_worker.js", base));
-  const { active } = await navigator.serviceWorker.ready;
+  await seen;
   // What this page has loaded before anybody kept it.
   const addresses = performance.getEntriesByType("resource").map(({ name }) => name);
-  active.postMessage({ keep: [location.href.replace(/#.*/, ""), ...addresses] });
+  navigator.serviceWorker.controller.postMessage({ keep: [location.href.replace(/#.*/, ""), ...addresses] });
 }
 
 async function makeBoxes() {
@@ -29,5 +36,4 @@ started.then(() => {
   if (location.hash) document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
   document.documentElement.classList.add("exercises-ready");
 }, (error) => console.error("The exercises of this page cannot be shown:", error));
-addEventListener("load", () => keepOffline().catch(() => {})); // a private window keeps nothing
-if (document.readyState === "complete") keepOffline().catch(() => {});
+keepOffline().catch(() => {}); // a private window keeps nothing

@@ -1,34 +1,37 @@
 // From a student's file to a module: compile, and link with the worker and the solutions of earlier
 // units. Runs in the page and, while the site is made, in node.
 
+/** Pieces of bytes, one after the other. */
+function joined(pieces) {
+  const bytes = new Uint8Array(pieces.reduce((size, each) => size + each.length, 0));
+  let place = 0;
+  for (const piece of pieces) {
+    bytes.set(piece, place);
+    place += piece.length;
+  }
+  return bytes;
+}
+
 /**
  * What a tool of LLVM said and made.
- * @returns {ok, files, output}, and `limit` if it had no memory or no stack left
+ * @returns {ok, files, written, output}: `written` to its standard output, `output` to the error one;
+ *          and `limit` if it had no memory or no stack left
  */
 async function run(llvm, args, files) {
-  let output = "";
-  const text = new TextDecoder();
-  const hear = (bytes) => {
-    if (bytes) output += text.decode(bytes, { stream: true });
-  };
-  const options = { stdout: hear, stderr: hear, decodeASCII: false, fetchProgress: () => {} };
+  const heard = { stdout: [], stderr: [] };
+  const listen = (to) => (bytes) => bytes && to.push(bytes.slice());
+  const options = { stdout: listen(heard.stdout), stderr: listen(heard.stderr), decodeASCII: false, fetchProgress: () => {} };
+  const said = () => ({ written: joined(heard.stdout), output: new TextDecoder().decode(joined(heard.stderr)) });
   try {
     const made = await llvm.runLLVM(args, files, options);
-    return { ok: true, files: made, output };
+    return { ok: true, files: made, ...said() };
   } catch (failure) {
-    return { ok: false, files: failure.files ?? {}, output, limit: !(failure instanceof llvm.Exit) };
+    return { ok: false, files: failure.files ?? {}, ...said(), limit: !(failure instanceof llvm.Exit) };
   }
 }
 
-/** The files of a rule for make, without its target. */
-function filesOfRule(bytes) {
-  const rule = new TextDecoder().decode(bytes);
-  return rule
-    .slice(rule.indexOf(":") + 1)
-    .replaceAll("\\\n", " ")
-    .split(/\s+/)
-    .filter((each) => each);
-}
+/** What clang lists of a file's headers among its messages, with -H: ". /usr/include/errno.h". */
+const listed = /^\.+ (\/.*)\n/gm;
 
 export class Toolchain {
   /**
@@ -64,17 +67,18 @@ export class Toolchain {
       ...this.recipe.compile,
       ...["-I", `/tumble/exercises/${chapter}`, "-I", "/tumble/exercises"],
       ...["-include", `/tumble/exercises/${chapter}/contract.hpp`],
-      ...["-dependency-file", "rule", "-MT", "object", "-sys-header-deps"],
-      ...["-main-file-name", `${name}.cpp`, "-o", "object", "-x", "c++", file],
+      ...["-H", "-sys-header-deps"], // those that are not precompiled
+      // To its standard output: a file is copied whole with each piece that is written to it.
+      ...["-main-file-name", `${name}.cpp`, "-o", "-", "-x", "c++", file],
     ];
-    const { ok, output, files, limit } = await run(this.llvm, args, { ...this.files, student: { [`${name}.cpp`]: source } });
-    const headers = files.rule ? filesOfRule(files.rule) : [];
+    const { ok, output, written, limit } = await run(this.llvm, args, { ...this.files, student: { [`${name}.cpp`]: source } });
+    const headers = [...output.matchAll(listed)].map(([, header]) => header);
     return {
       ok,
-      output,
+      output: output.replace(listed, ""),
       limit,
-      headers: headers.filter((each) => each !== file && !this.allows(each)),
-      object: files.object,
+      headers: headers.filter((each) => !this.allows(each)),
+      object: written,
     };
   }
 
@@ -103,7 +107,7 @@ export class Toolchain {
 
   /** The functions that an object defines, as they are declared: "quaternions::prod(double)". */
   async functionsIn(object) {
-    const { output } = await run(this.llvm, ["nm", "--defined-only", "--extern-only", "--demangle", "object"], { object });
-    return [...output.matchAll(/^[0-9a-f]+ T (.+)$/gm)].map((line) => line[1]);
+    const { written } = await run(this.llvm, ["nm", "--defined-only", "--extern-only", "--demangle", "object"], { object });
+    return [...new TextDecoder().decode(written).matchAll(/^[0-9a-f]+ T (.+)$/gm)].map((line) => line[1]);
   }
 }
