@@ -34,8 +34,8 @@ std::vector<std::string> name_boxes(std::string& text) {
   for (auto at = text.find(box); at != std::string::npos; at = text.find(box, at + 1)) {
     const std::string number = number_behind(text, at);
     if (number.empty()) continue;
-    const std::size_t end = text.find('>', at);
-    text.replace(at, end - at, box + " id=\"now-write-" + number + "\"");
+    const std::size_t start = at + box.size();  // an id of before goes
+    text.replace(start, text.find('>', at) - start, " id=\"now-write-" + number + "\"");
     numbers.push_back(number);
   }
   return numbers;
@@ -62,7 +62,7 @@ std::vector<fs::path> pages_in(const fs::path& site) {
 std::string as_json(const std::map<std::string, std::string>& page_of) {
   std::string json;
   for (const auto& [number, page] : page_of)
-    json += (json.empty() ? "" : ",\n") + std::string("  \"") + number + "\": \"" + page + "\"";
+    json.append(json.empty() ? "" : ",\n").append("  \"" + number + "\": \"" + page + "\"");
   return "{\n" + json + "\n}\n";
 }
 

@@ -16,9 +16,10 @@ async function keepOffline() {
   const seen = seenByWorker();
   await navigator.serviceWorker.register(new URL("../service_worker.js", base));
   await seen;
-  // What this page has loaded before anybody kept it.
-  const addresses = performance.getEntriesByType("resource").map(({ name }) => name);
-  navigator.serviceWorker.controller.postMessage({ keep: [location.href.replace(/#.*/, ""), ...addresses] });
+  const keep = (addresses) => navigator.serviceWorker.controller.postMessage({ keep: addresses });
+  keep([location.href.replace(/#.*/, "")]);
+  // What this page has asked for before anybody kept it, also what arrives only now.
+  new PerformanceObserver((list) => keep(list.getEntries().map(({ name }) => name))).observe({ type: "resource", buffered: true });
 }
 
 async function makeBoxes() {
