@@ -267,7 +267,7 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("a chemical reaction, stiff and not linear: every step keeps the amount of matter") {
     for (const double h : {1e-4, 1e-2, 1., 10.}) {
       const Problem problem = reaction();
-      const VectorXd y = Eigen::Vector3d(any_number(0.5, 1), 0, any_number(0.1, 0.5));
+      const VectorXd y = Eigen::Vector3d{any_number(0.5, 1), 0, any_number(0.1, 0.5)};
       const VectorXd y1 = reference(problem, 0, y, h);
       const auto answer = student::backward_euler_step(problem.f, problem.dfdy, 0, y, h);
       REQUIRE(answer == close_to(y1, allowed(problem, 0, y, h, y1, 0)));

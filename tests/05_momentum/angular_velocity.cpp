@@ -17,7 +17,7 @@ namespace {
 
 /// Moments about the principal axes that some body has: sums of two of three positive numbers.
 Vec3 any_moments() {
-  const Vec3 s(any_number(0.2, 2), any_number(0.2, 2), any_number(0.2, 2));
+  const Vec3 s{any_number(0.2, 2), any_number(0.2, 2), any_number(0.2, 2)};
   return {s.y() + s.z(), s.z() + s.x(), s.x() + s.y()};
 }
 
@@ -28,7 +28,10 @@ Mat3 tensor(const Vec3& values, const Mat3& axes) {
 }
 
 /// I_body⁻¹ of any body, in any body axes.
-Mat3 any_inverse() { return tensor(any_moments().cwiseInverse(), any_rotation()); }
+Mat3 any_inverse() {
+  const Vec3 moments = any_moments();
+  return tensor(moments.cwiseInverse(), any_rotation());
+}
 
 Vec3 reference(const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
   const Mat3 inverse = R * I_body_inv * R.transpose();
@@ -70,7 +73,9 @@ TEST_SUITE(TUMBLE_UNIT) {
 
   TEST_CASE("L = I ω: what is put in as an angular velocity comes out again") {
     for (int n = 0; n < 10; ++n) {
-      const tumble::RigidBody<> body(any_number(1, 5), tensor(any_moments(), any_rotation()));
+      const double mass = any_number(1, 5);
+      const Vec3 moments = any_moments();
+      const tumble::RigidBody<> body(mass, tensor(moments, any_rotation()));
       const Mat3 R = any_rotation(), I_body_inv = body.I_body_inv();
       const Vec3 omega = any_vector(4), L = tumble::angular_momentum<double>(body, R, omega);
       // The tensor and its inverse are rounded: that counts by the condition number, once each.

@@ -179,20 +179,24 @@ Mat2 any_positive_K() {
 Mat2 any_K() {
   const double mass = any_number(0.2, 3), angle = any_number(-1.5, 1.5);
   const auto any_box = [] {
-    const Vec2 size(any_number(0.2, 2), any_number(0.2, 2));
-    return K_of_box(any_number(0.2, 3), size, any_number(0, 6));
+    const Vec2 size{any_number(0.2, 2), any_number(0.2, 2)};
+    const double box_mass = any_number(0.2, 3);
+    return K_of_box(box_mass, size, any_number(0, 6));
   };
   const double kind = any_number(0, 5);
   if (kind < 1) return K_of_rod(mass, any_number(0.3, 3), angle);
   if (kind < 2) return any_box();
-  if (kind < 3) return any_box() + any_box();
+  if (kind < 3) {
+    const Mat2 first = any_box();
+    return first + any_box();
+  }
   if (kind < 3.3) return K_of_ball(mass, any_number(0.1, 1));
   return any_positive_K();
 }
 
 Contact any_contact() {
   const double slip = any_number(0.05, 2);
-  const Vec2 u(any_number(-1, 1) < 0 ? -slip : slip, any_number(-2, -0.5));
+  const Vec2 u{any_number(-1, 1) < 0 ? -slip : slip, any_number(-2, -0.5)};
   return {any_K(), u, any_number(0.1, 0.9), any_number(0.05, 1.5)};
 }
 

@@ -20,7 +20,8 @@ namespace {
 struct Place {
   Body body = any_body();
   State state = any_unit_state();
-  Vec3 point = state.x + any_number(0.3, 2) * any_direction();
+  double length = any_number(0.3, 2);
+  Vec3 point = state.x + length * any_direction();
 
   Vec3 arm() const { return point - state.x; }
 };

@@ -109,7 +109,7 @@ Bodies any_bodies(int n, double size) {
   Bodies bodies;
   for (int i = 0; i < n; ++i) {
     const Vec3 centre = any_vector(1);
-    const Vec3 half = size * Vec3(any_number(0.5, 1), any_number(0.5, 1), any_number(0.5, 1));
+    const Vec3 half = size * Vec3{any_number(0.5, 1), any_number(0.5, 1), any_number(0.5, 1)};
     bodies.push_back({centre - half, centre + half});
   }
   return bodies;

@@ -112,7 +112,7 @@ bool is_right(const Box& a, const Box& b) {
 
 Box any_box(double size = 1) {
   return {any_vector(0.5), any_rotation(),
-          size * Vec3(any_number(0.5, 2), any_number(0.5, 2), any_number(0.5, 2))};
+          size * Vec3{any_number(0.5, 2), any_number(0.5, 2), any_number(0.5, 2)}};
 }
 
 /// The edges of both are at 0.01 rad or more to one another, or parallel to rounding.
@@ -259,7 +259,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (int n = 0; n < 5; ++n) {
       const Mat3 R = any_rotation();
       const Box a{any_vector(1), R, {1, 2, 3}};
-      Box b{a.centre + any_number(2, 4) * any_direction(), R, {2, 1, 1}};
+      const double distance = any_number(2, 4);
+      Box b{a.centre + distance * any_direction(), R, {2, 1, 1}};
       REQUIRE(is_right(a, b));
       // One that is parallel up to rounding: the long way round, by three quarters of a turn.
       const Mat3 quarter = Eigen::AngleAxisd(std::numbers::pi / 2, R.col(2)).toRotationMatrix();
@@ -279,7 +280,8 @@ TEST_SUITE(TUMBLE_UNIT) {
       REQUIRE(is_right(a, b));
       a.size = Vec3::Constant(1e-6);
       b.size = Vec3::Constant(1e6);
-      b.centre = a.centre + 1e6 * any_number(1, 3) * any_direction();
+      const double distance = 1e6 * any_number(1, 3);
+      b.centre = a.centre + distance * any_direction();
       REQUIRE(is_right(a, b));
       auto [far, near] = any_two(any_number(1, 4));
       for (Box* box : {&far, &near})
