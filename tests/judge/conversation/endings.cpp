@@ -21,7 +21,8 @@ std::string signal_text(int number) {
     case SIGBUS:
       return "SIGBUS: it used memory that is not there";
     case SIGILL:
-      return "SIGILL: it ran into no instruction (a function without return?)";
+      return "SIGILL: it came where nothing can be (a function that ends without return, a null "
+             "pointer)";
     case SIGTRAP:
       return "SIGTRAP: it ran into a trap (a function without return?)";
     default:

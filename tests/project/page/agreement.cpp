@@ -3,7 +3,7 @@
 /// by nature (tests/judge/page/README.md).
 #include <doctest/doctest.h>
 
-#include <iostream>
+#include <map>
 #include <regex>
 
 #include "project/judge/mistakes/mistake.hpp"
@@ -72,16 +72,36 @@ std::string difference(const Json& page, const Json& native) {
   return text;
 }
 
+/// Mistakes whose verdicts are not the same to the letter, and why that is so.
+const std::map<std::string, std::string> differs_by_nature{
+    {"throws_for_none", "an exception of the library has the library's words"},
+    {"last_point_only", "axes that only rounding chooses"},
+    {"slow_slip_is_none", "the last digit of sin() among 17"},
+    {"never_rests", "memory is used up before the time is"},
+    {"up_to_zero", "the calls are used up before the time is"},
+    {"asked_in_the_order_of_the_sweep", "std::sort orders what is equal as it likes"},
+    {"order_of_the_sweep", "std::sort orders what is equal as it likes"},
+    {"sorted_by_the_first_only", "std::sort orders what is equal as it likes"},
+    {"whole_numbers", "std::sort orders what is equal as it likes"}};
+
+/// A variable that was never set has the mark of its compiler.
+bool may_differ(const std::string& mistake) {
+  return differs_by_nature.contains(mistake) || mistake.ends_with("_never_set");
+}
+
 /// The verdicts of both judges, compared.
 void compare(PageJudge& page, const Written& file) {
   CAPTURE(file.unit);
   CAPTURE(file.name);
   const Json outcome = page.verdict_on(file, seed);
   REQUIRE_MESSAGE(!outcome.contains("failure"), outcome.dump());
+  const Json native = native_verdict_on(file, seed);
+  CHECK(outcome.at("passed") == native.at("passed"));
+  if (may_differ(file.name)) return;
   const auto normal = [](const Json& verdict) {
     return without_words_of_compiler(without_times(verdict));
   };
-  const std::string differs = difference(normal(outcome), normal(native_verdict_on(file, seed)));
+  const std::string differs = difference(normal(outcome), normal(native));
   CHECK_MESSAGE(differs.empty(), file.unit, " ", file.name, ":\n", differs);
 }
 

@@ -11,7 +11,7 @@ import { Clang } from "./clang.mjs";
 import { describe } from "./course.mjs";
 import { writeSite, writeTar } from "./package.mjs";
 import { libraries, unitObjects } from "./runtime.mjs";
-import { contractsTree, eigenTree, isNeeded, put, treeOf } from "./sysroot.mjs";
+import { assertionHandler, contractsTree, eigenTree, isNeeded, put, treeOf } from "./sysroot.mjs";
 
 const { values: options } = parseArgs({
   options: {
@@ -63,6 +63,7 @@ function cutCompiler(modules, tar, folder) {
   execFileSync("tar", ["xf", join(generated, "llvm-resources.tar"), "-C", all]);
   const usr = treeOf(all, isNeeded);
   usr.include.eigen3 = eigenTree(brought);
+  put(usr, "include/c++/v1/__assertion_handler", assertionHandler);
   rmSync(all, { recursive: true });
   writeTar(tar, join(folder, "llvm-resources.tar"), usr);
   return pathToFileURL(join(folder, "bundle.js")).href;

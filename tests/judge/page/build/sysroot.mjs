@@ -34,6 +34,13 @@ export function isNeeded(path) {
   return /\/include\//.test(path) && !elsewhere.some((each) => each.test(path));
 }
 
+/** What the C++ library does where an index is out of range: its own header stops without a word. */
+export const assertionHandler = Buffer.from(`#pragma once
+#include <__config>
+#include <__verbose_abort>
+#define _LIBCPP_ASSERTION_HANDLER(message) _LIBCPP_VERBOSE_ABORT("%s", message)
+`);
+
 // In the compiler's file system a path that goes up from a header's folder is not found: `tree` with
 // paths from its root instead.
 function withPathsFromRoot(tree, path = []) {

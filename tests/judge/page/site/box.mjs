@@ -32,21 +32,23 @@ class Box {
 
   build(place) {
     const help = element("p", { id: `keys-${this.unit.number}`, className: "keys" },
-      "Ctrl-Enter checks. Tab indents; Escape, then Tab, leaves the editor.");
+      "Ctrl-Enter checks. Tab indents; Escape, then Tab, leaves the editor. What your code prints stands in the verdict.");
     const parts = {
       code: element("div", { className: "editor" }), help, hints: element("ol", { className: "hints" }),
       check: this.button("Check", () => this.judging.check(), { className: "main" }),
       hint: this.button("Hint", () => this.hint()), reset: this.button("Reset", () => this.reset()),
       solution: this.button("Solution", () => this.solution(), { hidden: true }),
       progress: element("div", { className: "download", hidden: true }),
+      note: element("p", { className: "note", role: "status" }),
       line: element("p", { className: "verdict-line", role: "status", "aria-live": "polite" }),
       text: element("pre", { className: "verdict", hidden: true }),
       old: element("details", { className: "old-texts", hidden: true }),
       answer: element("div", { className: "solution", hidden: true }),
     };
+    parts.code.append(element("pre", {}, this.unit.stub)); // until the editor is there
     parts.code.style.minHeight = `${this.unit.stub.split("\n").length * 1.5 + 1}em`;
     const buttons = element("div", { className: "buttons" }, parts.check, parts.hint, parts.reset, parts.solution);
-    const frame = element("div", { className: "exercise" }, parts.code, help, buttons, parts.progress, parts.hints,
+    const frame = element("div", { className: "exercise" }, parts.code, help, buttons, parts.progress, parts.note, parts.hints,
       parts.line, parts.text, parts.answer, parts.old);
     const command = foldCommand(place);
     place.append(contractText(this.unit), frame, command);
@@ -57,6 +59,7 @@ class Box {
     const work = await workOn(this.unit.id);
     this.base = work.text;
     this.draft = work.text ?? this.unit.stub;
+    this.parts.code.firstChild.textContent = this.draft;
     for (let i = 0; i < work.hints; ++i) this.showHint(i);
     this.showState(work);
     if (work.last && work.checked === this.draft) this.judging.show(work.last);
@@ -111,7 +114,8 @@ class Box {
 
   put(text) {
     this.draft = text;
-    this.editor?.replace(text);
+    if (this.editor) this.editor.replace(text);
+    else this.parts.code.firstChild.textContent = text;
   }
 
   async replace(text) {
@@ -119,6 +123,8 @@ class Box {
     const work = await replaceText(this.unit.id, text);
     this.base = text;
     this.put(text);
+    this.parts.note.textContent = "";
+    this.parts.answer.hidden = true;
     this.showState(work);
   }
 
@@ -131,8 +137,14 @@ class Box {
     this.parts.old.hidden = work.old.length === 0;
     const entries = work.old.map(({ text, at }) =>
       element("li", {}, this.button("Put back", () => this.replace(text)),
-        ` of ${new Date(at).toLocaleString()}, ${text.split("\n").length} lines`));
+        ` ${this.nameOf(text, work)}, ${text.split("\n").length} lines, ${new Date(at).toLocaleString()}`));
     this.parts.old.replaceChildren(element("summary", {}, "Earlier texts of yours"), element("ul", {}, ...entries));
+  }
+
+  /** What a reader may know a text by. */
+  nameOf(text, work) {
+    if (text === this.unit.stub) return "the untouched exercise";
+    return text === work.right ? "it has passed" : "not passed";
   }
 
   // ── What the buttons do ──
@@ -148,14 +160,14 @@ class Box {
     const next = this.parts.hints.childElementCount;
     if (next >= this.unit.hints.length) return;
     this.showHint(next);
-    this.parts.line.textContent = `Hint ${next + 1} of ${this.unit.hints.length} stands below the buttons.`;
+    this.parts.note.textContent = `Hint ${next + 1} of ${this.unit.hints.length}:`;
     await saveHints(this.unit.id, next + 1);
   }
 
   async reset() {
     await this.replace(this.unit.stub);
     this.judging.clear();
-    this.parts.line.textContent = "The untouched exercise is back. Your text is kept below, under “Earlier texts of yours”.";
+    this.parts.note.textContent = "The untouched exercise is back. Your text is kept below, under “Earlier texts of yours”.";
     this.editor?.focus();
   }
 

@@ -60,6 +60,7 @@ function markLine(editor, { line, column, kind, text }) {
  */
 export async function makeEditor(place, { text, label, describedBy, check, changed }) {
   await loadCodeMirror();
+  place.replaceChildren();
   const touch = matchMedia("(pointer: coarse)").matches;
   const editor = globalThis.CodeMirror(place, {
     value: text, mode: "text/x-c++src", theme: "tumble", indentUnit: 2, tabSize: 2, lineNumbers: true,

@@ -52,7 +52,7 @@ async function download(say) {
   const address = URL.createObjectURL(await workAsZip());
   element("a", { href: address, download: "tumble-exercises.zip" }).click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
-  say(`${count} ${count === 1 ? "exercise" : "exercises"} in tumble-exercises.zip. ./tumble grade takes it as it is.`);
+  say(`${count} ${count === 1 ? "exercise" : "exercises"} in tumble-exercises.zip. You can hand it in as it is, or open it in another browser.`);
 }
 
 async function open(file, say) {
@@ -78,7 +78,7 @@ function controls(redraw) {
     redraw();
   };
   const save = element("button", { type: "button", onclick: () => download(say) }, "Download my work");
-  const load = element("button", { type: "button", onclick: () => input.click() }, "Open …");
+  const load = element("button", { type: "button", onclick: () => input.click() }, "Open my work …");
   return [element("div", { className: "buttons" }, save, load, input), words];
 }
 
@@ -89,8 +89,8 @@ export async function showProgress() {
   const list = element("ul", {}), count = element("p", { className: "count" });
   const redraw = () => draw(list, count);
   const words = element("p", {}, "You can write every exercise in its page: a compiler and the judge run in your browser. " +
-    "Your work stays in this browser. What is judged in a page is for learning; grades come from ",
-    element("code", {}, "./tumble grade"), ".");
+    "Your work stays in this browser. What is judged in a page is for learning: if your course gives grades, hand in the file " +
+    "that “Download my work” gives you.");
   await redraw();
   heading.before(element("section", { className: "exercise-progress", "aria-labelledby": "your-exercises" },
     element("h2", { id: "your-exercises" }, "Your exercises"), words, list, count, ...controls(redraw)));

@@ -28,7 +28,7 @@ async function transact(table, mode, use) {
 }
 
 const untouched = (id) => ({
-  id, text: null, checked: null, old: [], passed: false, tries: 0, hints: 0, last: null,
+  id, text: null, checked: null, right: null, old: [], passed: false, tries: 0, hints: 0, last: null,
 });
 
 /** Reads a record, changes it and writes it back, with no other tab between. */
@@ -63,11 +63,11 @@ export function allWork() {
 
 /**
  * Writes a text. `base` is the text that this tab has seen last: where another tab has written since,
- * that tab's text is kept among the old ones.
+ * that tab's text is kept among the old ones; and so is one that has passed.
  */
 export function saveText(id, text, base) {
   return change(id, (record) => {
-    if (record.text !== base && record.text !== text) keepOld(record, record.text);
+    if ((record.text !== base || record.text === record.right) && record.text !== text) keepOld(record, record.text);
     record.text = text;
   });
 }
@@ -93,6 +93,7 @@ export function saveVerdict(id, text, verdict) {
     record.last = verdict;
     record.tries += started ? 1 : 0;
     record.passed ||= verdict.passed;
+    if (verdict.passed) record.right = text;
   });
 }
 

@@ -21,10 +21,25 @@ async function demanded(unit) {
   return parts;
 }
 
-/** The contract's words: they arrive a moment later. */
+/** What the contract's page says before its first exercise: types, conventions, what one may use. */
+async function given(unit) {
+  const parts = [];
+  let next = (await pageOf(unit.chapter)).querySelector(".page-contents")?.nextElementSibling;
+  for (; next && !next.matches("a[id]"); next = next.nextElementSibling)
+    parts.push(next.matches("h2") ? element("p", {}, element("strong", {}, next.textContent.trim())) : document.importNode(next, true));
+  return parts;
+}
+
+/** The contract's words: they arrive a moment later. What holds for all is open in a chapter's first box. */
 export function contractText(unit) {
   const place = element("div", { className: "demanded" });
-  demanded(unit).then((parts) => place.append(...parts), () => {});
+  const common = element("details", { open: unit.number.endsWith(".1") },
+    element("summary", {}, "For all exercises of this chapter: types, and what you may use"));
+  const fill = async () => {
+    common.append(...(await given(unit)));
+    place.append(common, ...(await demanded(unit)));
+  };
+  fill().catch(() => {}); // without it, the link to the contract is left
   return place;
 }
 
