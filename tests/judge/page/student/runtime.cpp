@@ -4,6 +4,7 @@
 /// (build/runtime.mjs).
 
 #include <cstdlib>
+#include <ctime>
 #include <new>
 
 // The tag that every C++ exception of this module is thrown with.
@@ -39,4 +40,11 @@ void* operator new[](std::size_t size) { return ::operator new(size); }
 extern "C" {
 [[noreturn, clang::import_module("tumble"), clang::import_name("abort")]] void tumble_abort();
 void abort() { tumble_abort(); }
+// There are no processes, and so no time of one.
+std::clock_t clock() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  constexpr long long per_second = 1000000000;
+  return now.tv_sec * CLOCKS_PER_SEC + now.tv_nsec / (per_second / CLOCKS_PER_SEC);
+}
 }
