@@ -118,6 +118,11 @@ const Misconceptions<decltype(quaternions::inverse)> misconceptions{
      {"inverted entry by entry",
       "One over each number is not the inverse: the product mixes all four numbers.", "The inverse",
       [](const Quaternion& q) -> Quaternion { return q.cwiseInverse(); }},
+     {"scalar read from the end",
+      "You read w where z is, and store it first. A Quaternion is an Eigen::Vector4d, and w() of a "
+      "Vector4d is the last of its four numbers. Here q[0] is the scalar.",
+      "Conventions",
+      [](const Quaternion& q) { return reference::inverse(reference::read_scalar_last(q)); }},
      {"scalar stored last",
       "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions", [](const Quaternion& q) {

@@ -95,6 +95,13 @@ const Misconceptions<decltype(quaternions::product)> misconceptions{
         return reference::store_scalar_last(
             reference::product(reference::read_scalar_last(a), reference::read_scalar_last(b)));
       }},
+     {"scalar read from the end",
+      "You read w where z is, and store it first. A Quaternion is an Eigen::Vector4d, and w() of a "
+      "Vector4d is the last of its four numbers. Here q[0] is the scalar.",
+      "Conventions",
+      [](const Quaternion& a, const Quaternion& b) {
+        return reference::product(reference::read_scalar_last(a), reference::read_scalar_last(b));
+      }},
      {"normalised",
       "You have scaled the result to length 1. The lengths of the factors multiply: |a b| = |a| "
       "|b|.",

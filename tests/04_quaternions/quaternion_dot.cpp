@@ -154,6 +154,13 @@ const Misconceptions<decltype(quaternions::quaternion_dot)> misconceptions{
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return reference::quaternion_dot(q, omega).stableNormalized();
       }},
+     {"scalar read from the end",
+      "You read w where z is, and store it first. A Quaternion is an Eigen::Vector4d, and w() of a "
+      "Vector4d is the last of its four numbers. Here q[0] is the scalar.",
+      "Conventions",
+      [](const Quaternion& q, const Vec3& omega) {
+        return reference::quaternion_dot(reference::read_scalar_last(q), omega);
+      }},
      {"scalar stored last",
       "Your numbers are those of the order (x, y, z, w). Here w comes first: q[0] is the scalar.",
       "Conventions", [](const Quaternion& q, const Vec3& omega) {

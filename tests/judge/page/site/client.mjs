@@ -42,6 +42,13 @@ class Hung extends Error {
   }
 }
 
+/** The reader waits no longer. */
+class Stopped extends Error {
+  constructor() {
+    super("stopped");
+  }
+}
+
 /** A file that keeps the compiler busy. */
 class TooExpensive extends Error {}
 
@@ -62,6 +69,11 @@ export class Judge {
     const verdict = this.queue.then(() => this.#check(unit, source, seed, onProgress));
     this.queue = verdict.catch(() => {}); // the next one has its own chance
     return verdict;
+  }
+
+  /** Ends what is being checked: its promise is broken off. */
+  stop() {
+    this.asked?.fail(new Stopped());
   }
 
   /** Downloads what a chapter needs, without judging. */
@@ -86,7 +98,7 @@ export class Judge {
 
   /** What the compiler has made of a file. If that takes too long, the compiler is ended. */
   async #build(unit, source, onProgress) {
-    const compiler = (this.compiler ??= new Asked(new URL("compiler.mjs", this.base)));
+    const compiler = (this.asked = this.compiler ??= new Asked(new URL("compiler.mjs", this.base)));
     let clock;
     const hear = ({ progress, compiling }) => {
       if (progress) onProgress(progress);
@@ -106,7 +118,7 @@ export class Judge {
 
   /** One run of a spec. A worker whose student does not answer in time is ended. */
   async #judge(message, onProgress) {
-    const judge = (this.judge ??= new Asked(new URL("judge.mjs", this.base)));
+    const judge = (this.asked = this.judge ??= new Asked(new URL("judge.mjs", this.base)));
     let clock;
     const end = (why) => {
       judge.end();

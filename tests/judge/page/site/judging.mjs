@@ -24,14 +24,21 @@ export class Judging {
   }
 
   async check(seed = freshSeed()) {
-    if (this.busy) return;
+    if (this.busy) return this.stop();
     this.setBusy(true);
     try {
       if ((await hasAgreed()) || (await askToDownload(this.parts.progress))) await this.run(seed);
     } catch (error) {
-      this.say(`The judge does not work here: ${error.message}. This is not a verdict on your code.`);
+      if (this.stopped) this.say("Stopped: there is no verdict.");
+      else this.say(`The judge does not work here: ${error.message}. This is not a verdict on your code.`);
     }
     this.setBusy(false);
+  }
+
+  /** What runs too long for a reader: their loop, or a download. */
+  async stop() {
+    this.stopped = true;
+    (await judge)?.stop();
   }
 
   async run(seed) {
@@ -39,12 +46,15 @@ export class Judging {
     const text = box.text();
     const bar = progressBar(parts.progress);
     this.say("Checking …");
+    this.stopped = false;
+    parts.check.textContent = "Stop";
     try {
       const verdict = await (await theJudge()).check(unit.id, text, { seed, onProgress: (at) => bar.show(at) });
       this.show(verdict);
       await saveVerdict(unit.id, text, verdict);
       box.judged();
     } finally {
+      parts.check.textContent = "Check";
       bar.remove();
     }
     completeDownload();

@@ -11,14 +11,15 @@ function stateOf(work) {
   if (!work) return "not begun";
   const state = isDone(work) ? "passed" : !work.last ? "not checked yet"
     : work.checked === work.text ? work.last.summary : "changed since the last check";
+  if (work.passed && !isDone(work)) return "has passed; changed since";
   return work.tries ? `${state}, ${work.tries} ${work.tries === 1 ? "try" : "tries"}` : state;
 }
 
-const markOf = (work) => (isDone(work) ? "✓" : work?.tries ? "✗" : "·");
+const markOf = (work) => (work?.passed ? "✓" : work?.tries ? "✗" : "·");
 
 async function markLink(unit, work) {
   const words = `${unit.number} ${unit.name}: ${stateOf(work)}`;
-  const style = isDone(work) ? "holds" : work?.tries ? "fails" : "";
+  const style = work?.passed ? "holds" : work?.tries ? "fails" : "";
   return element("a", { href: (await addressOf(unit)) ?? "#", title: words, "aria-label": words, className: style },
     element("span", { className: "number" }, unit.number), markOf(work));
 }
@@ -34,8 +35,8 @@ async function draw(list, count) {
   const work = new Map((await allWork()).map((each) => [each.id, each]));
   const all = await units(), chapters = grouped(all);
   list.replaceChildren(...(await Promise.all([...chapters].map(([name, of]) => chapterLine(name, of, work)))));
-  const done = all.filter(({ id }) => isDone(work.get(id))).length;
-  count.textContent = `${done} of ${all.length} exercises pass`;
+  const done = all.filter(({ id }) => work.get(id)?.passed).length;
+  count.textContent = `${done} of ${all.length} exercises have passed`;
 }
 
 function grouped(all) {
@@ -94,5 +95,12 @@ export async function showProgress() {
   await redraw();
   heading.before(element("section", { className: "exercise-progress", "aria-labelledby": "your-exercises" },
     element("h2", { id: "your-exercises" }, "Your exercises"), words, list, count, ...controls(redraw)));
+  sayAtTheStart();
   onWorkOfOthers(redraw);
+}
+
+/** Where a newcomer begins to read. */
+function sayAtTheStart() {
+  const start = [...document.querySelectorAll("#text strong")].find(({ textContent }) => textContent.startsWith("Start reading"));
+  start?.after(" ", element("a", { href: "#your-exercises" }, "You can write the exercises in these pages."));
 }
