@@ -45,7 +45,7 @@ TEST_CASE("exercises in the page: the front page has a mark for each, and the co
   page.says(std::string(page_helpers) +
             "; until(() => document.querySelector('.exercise-progress .count'))");
   CHECK(page.says("document.querySelector('.exercise-progress .count').textContent") ==
-        "1 of 2 exercises pass");
+        "1 of 2 exercises have passed");
   CHECK(page.says("[...document.querySelectorAll('.exercise-progress .marks a')]"
                   ".map((a) => a.textContent)") == Json{"4.1✓", "4.2·"});
   CHECK(page.says("document.querySelector('.exercise-progress .marks a').href") ==

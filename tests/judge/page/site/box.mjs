@@ -35,7 +35,7 @@ class Box {
       "Ctrl-Enter checks. Tab indents; Escape, then Tab, leaves the editor. What your code prints stands in the verdict.");
     const parts = {
       code: element("div", { className: "editor" }), help, hints: element("ol", { className: "hints" }),
-      check: this.button("Check", () => this.judging.check(), { className: "main" }),
+      check: this.button("Check", () => this.judging.press(), { className: "main" }),
       hint: this.button("Hint", () => this.hint()), reset: this.button("Reset", () => this.reset()),
       solution: this.button("Solution", () => this.solution(), { hidden: true }),
       progress: element("div", { className: "download", hidden: true }),

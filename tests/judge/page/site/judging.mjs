@@ -24,7 +24,7 @@ export class Judging {
   }
 
   async check(seed = freshSeed()) {
-    if (this.busy) return this.stop();
+    if (this.busy) return;
     this.setBusy(true);
     try {
       if ((await hasAgreed()) || (await askToDownload(this.parts.progress))) await this.run(seed);
@@ -35,7 +35,11 @@ export class Judging {
     this.setBusy(false);
   }
 
-  /** What runs too long for a reader: their loop, or a download. */
+  /** The button: checks, or ends what runs too long for a reader. */
+  press() {
+    return this.busy ? this.stop() : this.check();
+  }
+
   async stop() {
     this.stopped = true;
     (await judge)?.stop();
