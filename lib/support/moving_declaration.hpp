@@ -34,7 +34,8 @@ inline std::string declaration_of(const MovingFigure& figure) {
   for (const Control& control : figure.controls)
     controls += (controls.empty() ? "" : ",") + of(control);
   return "{\"name\":" + quoted(figure.name) + ",\"plays\":" + std::to_string(figure.plays) +
-         ",\"drags\":" + (figure.drag ? "true" : "false") + ",\"controls\":[" + controls + "]}";
+         ",\"drags\":" + (figure.drag ? "true" : "false") +
+         ",\"given\":" + (figure.given ? "true" : "false") + ",\"controls\":[" + controls + "]}";
 }
 
 }  // namespace tumble::support

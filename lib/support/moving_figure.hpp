@@ -33,6 +33,16 @@ struct Drag {
   double dx, dy;  ///< since it was here last; 0 when it is pressed
 };
 
+/// A motion that a figure can show instead of its own: of a reader's functions, in the page.
+struct GivenMotion {
+  /// What is asked: mass [kg], inertia in body coordinates [kg m²], the start (x, q as w x y z, P,
+  /// L), duration [s], steps, and samples, of which the steps are a multiple: 26 numbers.
+  std::vector<double> (*question)(Settings);
+  /// Shows these states from now on, 13 numbers each, the start and every sample; if there are
+  /// none, what it has computed itself.
+  void (*take)(std::span<const double> states);
+};
+
 struct MovingFigure {
   std::string_view name;              ///< the page shows NAME.svg
   std::span<const Control> controls;  ///< what may be set
@@ -40,6 +50,7 @@ struct MovingFigure {
   /// Changes settings as the reader drags; nullptr if nothing can be dragged.
   void (*drag)(std::span<double>, const Drag&) = nullptr;
   int plays = -1;  ///< the control that goes on by itself, by 1 per second; -1 if none does
+  const GivenMotion* given = nullptr;  ///< nullptr: it shows its own motion only
 };
 
 /// The nearest value that a control can have.

@@ -100,8 +100,15 @@ std::vector<Sample> by_steps(const Law& law, const RigidBodyState<>& start) {
   return all;
 }
 
+/// What another's functions gave, or nothing.
+std::vector<Sample>& given_motion() {
+  static std::vector<Sample> all;
+  return all;
+}
+
 /// The motion by the settings; it is computed again when they change.
 const std::vector<Sample>& motion_of(Settings now) {
+  if (!given_motion().empty()) return given_motion();
   static std::vector<Sample> all;
   static double last_aim = -1, last_law = -1;
   if (now[aim] == last_aim && now[law] == last_law) return all;
@@ -180,9 +187,41 @@ void drag(std::span<double> settings, const Drag& pointer) {
   settings[above] = allowed(controls[above], settings[above] + per_pixel * pointer.dy);
 }
 
+// ── By another's functions ──
+
+std::vector<double> question(Settings now) {
+  constexpr int steps_a_sample = 4;
+  const RigidBody<>& body = the_handle().body;
+  const RigidBodyState<> start = start_of(std::pow(10., -now[aim]));
+  const Mat3& I = body.I_body();
+  std::vector<double> all{body.mass()};
+  all.insert(all.end(), I.data(), I.data() + I.size());  // symmetric: its columns are its rows
+  all.insert(all.end(), {start.x.x(), start.x.y(), start.x.z(), start.q.w(), start.q.x(),
+                         start.q.y(), start.q.z(), start.P.x(), start.P.y(), start.P.z(),
+                         start.L.x(), start.L.y(), start.L.z()});
+  all.insert(all.end(), {longest, steps_a_sample * samples, samples});
+  return all;
+}
+
+void take(std::span<const double> states) {
+  constexpr std::size_t numbers_a_state = 13;
+  given_motion().clear();
+  for (std::size_t i = 0; i + numbers_a_state <= states.size(); i += numbers_a_state) {
+    const double* y = states.data() + i;
+    given_motion().push_back(
+        sample(Quat(y[3], y[4], y[5], y[6]).normalized(), Vec3(y[10], y[11], y[12])));
+  }
+}
+
+constexpr support::GivenMotion by_others{question, take};
+
 }  // namespace
 }  // namespace rigid_body_chapter::handle_figure
 
 const tumble::support::MovingFigure tumble::figures::handle{
-    "handle", rigid_body_chapter::handle_figure::controls, rigid_body_chapter::handle_figure::draw,
-    rigid_body_chapter::handle_figure::drag, rigid_body_chapter::handle_figure::time};
+    "handle",
+    rigid_body_chapter::handle_figure::controls,
+    rigid_body_chapter::handle_figure::draw,
+    rigid_body_chapter::handle_figure::drag,
+    rigid_body_chapter::handle_figure::time,
+    &rigid_body_chapter::handle_figure::by_others};

@@ -17,6 +17,7 @@ constexpr const tumble::support::MovingFigure& figure = TUMBLE_FIGURE;
 struct Page {
   std::vector<double> settings = tumble::support::start_of(figure);
   std::string text;
+  std::vector<double> states;  ///< what is asked of another's functions, and what they gave
 };
 
 Page& page() {
@@ -46,6 +47,21 @@ extern "C" {
 /// A pointer was pressed or moved on the picture: changes the settings.
 [[clang::export_name("drag")]] void drag(double x, double y, double dx, double dy) {
   figure.drag(page().settings, {x, y, dx, dy});
+}
+/// What the figure asks of another's functions, 26 numbers; none if it shows its own motion only.
+[[clang::export_name("question")]] const double* question() {
+  if (!figure.given) return nullptr;
+  page().states = figure.given->question(page().settings);
+  return page().states.data();
+}
+/// Room for the numbers of a motion: the page writes them, and calls take().
+[[clang::export_name("states")]] double* states(std::size_t count) {
+  page().states.resize(count);
+  return page().states.data();
+}
+/// Shows the given motion, or its own again if there is none.
+[[clang::export_name("take")]] void take() {
+  if (figure.given) figure.given->take(page().states);
 }
 [[clang::export_name("text_size")]] std::size_t text_size() { return page().text.size(); }
 }

@@ -27,6 +27,13 @@ const tumbleMoving = (function () {
         declaration: () => JSON.parse(text(c.declaration(), c.text_size())),
         draw: () => text(c.draw(), c.text_size()),
         drag: c.drag,
+        question: () => Array.from(new Float64Array(memory.buffer, c.question(), 26)),
+        /// Shows these states instead of its own; its own again for none.
+        take(states) {
+          const place = c.states(states.length);
+          new Float64Array(memory.buffer, place, states.length).set(states);
+          c.take();
+        },
         // A view of the memory, made anew each time: it moves when the memory grows.
         settings: (count) => new Float64Array(memory.buffer, c.settings(), count),
       };
@@ -103,7 +110,7 @@ const tumbleMoving = (function () {
       }
       buttons.append(button("Reset", () => this.reset()));
       const rows = this.fields.map((each) => each.row);
-      const panel = made("div", { className: "moving-panel" }, buttons, ...rows);
+      const panel = (this.rows = made("div", { className: "moving-panel" }, buttons, ...rows));
       panel.setAttribute("role", "group");
       panel.setAttribute("aria-label", "Controls of the figure");
       return panel;
@@ -122,6 +129,7 @@ const tumbleMoving = (function () {
     }
 
     changed() {
+      this.asked?.(); // by whoever gives it another motion
       this.draw();
       this.showValues();
       clearTimeout(this.link);
@@ -231,12 +239,22 @@ const tumbleMoving = (function () {
   return {
     arrived: (name, base64) => arrivals[name](base64),
     figures: [], // promises of those that were seen
+    watchers: [],
+    /// Calls `act` with every figure, also those that are seen later.
+    each(act) {
+      this.watchers.push(act);
+      for (const figure of this.figures) figure.then(act);
+    },
     /// figures: file of the picture → [chapter, name]
     page(figures) {
       for (const place of document.querySelectorAll("[data-figure]")) {
         const found = figures[place.dataset.figure];
         if (!found) continue;
-        const begin = () => this.figures.push(start(place, ...found));
+        const begin = () => {
+          const figure = start(place, ...found);
+          this.figures.push(figure);
+          for (const act of this.watchers) figure.then((there) => there && act(there));
+        };
         const observer = new IntersectionObserver((entries) => {
           if (!entries.some((entry) => entry.isIntersecting)) return;
           observer.disconnect();

@@ -10,7 +10,7 @@ import { parseArgs } from "node:util";
 import { Clang } from "./clang.mjs";
 import { describe } from "./course.mjs";
 import { writeSite, writeTar } from "./package.mjs";
-import { libraries, unitObjects } from "./runtime.mjs";
+import { engineObject, libraries, unitObjects } from "./runtime.mjs";
 import { assertionHandler, contractsTree, eigenTree, isNeeded, put, treeOf } from "./sysroot.mjs";
 
 const { values: options } = parseArgs({
@@ -126,6 +126,7 @@ async function main() {
   const steps = await recipe(clang, units, headers, Object.keys(tree.libraries));
   const objects = await unitObjects(llvm, steps, tree, paths);
   for (const [name, bytes] of Object.entries(objects)) put(tree, `objects/${name}`, bytes);
+  put(tree, "objects/engine.o", await engineObject(clang, paths));
 
   step("packing");
   const compiler = join(out, "compiler");

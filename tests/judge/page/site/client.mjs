@@ -71,6 +71,29 @@ export class Judge {
     return verdict;
   }
 
+  /**
+   * A motion by an engine of these files [{id, text}], and of solutions for what they lack:
+   * {states, own} or {outcome, detail}.
+   * @param question 26 numbers of a figure
+   */
+  motion(question, files, onProgress = () => {}) {
+    const motion = this.queue.then(() => this.#motion(question, files, onProgress));
+    this.queue = motion.catch(() => {});
+    return motion;
+  }
+
+  async #motion(question, engine, onProgress) {
+    const { built } = await this.#build({ engine }, onProgress);
+    if (!built.ok) return { outcome: "does not link", detail: built.output };
+    try {
+      const { verdict } = await this.#judge({ question, built }, onProgress);
+      return { ...JSON.parse(verdict), own: built.own };
+    } catch (failure) {
+      if (!(failure instanceof Hung)) throw failure;
+      return { outcome: "hung", detail: "no answer in 2 s" };
+    }
+  }
+
   /** Ends what is being checked: its promise is broken off. */
   stop() {
     this.asked?.fail(new Stopped());
@@ -78,12 +101,12 @@ export class Judge {
 
   /** Downloads what a chapter needs, without judging. */
   async prepare(onProgress = () => {}) {
-    await this.#build(null, null, onProgress);
+    await this.#build({}, onProgress);
   }
 
   async #check(unit, source, seed, onProgress) {
     const began = performance.now();
-    const { built } = await this.#build(unit, source, onProgress);
+    const { built } = await this.#build({ unit, source }, onProgress);
     const hung = [];
     for (;;) {
       try {
@@ -97,7 +120,7 @@ export class Judge {
   }
 
   /** What the compiler has made of a file. If that takes too long, the compiler is ended. */
-  async #build(unit, source, onProgress) {
+  async #build(what, onProgress) {
     const compiler = (this.asked = this.compiler ??= new Asked(new URL("compiler.mjs", this.base)));
     let clock;
     const hear = ({ progress, compiling }) => {
@@ -105,7 +128,7 @@ export class Judge {
       if (compiling) clock = setTimeout(() => compiler.fail(new TooExpensive()), patienceWithCompiler);
     };
     try {
-      return await compiler.ask({ unit, source }, hear);
+      return await compiler.ask(what, hear);
     } catch (failure) {
       compiler.end();
       this.compiler = null;

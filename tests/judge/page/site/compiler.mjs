@@ -38,14 +38,14 @@ async function load(hear) {
 let toolchain;
 let listener = () => {};
 
-onmessage = async ({ data: { id, unit, source } }) => {
+onmessage = async ({ data: { id, unit, source, engine } }) => {
   listener = (progress) => postMessage({ id, progress });
   try {
     toolchain ??= load((progress) => listener(progress));
     const loaded = await toolchain;
-    if (unit) postMessage({ id, compiling: true }); // from now on the page counts
+    if (unit || engine) postMessage({ id, compiling: true }); // from now on the page counts
     const began = performance.now();
-    const built = unit ? await loaded.build(unit, source) : null;
+    const built = unit ? await loaded.build(unit, source) : engine ? await loaded.buildEngine(engine) : null;
     postMessage({ id, built: built && { ...built, seconds: (performance.now() - began) / 1000 } });
   } catch (failure) {
     toolchain = undefined; // a download that was broken off begins again

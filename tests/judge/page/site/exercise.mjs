@@ -3,6 +3,7 @@
 import { base, units } from "./course.mjs";
 import { element } from "./element.mjs";
 import { makeBox } from "./box.mjs";
+import { offerMine } from "./mine.mjs";
 import { showProgress } from "./progress.mjs";
 
 /** From then on the service worker sees what the page asks for; not after a reload that goes around it. */
@@ -37,4 +38,5 @@ started.then(() => {
   if (location.hash) document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
   document.documentElement.classList.add("exercises-ready");
 }, (error) => console.error("The exercises of this page cannot be shown:", error));
+offerMine();
 keepOffline().catch(() => {}); // a private window keeps nothing

@@ -20,7 +20,8 @@ const judges = new Judges(async digits => {
 onmessage = async ({data: {id, ...request}}) => {
   hear = message => postMessage({id, ...message});
   try {
-    const json = await judges.judgeUnit(request, at => hear({at}));
+    const ask = request.question ? judges.motion(request, at => hear({at})) : judges.judgeUnit(request, at => hear({at}));
+    const json = await ask;
     hear({verdict: json});
   } catch (error) {
     hear({failure: String(error?.message ?? error)});

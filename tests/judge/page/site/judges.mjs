@@ -85,6 +85,14 @@ export class ChapterJudge {
   /// [{id, number, chapter, name, title, signature, stub, hints}]
   describe() { return JSON.parse(this.#judge.ccall('describe_units', 'string', [], [])); }
 
+  /// {states} or {outcome, detail}: what an engine says to a figure's 26 numbers (page_engine.hpp)
+  motion(question, wasm, at) {
+    this.#desk.begin(new WebAssembly.Module(wasm), [], at);
+    const json = this.#judge.ccall('motion', 'string', ['string'], [JSON.stringify(question)]);
+    this.#desk.forget();
+    return json;
+  }
+
   /// {matrix, complete}: every spec against every misconception, as ./tumble matrix prints it
   killMatrix(seed) { return JSON.parse(this.#judge.ccall('kill_matrix', 'string', ['number'], [seed])); }
 
@@ -114,13 +122,20 @@ export class Judges {
   constructor(load) { this.load = load; }
 
   async judgeUnit(request, at) {
-    const digits = request.unit.slice(0, 2);
+    return (await this.#judgeOf(request.unit.slice(0, 2))).judge(request, at);
+  }
+
+  async motion({question, built}, at) {
+    return (await this.#judgeOf('09')).motion(question, built.wasm, at);
+  }
+
+  async #judgeOf(digits) {
     let judge = this.#started.get(digits);
     if (!judge?.isWhole) {
       const {factory, wasm} = await this.load(digits);
       judge = await ChapterJudge.start(factory, wasm);
       this.#started.set(digits, judge);
     }
-    return judge.judge(request, at);
+    return judge;
   }
 }

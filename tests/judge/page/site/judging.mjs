@@ -7,7 +7,7 @@ import { compilerMessages, showVerdict } from "./verdict.mjs";
 let judge = null;
 
 /** One compiler and one judge for all boxes of a page. */
-async function theJudge() {
+export async function theJudge() {
   judge ??= import("./client.mjs").then(({ Judge }) => new Judge(base.href));
   return judge;
 }

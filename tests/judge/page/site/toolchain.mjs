@@ -105,6 +105,33 @@ export class Toolchain {
     return { ok, output, wasm: files.module ?? null };
   }
 
+  /**
+   * A module of a student's whole engine: their objects, and solutions for what they lack.
+   * @param objects of the student's files
+   */
+  async linkEngine(objects) {
+    const own = Object.fromEntries(objects.map((object, i) => [`own${i}.o`, object]));
+    const solutions = this.recipe.units.map((each) => `/tumble/objects/${each}.solution.o`);
+    const args = [
+      ...this.recipe.link,
+      "/tumble/objects/engine.o",
+      ...Object.keys(own),
+      ...solutions,
+      ...this.recipe.libraries,
+      ...["-o", "module"],
+    ];
+    const { ok, output, files } = await run(this.llvm, args, { ...this.files, ...own });
+    return { ok, output, wasm: files.module ?? null };
+  }
+
+  /** The engine of these files [{id, text}]: {ok, output, wasm, own: what of them compiles}. */
+  async buildEngine(files) {
+    const compiled = [];
+    for (const { id, text } of files) compiled.push({ id, ...(await this.compile(id, text)) });
+    const whole = compiled.filter(({ ok, headers }) => ok && headers.length === 0);
+    return { ...(await this.linkEngine(whole.map(({ object }) => object))), own: whole.map(({ id }) => id) };
+  }
+
   /** The functions that an object defines, as they are declared: "quaternions::prod(double)". */
   async functionsIn(object) {
     const { written } = await run(this.llvm, ["nm", "--defined-only", "--extern-only", "--demangle", "object"], { object });
