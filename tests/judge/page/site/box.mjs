@@ -14,7 +14,7 @@ class Box {
     this.unit = unit;
     this.parts = this.build(place);
     this.judging = new Judging(unit, this.parts, {
-      text: () => this.now(),
+      text: () => this.write().then(() => this.now()),
       mark: (messages) => this.editor?.mark(messages),
       hint: () => this.hint(),
       judged: () => this.refresh(),
