@@ -42,7 +42,7 @@ int bind(httplib::Server& server, int port) {
   return port;
 }
 
-/// Whoever opens it may be slow, or fail: the address is said in any case.
+/// That program may be slow, or fail. So we print the address in any case.
 void open_browser(const std::string& program, const std::string& address) {
   std::string name = program, argument = address;
   char* const words[] = {name.data(), argument.data(), nullptr};

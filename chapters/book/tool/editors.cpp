@@ -1,6 +1,7 @@
 #include "book/tool/editors.hpp"
 
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "book/tool/html.hpp"
@@ -60,10 +61,11 @@ std::vector<fs::path> pages_in(const fs::path& site) {
 
 /// @return {"4.1": "chapters-04_quaternions.html", …}
 std::string as_json(const std::map<std::string, std::string>& page_of) {
-  std::string json;
+  std::ostringstream json;
   for (const auto& [number, page] : page_of)
-    json.append(json.empty() ? "" : ",\n").append("  \"" + number + "\": \"" + page + "\"");
-  return "{\n" + json + "\n}\n";
+    json << (json.tellp() > 0 ? ",\n" : "{\n") << "  \"" << number << "\": \"" << page << "\"";
+  json << "\n}\n";
+  return json.str();
 }
 
 void copy_exercises(const fs::path& site, const fs::path& folder) {

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// From answers to the verdict on them, whoever gives the answers: a process, or a page.
+/// From answers to the verdict on them. The answers come from a process, or from a page.
 
 #include <cstdint>
 

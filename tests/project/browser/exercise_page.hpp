@@ -8,7 +8,7 @@
 
 namespace tumble::test {
 
-/// A judge that looks at the text: what its verdict is, stands in the text itself.
+/// A judge that looks at the text, which says what its verdict is.
 inline const char* const stand_in_judge = R"js(
 const said = {
   passed: "✓ 4.1 product  passed, all 5 laws hold  (0.01 s)\n",

@@ -62,7 +62,7 @@ TEST_CASE("exercises in the page: a verdict links its section, and repeats its n
   CHECK(page.says("button('Solution')") == Json());
 }
 
-TEST_CASE("exercises in the page: what the compiler says stands in its line") {
+TEST_CASE("exercises in the page: what the compiler says is shown in its line") {
   if (!can_try()) return;
   ExercisePage page;
   REQUIRE(page.says("check('compile')") == true);

@@ -14,7 +14,7 @@ class Box {
     this.unit = unit;
     this.parts = this.build(place);
     this.judging = new Judging(unit, this.parts, {
-      text: () => this.now(),
+      text: () => this.write().then(() => this.now()),
       mark: (messages) => this.editor?.mark(messages),
       hint: () => this.hint(),
       judged: () => this.refresh(),
@@ -32,7 +32,7 @@ class Box {
 
   build(place) {
     const help = element("p", { id: `keys-${this.unit.number}`, className: "keys" },
-      "Ctrl-Enter checks. Tab indents; Escape, then Tab, leaves the editor. What your code prints stands in the verdict.");
+      "Ctrl-Enter checks. Tab indents; Escape, then Tab, leaves the editor. The verdict shows what your code prints.");
     const parts = {
       code: element("div", { className: "editor" }), help, hints: element("ol", { className: "hints" }),
       check: this.button("Check", () => this.judging.press(), { className: "main" }),

@@ -17,7 +17,7 @@ const freshSeed = () => 1 + Math.floor(Math.random() * 1e6);
 export class Judging {
   /**
    * @param parts of the box: check, progress, line, text
-   * @param box {text(), mark(messages), hint(), judged()}
+   * @param box {text(): what is there, kept; mark(messages), hint(), judged()}
    */
   constructor(unit, parts, box) {
     Object.assign(this, { unit, parts, box, busy: false });
@@ -47,15 +47,15 @@ export class Judging {
 
   async run(seed) {
     const { unit, parts, box } = this;
-    const text = box.text();
+    const text = await box.text();
     const bar = progressBar(parts.progress);
     this.say("Checking …");
     this.stopped = false;
     parts.check.textContent = "Stop";
     try {
       const verdict = await (await theJudge()).check(unit.id, text, { seed, onProgress: (at) => bar.show(at) });
+      await saveVerdict(unit.id, text, verdict); // what is shown is kept
       this.show(verdict);
-      await saveVerdict(unit.id, text, verdict);
       box.judged();
     } finally {
       parts.check.textContent = "Check";

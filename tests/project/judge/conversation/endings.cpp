@@ -1,6 +1,6 @@
 /// @file
-/// What is said of a worker that has ended: the assertion that it has printed, whoever's words
-/// these are.
+/// What is said of a worker that has ended: the assertion that it has printed, in the words of each
+/// library.
 #include "judge/conversation/endings.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 /// @file
-/// The same seed asks the same questions, whoever has compiled the judge: no two random draws stand
+/// The same seed asks the same questions with every compiler: no two random draws are in a place
 /// where the language leaves open which one comes first. Arguments in parentheses are evaluated in
 /// any order, and so are both sides of a product; in braces, the first comes first.
 #include <doctest/doctest.h>
