@@ -64,5 +64,5 @@ class Mine {
 
 /** Adds the choice to every figure of the page that can show another's motion. */
 export function offerMine() {
-  globalThis.tumbleMoving?.each((figure) => figure.declared.given && new Mine(figure));
+  if (typeof tumbleMoving !== "undefined") tumbleMoving.each((figure) => figure.declared.given && new Mine(figure));
 }
