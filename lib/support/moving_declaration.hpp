@@ -26,7 +26,7 @@ inline std::string of(const Control& control) {
 
 }  // namespace declaration_detail
 
-/// A figure: name, plays, drags, and the controls with name, label, unit, choices, least,
+/// A figure: name, plays, drags, topic (what it asks a reader's functions, or ""), and the controls with name, label, unit, choices, least,
 /// most, step, start.
 inline std::string declaration_of(const MovingFigure& figure) {
   using namespace declaration_detail;
@@ -35,7 +35,8 @@ inline std::string declaration_of(const MovingFigure& figure) {
     controls += (controls.empty() ? "" : ",") + of(control);
   return "{\"name\":" + quoted(figure.name) + ",\"plays\":" + std::to_string(figure.plays) +
          ",\"drags\":" + (figure.drag ? "true" : "false") +
-         ",\"given\":" + (figure.given ? "true" : "false") + ",\"controls\":[" + controls + "]}";
+         ",\"topic\":" + quoted(figure.reader ? figure.reader->topic : "") + ",\"controls\":[" +
+         controls + "]}";
 }
 
 }  // namespace tumble::support

@@ -33,14 +33,13 @@ struct Drag {
   double dx, dy;  ///< since it was here last; 0 when it is pressed
 };
 
-/// A motion that a figure can show instead of its own: of a reader's functions, in the page.
-struct GivenMotion {
-  /// What is asked: mass [kg], inertia in body coordinates [kg m²], the start (x, q as w x y z, P,
-  /// L), duration [s], steps, and samples, of which the steps are a multiple: 26 numbers.
+/// What a figure asks the reader's own functions, in the page, and shows. The topics, with the
+/// numbers of question and answer: tests/judge/page/figure_engine.cpp.
+struct ReadersAnswer {
+  std::string_view topic;
   std::vector<double> (*question)(Settings);
-  /// Shows these states from now on, 13 numbers each, the start and every sample; if there are
-  /// none, what it has computed itself.
-  void (*take)(std::span<const double> states);
+  /// The answer to the question of these settings, which stand; no numbers: there is none any more.
+  void (*take)(Settings, std::span<const double> answer);
 };
 
 struct MovingFigure {
@@ -50,7 +49,7 @@ struct MovingFigure {
   /// Changes settings as the reader drags; nullptr if nothing can be dragged.
   void (*drag)(std::span<double>, const Drag&) = nullptr;
   int plays = -1;  ///< the control that goes on by itself, by 1 per second; -1 if none does
-  const GivenMotion* given = nullptr;  ///< nullptr: it shows its own motion only
+  const ReadersAnswer* reader = nullptr;  ///< nullptr: it asks nobody
 };
 
 /// The nearest value that a control can have.

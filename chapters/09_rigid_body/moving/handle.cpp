@@ -3,18 +3,15 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "09_rigid_body/laws.hpp"
+#include "09_rigid_body/handle_motion.hpp"
 #include "09_rigid_body/moving_figures.hpp"
 #include "09_rigid_body/polhodes.hpp"
-#include "objects/t_handle.hpp"
+#include "support/scene_for_reader.hpp"
 #include "support/space_sketch.hpp"
 #include "support/view.hpp"
-#include "tumble/mass/mirtich/mirtich.hpp"
-#include "tumble/ode/rk4.hpp"
 
 namespace rigid_body_chapter::handle_figure {
 
@@ -24,9 +21,7 @@ using support::Control;
 using support::Drag;
 using support::Settings;
 
-constexpr double pi = std::numbers::pi, degree = pi / 180;
-constexpr double longest = 20, spacing = 0.02;  // of what is shown, of its samples [s]
-constexpr int samples = 1000;
+constexpr double degree = pi / 180;
 
 enum Which { time, aim, law, around, above };
 constexpr std::array<Control, 5> controls{
@@ -38,77 +33,15 @@ constexpr std::array<Control, 5> controls{
 /// The laws of the control, among all.
 constexpr std::array<std::size_t, 3> offered{0, 2, 3};
 
-/// The handle: its mesh about its centre of mass, and its mass properties.
-struct Handle {
-  PolygonMesh mesh;
-  RigidBody<> body;
-  PrincipalAxes axes;
-};
-
-const Handle& the_handle() {
-  static const Handle made = [] {
-    PolygonMesh mesh = objects::t_handle(1);
-    const MassProperties mass = tumble::detail::unchecked_mirtich(mesh, 2700);
-    for (Vec3& v : mesh.vertices) v -= mass.centre;
-    const RigidBody<> body(mass);
-    return Handle{mesh, body, principal_axes(body.I_body())};
-  }();
-  return made;
-}
-
-/// One turn per second about the middle axis, which points up, and off by `tilt` [rad].
-RigidBodyState<> start_of(double tilt) {
-  Mat3 up;  // the least axis along x, the middle one along z
-  up << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  const Quat q = from_matrix(Mat3(up * the_handle().axes.R.transpose()));
-  const Vec3 omega = 2 * pi * (up * Vec3(tilt, 1, -tilt));
-  return state_of_motion<double>(the_handle().body, Vec3::Zero(), q, Vec3::Zero(), omega);
-}
-
-/// The handle at one time.
-struct Sample {
-  Quat q;      ///< body → world
-  Vec3 L;      ///< in the world
-  Vec3 omega;  ///< along the axes of the least, the middle and the largest moment [rad/s]
-};
-
-Sample sample(const Quat& q, const Vec3& L) {
-  const Vec3 L_body = the_handle().axes.R.transpose() * (to_matrix(q).transpose() * L);
-  return {q, L, L_body.cwiseQuotient(the_handle().axes.moments)};
-}
-
-std::vector<Sample> in_closed_form(const RigidBodyState<>& start) {
-  const FreeTrajectory motion(the_handle().body, start);
-  std::vector<Sample> all;
-  for (int i = 0; i <= samples; ++i) all.push_back(sample(motion.at(i * spacing).q, start.L));
-  return all;
-}
-
-std::vector<Sample> by_steps(const Law& law, const RigidBodyState<>& start) {
-  constexpr int steps = 4;  // per sample
-  const RigidBody<>& body = the_handle().body;
-  const auto rate = [&](double, const Seven& y) { return law.rate(body, y); };
-  const Vec3 omega = derived(body, start).omega;
-  Seven y = seven(start.q, law.of_L ? start.L : to_matrix(start.q).transpose() * omega);
-  std::vector<Sample> all;
-  for (int i = 0; i <= samples; ++i) {
-    const Quat q = orientation_in(y).normalized();
-    const Vec3 last = y.tail<3>();
-    all.push_back(sample(q, law.of_L ? last : to_matrix(q) * (body.I_body() * last)));
-    for (int k = 0; k < steps; ++k) y = Rk4::step(rate, 0., y, spacing / steps);
-  }
-  return all;
-}
-
-/// What another's functions gave, or nothing.
-std::vector<Sample>& given_motion() {
+/// What a reader's functions gave, or nothing.
+std::vector<Sample>& readers_motion() {
   static std::vector<Sample> all;
   return all;
 }
 
 /// The motion by the settings; it is computed again when they change.
 const std::vector<Sample>& motion_of(Settings now) {
-  if (!given_motion().empty()) return given_motion();
+  if (!readers_motion().empty()) return readers_motion();
   static std::vector<Sample> all;
   static double last_aim = -1, last_law = -1;
   if (now[aim] == last_aim && now[law] == last_law) return all;
@@ -187,33 +120,23 @@ void drag(std::span<double> settings, const Drag& pointer) {
   settings[above] = allowed(controls[above], settings[above] + per_pixel * pointer.dy);
 }
 
-// ── By another's functions ──
+// ── By the reader's functions ──
 
 std::vector<double> question(Settings now) {
   constexpr int steps_a_sample = 4;
-  const RigidBody<>& body = the_handle().body;
-  const RigidBodyState<> start = start_of(std::pow(10., -now[aim]));
-  const Mat3& I = body.I_body();
-  std::vector<double> all{body.mass()};
-  all.insert(all.end(), I.data(), I.data() + I.size());  // symmetric: its columns are its rows
-  all.insert(all.end(), {start.x.x(), start.x.y(), start.x.z(), start.q.w(), start.q.x(),
-                         start.q.y(), start.q.z(), start.P.x(), start.P.y(), start.P.z(),
-                         start.L.x(), start.L.y(), start.L.z()});
-  all.insert(all.end(), {longest, steps_a_sample * samples, samples});
+  std::vector<double> all =
+      support::scene_for_reader(the_handle().body, start_of(std::pow(10., -now[aim])), longest);
+  all.insert(all.end(), {steps_a_sample * samples, samples});
   return all;
 }
 
-void take(std::span<const double> states) {
-  constexpr std::size_t numbers_a_state = 13;
-  given_motion().clear();
-  for (std::size_t i = 0; i + numbers_a_state <= states.size(); i += numbers_a_state) {
-    const double* y = states.data() + i;
-    given_motion().push_back(
-        sample(Quat(y[3], y[4], y[5], y[6]).normalized(), Vec3(y[10], y[11], y[12])));
-  }
+void take(Settings, std::span<const double> states) {
+  readers_motion().clear();
+  for (const RigidBodyState<>& state : support::states_from_reader(states))
+    readers_motion().push_back(sample(state.q, state.L));
 }
 
-constexpr support::GivenMotion by_others{question, take};
+constexpr support::ReadersAnswer by_reader{"motion", question, take};
 
 }  // namespace
 }  // namespace rigid_body_chapter::handle_figure
@@ -224,4 +147,4 @@ const tumble::support::MovingFigure tumble::figures::handle{
     rigid_body_chapter::handle_figure::draw,
     rigid_body_chapter::handle_figure::drag,
     rigid_body_chapter::handle_figure::time,
-    &rigid_body_chapter::handle_figure::by_others};
+    &rigid_body_chapter::handle_figure::by_reader};

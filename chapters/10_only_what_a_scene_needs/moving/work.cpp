@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "10_only_what_a_scene_needs/moving_figures.hpp"
-#include "10_only_what_a_scene_needs/work_curves.hpp"
+#include "10_only_what_a_scene_needs/work_scenes.hpp"
+#include "support/scene_for_reader.hpp"
 #include "support/sketch.hpp"
-#include "tumble/body/model.hpp"
-#include "tumble/steady/lagrange_top.hpp"
 
 namespace scene_chapter::work_figure {
 
@@ -32,45 +31,6 @@ constexpr std::array<Control, 2> controls{
       "its pivot"},
      {"asked", "error asked: 10⁻ᵏ rad, k", "", 2, 10, 0.25, 6}}};
 
-// ── What each method needs ──
-
-/// To somewhat below the diagram: also for its last line there is a run that is good enough.
-constexpr WorkRange range{1e-11, 0.1, 4e4};
-
-struct Scene {
-  Model model;
-  std::optional<double> promised;  ///< by its closed form, if there is one [rad]
-  std::vector<WorkCurve> curves;   ///< by steps; the last one is what the library takes
-};
-
-std::optional<double> promised_by_closed_form(const KnownTurning& known) {
-  const steady::SteadyTorque torque(known.body, known.forces);
-  if (torque.is_free()) {
-    const Vec3 omega = derived(known.body, known.start).omega;
-    return 1e-14 * std::max(1., omega.norm() * known.duration);
-  }
-  const auto top = steady::LagrangeTop::from(torque, known.start.q, known.start.L);
-  if (!top) return std::nullopt;
-  return top->error_bound(known.duration);
-}
-
-Scene scene_of(const KnownTurning& known) {
-  Scene made{choose_model(known.body).model, promised_by_closed_form(known), {}};
-  made.curves.push_back(by_fixed_steps(known, of_method<Rk4>(known, "RK4", 4), range));
-  made.curves.push_back(by_tolerances<Dop853>(known, "DOP853", range));
-  if (known.forces.at_point.empty()) return made;
-  const Steps splitting = of_splitting<geometric::BlanesMoan4>(known, "splitting, order 4");
-  made.curves.push_back(by_fixed_steps(known, splitting, range));
-  made.curves.push_back(by_taylor(known, range));
-  return made;
-}
-
-KnownTurning known_scene(std::size_t i) {
-  if (i == 0) return free_turning({1, 1, 1}, {1, 2, 3}, 10);
-  if (i == 1) return free_turning({1, 1, 0.5}, {1, 2, 3}, 10);
-  return i == 2 ? flipping_body() : i == 3 ? fast_top() : lopsided_body();
-}
-
 /// A scene's runs are made when it is first looked at.
 const Scene& the_scene(Settings now) {
   static std::array<std::optional<Scene>, 5> all;
@@ -78,6 +38,39 @@ const Scene& the_scene(Settings now) {
   if (!all[i]) all[i] = scene_of(known_scene(i));
   return *all[i];
 }
+
+// ── By the reader's simulate (9.5) ──
+
+/// The runs of the reader's functions, or none.
+std::vector<Work>& readers_runs() {
+  static std::vector<Work> all;
+  return all;
+}
+
+std::vector<double> question(Settings now) {
+  const KnownTurning known = known_scene(static_cast<std::size_t>(now[scene]));
+  const auto& forces = known.forces.at_point;
+  std::vector<double> all = support::scene_for_reader(
+      known.body, known.start, known.duration,
+      forces.empty() ? SteadyForces::AtPoint{Vec3::Zero(), Vec3::Zero()} : forces.front());
+  for (double steps = 20; 4 * steps < range.most_evaluations; steps *= 1.5)
+    all.push_back(std::floor(steps));
+  return all;
+}
+
+void take(Settings now, std::span<const double> answer) {
+  constexpr std::size_t size = 5;  // of a run: evaluations, and q as it ended
+  const KnownTurning known = known_scene(static_cast<std::size_t>(now[scene]));
+  WorkCurve curve;
+  for (std::size_t i = 0; i + size <= answer.size(); i += size) {
+    const double* run = answer.data() + i;
+    const Quat q = Quat(run[1], run[2], run[3], run[4]).normalized();
+    range.keep(curve, {run[0], end_error(known, q)});
+  }
+  readers_runs() = curve.runs;
+}
+
+constexpr support::ReadersAnswer by_reader{"work", question, take};
 
 // ── The diagram, both axes logarithmic ──
 
@@ -114,6 +107,7 @@ void draw_axes(Sketch& sketch) {
 }
 
 constexpr std::array<const char*, 4> colours{"c0", "c3", "c1", "c2"};
+constexpr const char* readers_colour = "c5";
 
 /// A curve, and where it meets the error that is asked for.
 void draw_curve(Sketch& sketch, const WorkCurve& curve, const std::string& colour, double error,
@@ -135,20 +129,27 @@ void draw_curve(Sketch& sketch, const WorkCurve& curve, const std::string& colou
 /// A line of the list at the right: a method, and what it needs.
 void draw_need(Sketch& sketch, int line, const std::string& name, const std::string& need,
                const std::string& colour, bool chosen) {
-  const double y = -94 - 60 * line;
+  const double y = -94 - 54 * line;
   sketch.words({555, y}, {0, 0}, name + (chosen ? " ←" : ""), colour);
   sketch.words({555, y}, {0, 22}, need, chosen ? "ink" : colour);
 }
 
+/// A curve, and its line of the list.
+void draw_method(Sketch& sketch, int line, const WorkCurve& curve, const std::string& colour,
+                 double error, bool chosen) {
+  const double need = curve.work_for(error);
+  draw_curve(sketch, curve, colour, error, chosen);
+  draw_need(sketch, line, curve.name, std::isinf(need) ? "not reached" : svg_number(need, 0),
+            colour, chosen);
+}
+
 void draw_curves(Sketch& sketch, const Scene& shown, double error, bool closed) {
-  for (std::size_t i = 0; i < shown.curves.size(); ++i) {
-    const WorkCurve& curve = shown.curves[i];
-    const double need = curve.work_for(error);
-    const bool chosen = !closed && i + 1 == shown.curves.size();
-    draw_curve(sketch, curve, colours[i], error, chosen);
-    draw_need(sketch, static_cast<int>(i) + 1, curve.name,
-              std::isinf(need) ? "not reached" : svg_number(need, 0), colours[i], chosen);
-  }
+  int line = 1;
+  for (std::size_t i = 0; i < shown.curves.size(); ++i)
+    draw_method(sketch, line++, shown.curves[i], colours[i], error,
+                !closed && i + 1 == shown.curves.size());
+  if (!readers_runs().empty())
+    draw_method(sketch, line, {"your simulate", readers_runs()}, readers_colour, error, false);
 }
 
 /// One question, at the error that is promised.
@@ -186,6 +187,9 @@ void drag(std::span<double> settings, const Drag& pointer) {
 }  // namespace
 }  // namespace scene_chapter::work_figure
 
-const tumble::support::MovingFigure tumble::figures::work{
-    "work", scene_chapter::work_figure::controls, scene_chapter::work_figure::draw,
-    scene_chapter::work_figure::drag};
+const tumble::support::MovingFigure tumble::figures::work{"work",
+                                                          scene_chapter::work_figure::controls,
+                                                          scene_chapter::work_figure::draw,
+                                                          scene_chapter::work_figure::drag,
+                                                          -1,
+                                                          &scene_chapter::work_figure::by_reader};

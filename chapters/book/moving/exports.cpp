@@ -17,7 +17,7 @@ constexpr const tumble::support::MovingFigure& figure = TUMBLE_FIGURE;
 struct Page {
   std::vector<double> settings = tumble::support::start_of(figure);
   std::string text;
-  std::vector<double> states;  ///< what is asked of another's functions, and what they gave
+  std::vector<double> numbers;  ///< a question to the reader's functions, or their answer
 };
 
 Page& page() {
@@ -48,20 +48,20 @@ extern "C" {
 [[clang::export_name("drag")]] void drag(double x, double y, double dx, double dy) {
   figure.drag(page().settings, {x, y, dx, dy});
 }
-/// What the figure asks of another's functions, 26 numbers; none if it shows its own motion only.
+/// What the figure asks the reader's functions, numbers_size() numbers.
 [[clang::export_name("question")]] const double* question() {
-  if (!figure.given) return nullptr;
-  page().states = figure.given->question(page().settings);
-  return page().states.data();
+  page().numbers.clear();
+  if (figure.reader) page().numbers = figure.reader->question(page().settings);
+  return page().numbers.data();
 }
-/// Room for the numbers of a motion: the page writes them, and calls take().
-[[clang::export_name("states")]] double* states(std::size_t count) {
-  page().states.resize(count);
-  return page().states.data();
+[[clang::export_name("numbers_size")]] std::size_t numbers_size() { return page().numbers.size(); }
+/// Room for an answer: the page writes it, and calls take().
+[[clang::export_name("room")]] double* room(std::size_t count) {
+  page().numbers.resize(count);
+  return page().numbers.data();
 }
-/// Shows the given motion, or its own again if there is none.
 [[clang::export_name("take")]] void take() {
-  if (figure.given) figure.given->take(page().states);
+  if (figure.reader) figure.reader->take(page().settings, page().numbers);
 }
 [[clang::export_name("text_size")]] std::size_t text_size() { return page().text.size(); }
 }

@@ -10,32 +10,22 @@ const tumbleMoving = (function () {
   function instantiate(base64) {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     let memory;
-    const text = (place, length) =>
-      new TextDecoder().decode(new Uint8Array(memory.buffer, place, length));
-    const imports = {
-      env: {
-        tumble_refused(place, length) {
-          throw new Error(text(place, length));
-        },
-      },
-    };
-    return WebAssembly.instantiate(bytes, imports).then(({ instance }) => {
-      const c = instance.exports;
+    const text = (place, length) => new TextDecoder().decode(new Uint8Array(memory.buffer, place, length));
+    const numbers = (place, count) => new Float64Array(memory.buffer, place, count);
+    function tumble_refused(place, length) {
+      throw new Error(text(place, length));
+    }
+    return WebAssembly.instantiate(bytes, { env: { tumble_refused } }).then(({ instance: { exports: c } }) => {
       memory = c.memory;
       c._initialize();
       return {
         declaration: () => JSON.parse(text(c.declaration(), c.text_size())),
         draw: () => text(c.draw(), c.text_size()),
         drag: c.drag,
-        question: () => Array.from(new Float64Array(memory.buffer, c.question(), 26)),
-        /// Shows these states instead of its own; its own again for none.
-        take(states) {
-          const place = c.states(states.length);
-          new Float64Array(memory.buffer, place, states.length).set(states);
-          c.take();
-        },
+        question: () => [...numbers(c.question(), c.numbers_size())],
+        take: (answer) => (numbers(c.room(answer.length), answer.length).set(answer), c.take()),
         // A view of the memory, made anew each time: it moves when the memory grows.
-        settings: (count) => new Float64Array(memory.buffer, c.settings(), count),
+        settings: (count) => numbers(c.settings(), count),
       };
     });
   }
@@ -73,8 +63,7 @@ const tumbleMoving = (function () {
       return { row: made("div", {}, label, select), show: (value) => (select.value = value) };
     }
     const { least: min, most: max, step } = control;
-    const range = made("input", { id, type: "range" });
-    Object.assign(range, { min, max, step, oninput: () => changed(+range.value) });
+    const range = made("input", { id, type: "range", min, max, step, oninput: () => changed(+range.value) });
     const output = made("output", { htmlFor: id });
     const show = (value) => {
       range.value = value;
@@ -87,12 +76,11 @@ const tumbleMoving = (function () {
   // ── A figure of the page ──
 
   class Figure {
-    constructor(place, name, module) {
-      Object.assign(this, { place, name, module, playing: false, seen: true });
-      this.declared = module.declaration();
-      this.controls = this.declared.controls;
+    constructor(place, chapter, name, module) {
+      const declared = module.declaration(), { controls } = declared;
+      Object.assign(this, { place, chapter, name, module, declared, controls, playing: false, seen: true });
       this.fields = this.controls.map((control, k) => field(control, (value) => this.set(k, value)));
-      (place.closest(".scroll") ?? place).after(this.panel()); // it stays where a wide picture scrolls
+      (place.closest(".scroll") ?? place).after((this.panel = this.makePanel())); // it stays where a wide picture scrolls
       if (this.declared.drags) this.listen();
       this.showValues();
     }
@@ -101,7 +89,7 @@ const tumbleMoving = (function () {
       return this.module.settings(this.controls.length);
     }
 
-    panel() {
+    makePanel() {
       const button = (text, onclick) => made("button", { type: "button", onclick }, text);
       const buttons = made("div", { className: "moving-buttons" });
       if (this.declared.plays >= 0) {
@@ -109,8 +97,7 @@ const tumbleMoving = (function () {
         buttons.append(this.playButton, button("Step", () => this.advance(1 / 30)));
       }
       buttons.append(button("Reset", () => this.reset()));
-      const rows = this.fields.map((each) => each.row);
-      const panel = (this.rows = made("div", { className: "moving-panel" }, buttons, ...rows));
+      const panel = made("div", { className: "moving-panel" }, buttons, ...this.fields.map((each) => each.row));
       panel.setAttribute("role", "group");
       panel.setAttribute("aria-label", "Controls of the figure");
       return panel;
@@ -129,15 +116,15 @@ const tumbleMoving = (function () {
     }
 
     changed() {
-      this.asked?.(); // by whoever gives it another motion
+      this.onchange?.();
       this.draw();
-      this.showValues();
       clearTimeout(this.link);
       if (!this.playing) this.link = setTimeout(() => this.writeLink(), 300);
     }
 
     draw() {
       this.place.innerHTML = this.module.draw();
+      this.showValues();
     }
 
     showValues() {
@@ -161,7 +148,6 @@ const tumbleMoving = (function () {
         if (value >= control.least && value <= control.most) settings[k] = value;
       });
       this.draw();
-      this.showValues();
       this.place.scrollIntoView({ block: "center" });
       return true;
     }
@@ -221,7 +207,7 @@ const tumbleMoving = (function () {
   function start(place, chapter, name) {
     return load(chapter + "." + name)
       .then((module) => {
-        const figure = new Figure(place, name, module);
+        const figure = new Figure(place, chapter, name, module);
         new IntersectionObserver((entries) => (figure.seen = entries.at(-1).isIntersecting)).observe(place);
         const linked = figure.readLink();
         window.addEventListener("hashchange", () => figure.readLink());
@@ -239,10 +225,9 @@ const tumbleMoving = (function () {
   return {
     arrived: (name, base64) => arrivals[name](base64),
     figures: [], // promises of those that were seen
-    watchers: [],
-    /// Calls `act` with every figure, also those that are seen later.
+    /// Calls `act` with every figure, also those that are seen later; with nothing for one that stands still.
     each(act) {
-      this.watchers.push(act);
+      this.act = act;
       for (const figure of this.figures) figure.then(act);
     },
     /// figures: file of the picture → [chapter, name]
@@ -251,14 +236,11 @@ const tumbleMoving = (function () {
         const found = figures[place.dataset.figure];
         if (!found) continue;
         const begin = () => {
-          const figure = start(place, ...found);
-          this.figures.push(figure);
-          for (const act of this.watchers) figure.then((there) => there && act(there));
+          this.figures.push(start(place, ...found));
+          this.figures.at(-1).then(this.act);
         };
         const observer = new IntersectionObserver((entries) => {
-          if (!entries.some((entry) => entry.isIntersecting)) return;
-          observer.disconnect();
-          begin();
+          if (entries.some((entry) => entry.isIntersecting)) observer.disconnect(), begin();
         }, { rootMargin: "400px" });
         const linked = new URLSearchParams(location.hash.slice(1)).get("figure") === found[1];
         linked ? begin() : observer.observe(place);

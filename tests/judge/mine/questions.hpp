@@ -14,15 +14,16 @@ enum class Topic { mass, run, top, choose, drift };
 /// What takes the steps: 1.3, 1.4 or 1.5 on 9.4, or the whole of 9.5.
 enum class Method { euler, midpoint, rk4, simulate };
 
-/// A body and what pushes it: its weight, and a spring without a length of its own between a point
-/// of the body and one of the world.
+/// A body and what pushes it: its weight, and at one of its points a constant force, and a spring
+/// without a length of its own to a point of the world.
 struct Setting {
   double mass = 1;                                        ///< [kg]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< body coordinates [kg m²]
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();      ///< [m/s²]
   double stiffness = 0;                                   ///< [N/m]; 0: there is no spring
-  Eigen::Vector3d p_body = Eigen::Vector3d::Zero();       ///< where it is fastened [m]
-  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();       ///< and where its other end is [m]
+  Eigen::Vector3d p_body = Eigen::Vector3d::Zero();       ///< the point of the body [m]
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();       ///< where the spring's other end is [m]
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();         ///< the constant force [N]
 };
 
 /// x, q as (w, x, y, z), P, L.

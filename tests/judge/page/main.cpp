@@ -13,7 +13,7 @@
 #include "judge/course/hints.hpp"
 #include "judge/page/page_build.hpp"
 #include "judge/page/page_course.hpp"
-#include "judge/page/page_engine.hpp"
+#include "judge/page/page_figure.hpp"
 #include "judge/page/page_worker.hpp"
 #include "judge/verdict/json.hpp"
 #include "judge/verdict/judge_answers.hpp"
@@ -127,10 +127,10 @@ EMSCRIPTEN_KEEPALIVE const char* describe_units() {
     return list;
   });
 }
-/// The motion that a student's engine gives for a figure's 26 numbers: page_engine.hpp.
-EMSCRIPTEN_KEEPALIVE const char* motion(const char* question) {
+/// What a reader's functions answer to a figure: page_figure.hpp.
+EMSCRIPTEN_KEEPALIVE const char* answer_figure(const char* question) {
   using namespace tumble::judge;
-  return answer_to_page([&] { return motion_by_student(json::parse(question)); });
+  return answer_to_page([&] { return answer_for_figure(json::parse(question)); });
 }
 /// The kill matrix of this module: {"matrix": Markdown, "complete": whether all are killed and
 /// named}.

@@ -72,6 +72,19 @@ TEST_CASE("exercises in the page: what the compiler says is shown in its line") 
   CHECK(page.says("box.querySelector('.compiler-note')") == Json());
 }
 
+TEST_CASE("exercises in the page: what runs too long is stopped, and there is no verdict") {
+  if (!can_try()) return;
+  ExercisePage page;
+  REQUIRE(page.says("check('passed')") == true);
+  page.says("write('endless'), button('Check').click()");
+  REQUIRE(page.says("until(() => button('Stop'))") == true);
+  page.says("button('Stop').click()");
+  CHECK(page.says("until(() => line() === 'Stopped: there is no verdict.')") == true);
+  CHECK(page.says("until(() => button('Check').getAttribute('aria-disabled') === 'false')") ==
+        true);
+  CHECK(page.says("check('passed')") == true);
+}
+
 TEST_CASE("exercises in the page: Reset keeps the text, and it can be put back") {
   if (!can_try()) return;
   ExercisePage page;

@@ -34,7 +34,8 @@ class ServedSite {
     fs::copy(editor(), made / "codemirror");
     folder_.write("made/client.mjs", client);
     folder_.write("made/units.json", units(root).dump());
-    folder_.write("made/manifest.json", R"({"version":"1","files":[],"total_wire":33100000})");
+    folder_.write("made/manifest.json",
+                  R"({"version":"1","files":[],"total_wire":33100000,"engine":true})");
     book::add_editors(folder_.path() / "site", made);
     server_.emplace(folder_.path() / "site");
   }

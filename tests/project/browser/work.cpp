@@ -41,9 +41,8 @@ TEST_CASE("exercises in the page: the front page has a mark for each, and the co
   REQUIRE(page.says("check('passed')") == true);
   REQUIRE(page.says("until(async () => (await (await import('./exercises/store.mjs'))"
                     ".workOn('04_quaternions/product')).last)") == true);
-  page.browser.open(page.site.address("index.html"));
-  page.says(std::string(page_helpers) +
-            "; until(() => document.querySelector('.exercise-progress .count'))");
+  page.open_at("index.html");
+  page.says("until(() => document.querySelector('.exercise-progress .count'))");
   CHECK(page.says("document.querySelector('.exercise-progress .count').textContent") ==
         "1 of 2 exercises have passed");
   CHECK(page.says("[...document.querySelectorAll('.exercise-progress .marks a')]"

@@ -115,11 +115,13 @@ inline MeshDefect crossing_defect(const CrossingQuestion& of, const CrossingEvid
       evidence.meetings.through.empty() ? evidence.meetings.touching : evidence.meetings.through;
   MeshDefect crossing{.kind = MeshDefectKind::self_crossing,
                       .face = longest ? longest->here.face : meetings.front().faces[0]};
-  crossing.share = found.volume / of.volume();
-  crossing.share_uncertainty = found.uncertainty / of.volume();
   crossing.message =
-      (longest ? describe_wrong_depth(*longest) : describe_meeting(meetings.front())) +
-      describe_share(crossing.share, crossing.share_uncertainty);
+      longest ? describe_wrong_depth(*longest) : describe_meeting(meetings.front());
+  const double share = found.volume / of.volume(), uncertainty = found.uncertainty / of.volume();
+  if (!std::isfinite(share) || !std::isfinite(uncertainty)) return crossing;  // of no volume
+  crossing.share = share;
+  crossing.share_uncertainty = uncertainty;
+  crossing.message += describe_share(share, uncertainty);
   return crossing;
 }
 

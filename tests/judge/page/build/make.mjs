@@ -126,13 +126,15 @@ async function main() {
   const steps = await recipe(clang, units, headers, Object.keys(tree.libraries));
   const objects = await unitObjects(llvm, steps, tree, paths);
   for (const [name, bytes] of Object.entries(objects)) put(tree, `objects/${name}`, bytes);
-  put(tree, "objects/engine.o", await engineObject(clang, paths));
+  const chapters = Object.keys(tree.exercises).filter((each) => /^[0-9]/.test(each));
+  const engine = chapters.every((chapter) => units.some((unit) => unit.chapter === chapter)); // figures need all of them
+  if (engine) put(tree, "objects/engine.o", await engineObject(clang, paths));
 
   step("packing");
   const compiler = join(out, "compiler");
   writeTar(tar, join(compiler, "tumble.tar"), tree);
   writeFileSync(join(compiler, "recipe.json"), JSON.stringify(steps));
-  const { total_wire: bytes } = writeSite(join(out, "exercises"), { ...options, modules, compiler, units });
+  const { total_wire: bytes } = writeSite(join(out, "exercises"), { ...options, modules, compiler, units, engine });
   step(`${join(out, "exercises")}: at most ${(bytes / 1e6).toFixed(1)} MB over the wire, once`);
 }
 

@@ -58,8 +58,11 @@ class Site {
 
 const editor = ["lib/codemirror.js", "lib/codemirror.css", "mode/clike/clike.js", "addon/edit/matchbrackets.js", "addon/edit/closebrackets.js"];
 
-/** Everything under one folder, and manifest.json about it, which is given back. */
-export function writeSite(folder, { root, judge, modules, compiler, units, level }) {
+/**
+ * Everything under one folder, and manifest.json about it, which is given back.
+ * @param engine whether there is one that figures can ask
+ */
+export function writeSite(folder, { root, judge, modules, compiler, units, engine, level }) {
   const site = new Site(folder, Number(level || 19));
   site.add(join(root, "tests/judge/page/site"), ".");
   site.add(join(modules, "fzstd/esm/index.mjs"), "fzstd.mjs");
@@ -69,7 +72,8 @@ export function writeSite(folder, { root, judge, modules, compiler, units, level
   for (const file of readdirSync(judge)) if (/^judge_[0-9]+\.(mjs|wasm)$/.test(file)) site.add(join(judge, file), `judge/${file}`);
   for (const { id } of units) site.add(join(root, "solutions", `${id}.cpp`), `solutions/${id}.cpp`);
   site.write("units.json", units);
-  const manifest = { version: site.version(), files: site.packed, total_wire: site.packed.reduce((sum, each) => sum + each.wire, 0) };
+  const total_wire = site.packed.reduce((sum, each) => sum + each.wire, 0);
+  const manifest = { version: site.version(), files: site.packed, total_wire, engine };
   site.write("manifest.json", manifest);
   return manifest;
 }

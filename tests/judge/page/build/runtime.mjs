@@ -60,11 +60,11 @@ export async function libraries(clang, { root, emscripten, nlohmann, flags }) {
   return objects;
 }
 
-/** What asks an engine of all functions of a student: ./tumble mine has the same. */
+/** What figures ask an engine of a student's functions. */
 export async function engineObject(clang, { root, nlohmann, flags }) {
-  const judge = treeOf(join(root, "tests/judge"), (path) => /\.hpp$|mine\/engine\.cpp$/.test(path));
+  const judge = treeOf(join(root, "tests/judge"), (path) => /\.hpp$|figure_engine\.cpp$/.test(path));
   const include = ["-I", ".", "-I", "/tumble/exercises"];
-  return clang.object([...flags, ...include, "judge/mine/engine.cpp"], { judge, nlohmann: treeOf(nlohmann) });
+  return clang.object([...flags, ...include, "judge/page/student/figure_engine.cpp"], { judge, nlohmann: treeOf(nlohmann) });
 }
 
 /** What the compiler has made of a file of ours. */

@@ -1,4 +1,5 @@
 // Large files of the page: fetched packed, once, and kept unpacked for the next time, offline too.
+import { joined } from "./bytes.mjs";
 import { decompress } from "./fzstd.mjs";
 
 const base = new URL("./", import.meta.url);
@@ -13,21 +14,13 @@ export async function manifest() {
 /** The bytes of a response, with a word to `hear` about each piece. */
 async function received(response, hear) {
   const pieces = [];
-  let size = 0;
   for (const reader = response.body.getReader(); ; ) {
     const { done, value } = await reader.read();
     if (done) break;
     pieces.push(value);
     hear(value.length);
-    size += value.length;
   }
-  const bytes = new Uint8Array(size);
-  let place = 0;
-  for (const piece of pieces) {
-    bytes.set(piece, place);
-    place += piece.length;
-  }
-  return bytes;
+  return joined(pieces);
 }
 
 /** Where files are kept, by the version of the whole; what is there of other versions goes. */

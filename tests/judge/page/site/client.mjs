@@ -12,12 +12,15 @@ class Asked {
 
   /**
    * The message that answers this one.
-   * @param hear is called with those before it
+   * @param hear   is called with those before it
+   * @param signal breaks it off
    */
-  ask(message, hear = () => {}) {
+  ask(message, hear, signal) {
+    signal?.throwIfAborted();
     const id = ++this.last;
     return new Promise((resolve, reject) => {
       this.fail = reject;
+      signal?.addEventListener("abort", () => reject(signal.reason), { once: true });
       this.worker.onerror = (event) => reject(new Error(event.message || "a script of the page cannot be loaded"));
       this.worker.onmessage = ({ data }) => {
         if (data.id !== id) return;
@@ -42,13 +45,6 @@ class Hung extends Error {
   }
 }
 
-/** The reader waits no longer. */
-class Stopped extends Error {
-  constructor() {
-    super("stopped");
-  }
-}
-
 /** A file that keeps the compiler busy. */
 class TooExpensive extends Error {}
 
@@ -64,29 +60,33 @@ export class Judge {
    * @param unit       "04_quaternions/product"
    * @param seed       of the inputs
    * @param onProgress is called with {done, total} [bytes] while something is downloaded
+   * @param signal     ends it: an AbortSignal
    */
-  check(unit, source, { seed, onProgress = () => {} }) {
-    const verdict = this.queue.then(() => this.#check(unit, source, seed, onProgress));
-    this.queue = verdict.catch(() => {}); // the next one has its own chance
-    return verdict;
+  check(unit, source, { seed, onProgress = () => {}, signal }) {
+    return this.#inTurn(() => this.#check(unit, source, seed, { onProgress, signal }));
+  }
+
+  #inTurn(work) {
+    const result = this.queue.then(work);
+    this.queue = result.catch(() => {}); // the next one has its own chance
+    return result;
   }
 
   /**
-   * A motion by an engine of these files [{id, text}], and of solutions for what they lack:
-   * {states, own} or {outcome, detail}.
-   * @param question 26 numbers of a figure
+   * What an engine of these files [{id, text}], and of solutions for what they lack, answers to a
+   * figure: {numbers, own} or {outcome, detail}; own are the units that are the reader's.
+   * @param question {topic, numbers}: student/figure_engine.cpp
+   * @param digits   of the figure's chapter
    */
-  motion(question, files, onProgress = () => {}) {
-    const motion = this.queue.then(() => this.#motion(question, files, onProgress));
-    this.queue = motion.catch(() => {});
-    return motion;
+  answerFigure(digits, question, files, onProgress = () => {}) {
+    return this.#inTurn(() => this.#answerFigure(digits, question, files, { onProgress }));
   }
 
-  async #motion(question, engine, onProgress) {
-    const { built } = await this.#build({ engine }, onProgress);
-    if (!built.ok) return { outcome: "does not link", detail: built.output };
+  async #answerFigure(digits, question, files, listeners) {
+    const built = await this.#engineOf(files, listeners);
+    if (!built.ok) return { outcome: "they do not link", detail: built.output };
     try {
-      const { verdict } = await this.#judge({ question, built }, onProgress);
+      const { verdict } = await this.#judge({ digits, question, built }, listeners);
       return { ...JSON.parse(verdict), own: built.own };
     } catch (failure) {
       if (!(failure instanceof Hung)) throw failure;
@@ -94,23 +94,28 @@ export class Judge {
     }
   }
 
-  /** Ends what is being checked: its promise is broken off. */
-  stop() {
-    this.asked?.fail(new Stopped());
+  /** The engine of these files: the last one, if they are the same. */
+  async #engineOf(files, listeners) {
+    const key = JSON.stringify(files);
+    if (this.engine?.key !== key) {
+      const { built } = await this.#build({ engine: files }, listeners, patienceWithCompiler * (files.length + 1));
+      this.engine = { key, built };
+    }
+    return this.engine.built;
   }
 
   /** Downloads what a chapter needs, without judging. */
   async prepare(onProgress = () => {}) {
-    await this.#build({}, onProgress);
+    await this.#build({}, { onProgress });
   }
 
-  async #check(unit, source, seed, onProgress) {
+  async #check(unit, source, seed, listeners) {
     const began = performance.now();
-    const { built } = await this.#build({ unit, source }, onProgress);
+    const { built } = await this.#build({ unit, source }, listeners);
     const hung = [];
     for (;;) {
       try {
-        const { verdict } = await this.#judge({ unit, source, built, seed, hung }, onProgress);
+        const { verdict } = await this.#judge({ unit, source, built, seed, hung }, listeners);
         return { ...JSON.parse(verdict), json: verdict, seconds: (performance.now() - began) / 1000 };
       } catch (failure) {
         if (!(failure instanceof Hung)) throw failure;
@@ -120,15 +125,15 @@ export class Judge {
   }
 
   /** What the compiler has made of a file. If that takes too long, the compiler is ended. */
-  async #build(what, onProgress) {
-    const compiler = (this.asked = this.compiler ??= new Asked(new URL("compiler.mjs", this.base)));
+  async #build(what, { onProgress, signal }, patience = patienceWithCompiler) {
+    const compiler = (this.compiler ??= new Asked(new URL("compiler.mjs", this.base)));
     let clock;
     const hear = ({ progress, compiling }) => {
       if (progress) onProgress(progress);
-      if (compiling) clock = setTimeout(() => compiler.fail(new TooExpensive()), patienceWithCompiler);
+      if (compiling) clock = setTimeout(() => compiler.fail(new TooExpensive()), patience);
     };
     try {
-      return await compiler.ask(what, hear);
+      return await compiler.ask(what, hear, signal);
     } catch (failure) {
       compiler.end();
       this.compiler = null;
@@ -140,8 +145,8 @@ export class Judge {
   }
 
   /** One run of a spec. A worker whose student does not answer in time is ended. */
-  async #judge(message, onProgress) {
-    const judge = (this.asked = this.judge ??= new Asked(new URL("judge.mjs", this.base)));
+  async #judge(message, { onProgress, signal }) {
+    const judge = (this.judge ??= new Asked(new URL("judge.mjs", this.base)));
     let clock;
     const end = (why) => {
       judge.end();
@@ -154,7 +159,7 @@ export class Judge {
       if (at) clock = setTimeout(() => end(new Hung(at)), patience);
     };
     try {
-      return await judge.ask(message, hear);
+      return await judge.ask(message, hear, signal);
     } catch (failure) {
       end(failure);
       throw failure;

@@ -1,6 +1,7 @@
 // A Web Worker: from a student's file to a module, with clang.
 import { Assets, manifest } from "./assets.mjs";
 import { parseTar } from "./nanotar.mjs";
+import { EngineBuilder } from "./engine_builder.mjs";
 import { Toolchain } from "./toolchain.mjs";
 
 /** The compiler fetches its files by itself: the large ones come unpacked from where they are kept. */
@@ -32,23 +33,30 @@ async function load(hear) {
   fetchThrough(assets);
   const llvm = await import("./compiler/bundle.js");
   await llvm.runLLVM(null, {}, { fetchProgress: () => {} }); // fetches what it needs, runs nothing
-  return new Toolchain(llvm, await recipe, tree);
+  const toolchain = new Toolchain(llvm, await recipe, tree);
+  return { toolchain, engines: new EngineBuilder(toolchain) };
 }
 
-let toolchain;
+let tools;
 let listener = () => {};
 
-onmessage = async ({ data: { id, unit, source, engine } }) => {
+/** What is asked for: a unit's module, an engine of several files, or only that all is loaded. */
+function build({ toolchain, engines }, { unit, source, engine }) {
+  if (unit) return toolchain.build(unit, source);
+  return engine ? engines.build(engine) : null;
+}
+
+onmessage = async ({ data: { id, ...request } }) => {
   listener = (progress) => postMessage({ id, progress });
   try {
-    toolchain ??= load((progress) => listener(progress));
-    const loaded = await toolchain;
-    if (unit || engine) postMessage({ id, compiling: true }); // from now on the page counts
+    tools ??= load((progress) => listener(progress));
+    const loaded = await tools;
+    postMessage({ id, compiling: true }); // from now on the page counts
     const began = performance.now();
-    const built = unit ? await loaded.build(unit, source) : engine ? await loaded.buildEngine(engine) : null;
+    const built = await build(loaded, request);
     postMessage({ id, built: built && { ...built, seconds: (performance.now() - began) / 1000 } });
   } catch (failure) {
-    toolchain = undefined; // a download that was broken off begins again
+    tools = undefined; // a download that was broken off begins again
     postMessage({ id, failure: String(failure.message ?? failure) });
   }
 };

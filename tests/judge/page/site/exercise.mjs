@@ -1,6 +1,6 @@
 // What the exercises add to a page: an editor in each box "Now write", the picture of progress on the
 // front page, and the service worker that keeps all of it for when there is no network.
-import { base, units } from "./course.mjs";
+import { base, manifest, units } from "./course.mjs";
 import { element } from "./element.mjs";
 import { makeBox } from "./box.mjs";
 import { offerMine } from "./mine.mjs";
@@ -38,5 +38,5 @@ started.then(() => {
   if (location.hash) document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
   document.documentElement.classList.add("exercises-ready");
 }, (error) => console.error("The exercises of this page cannot be shown:", error));
-offerMine();
+manifest().then(({ engine }) => engine && offerMine(), () => {}); // not where some chapters are left out
 keepOffline().catch(() => {}); // a private window keeps nothing

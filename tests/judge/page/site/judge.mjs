@@ -20,9 +20,8 @@ const judges = new Judges(async digits => {
 onmessage = async ({data: {id, ...request}}) => {
   hear = message => postMessage({id, ...message});
   try {
-    const ask = request.question ? judges.motion(request, at => hear({at})) : judges.judgeUnit(request, at => hear({at}));
-    const json = await ask;
-    hear({verdict: json});
+    const at = place => hear({at: place});
+    hear({verdict: await (request.question ? judges.answerFigure(request, at) : judges.judgeUnit(request, at))});
   } catch (error) {
     hear({failure: String(error?.message ?? error)});
   }

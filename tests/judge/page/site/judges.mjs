@@ -85,10 +85,10 @@ export class ChapterJudge {
   /// [{id, number, chapter, name, title, signature, stub, hints}]
   describe() { return JSON.parse(this.#judge.ccall('describe_units', 'string', [], [])); }
 
-  /// {states} or {outcome, detail}: what an engine says to a figure's 26 numbers (page_engine.hpp)
-  motion(question, wasm, at) {
+  /// {numbers} or {outcome, detail}: what an engine says to {topic, numbers} (page_figure.hpp)
+  answerFigure(question, wasm, at) {
     this.#desk.begin(new WebAssembly.Module(wasm), [], at);
-    const json = this.#judge.ccall('motion', 'string', ['string'], [JSON.stringify(question)]);
+    const json = this.#judge.ccall('answer_figure', 'string', ['string'], [JSON.stringify(question)]);
     this.#desk.forget();
     return json;
   }
@@ -125,8 +125,9 @@ export class Judges {
     return (await this.#judgeOf(request.unit.slice(0, 2))).judge(request, at);
   }
 
-  async motion({question, built}, at) {
-    return (await this.#judgeOf('09')).motion(question, built.wasm, at);
+  /// Any chapter's judge can ask: it is that of the page that the figure stands in.
+  async answerFigure({digits, question, built}, at) {
+    return (await this.#judgeOf(digits)).answerFigure(question, built.wasm, at);
   }
 
   async #judgeOf(digits) {

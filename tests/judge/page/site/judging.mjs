@@ -29,7 +29,7 @@ export class Judging {
     try {
       if ((await hasAgreed()) || (await askToDownload(this.parts.progress))) await this.run(seed);
     } catch (error) {
-      if (this.stopped) this.say("Stopped: there is no verdict.");
+      if (error.name === "AbortError") this.say("Stopped: there is no verdict.");
       else this.say(`The judge does not work here: ${error.message}. This is not a verdict on your code.`);
     }
     this.setBusy(false);
@@ -37,12 +37,8 @@ export class Judging {
 
   /** The button: checks, or ends what runs too long for a reader. */
   press() {
-    return this.busy ? this.stop() : this.check();
-  }
-
-  async stop() {
-    this.stopped = true;
-    (await judge)?.stop();
+    if (this.running) this.running.abort();
+    else this.check();
   }
 
   async run(seed) {
@@ -50,18 +46,25 @@ export class Judging {
     const text = await box.text();
     const bar = progressBar(parts.progress);
     this.say("Checking …");
-    this.stopped = false;
-    parts.check.textContent = "Stop";
+    this.setRunning(new AbortController());
     try {
-      const verdict = await (await theJudge()).check(unit.id, text, { seed, onProgress: (at) => bar.show(at) });
+      const listeners = { onProgress: (at) => bar.show(at), signal: this.running.signal };
+      const verdict = await (await theJudge()).check(unit.id, text, { seed, ...listeners });
       await saveVerdict(unit.id, text, verdict); // what is shown is kept
       this.show(verdict);
       box.judged();
     } finally {
-      parts.check.textContent = "Check";
+      this.setRunning(null);
       bar.remove();
     }
     completeDownload();
+  }
+
+  /** @param controller what ends the check that runs now, or null */
+  setRunning(controller) {
+    this.running = controller;
+    this.parts.check.textContent = controller ? "Stop" : "Check";
+    this.parts.check.setAttribute("aria-disabled", this.busy && !controller);
   }
 
   setBusy(busy) {

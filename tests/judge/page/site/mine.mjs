@@ -1,15 +1,22 @@
-// Figures that move by the reader's own functions: those that pass, and solutions for the others.
+// Figures that ask the reader's own functions: those that pass, and solutions for the others.
 import { units } from "./course.mjs";
 import { askToDownload, hasAgreed } from "./download.mjs";
 import { element } from "./element.mjs";
 import { theJudge } from "./judging.mjs";
 import { allWork } from "./store.mjs";
 
-/** The reader's files that pass as they are, [{id, text}], in the course's order. */
+/** The reader's files that pass as they are, [{id, text}]. */
 async function passing() {
-  const work = new Map((await allWork()).map((each) => [each.id, each]));
-  const done = (await units()).map(({ id }) => work.get(id)).filter((each) => each?.last?.passed && each.checked === each.text);
+  const done = (await allWork()).filter((work) => work.last?.passed && work.checked === work.text);
   return done.map(({ id, text }) => ({ id, text }));
+}
+
+/** What a reader is told of an answer. */
+async function wordsFor({ numbers, own, outcome, detail }) {
+  if (!numbers) return `Your functions: ${outcome}. ${detail}`;
+  const yours = (await units()).filter(({ id }) => own.includes(id)).map(({ number }) => number);
+  if (yours.length === 0) return "None of your functions that this needs passes yet. You see the solutions.";
+  return `Yours: ${yours.join(", ")}. Where it needs others, it takes the solutions.`;
 }
 
 class Mine {
@@ -18,51 +25,54 @@ class Mine {
     this.box = element("input", { type: "checkbox", onchange: () => this.turn() });
     this.words = element("p", { className: "mine", role: "status" });
     this.place = element("div", {});
-    figure.rows.append(element("div", {}, element("label", {}, this.box, " by your own functions")), this.place, this.words);
-    figure.asked = () => this.askSoon();
+    figure.panel.append(element("label", {}, this.box, " Ask my own functions"), this.place, this.words);
+    figure.onchange = () => this.follow();
   }
 
   turn() {
-    if (this.box.checked) return this.ask();
-    this.show([]);
+    this.asked = null;
     this.words.textContent = "";
+    this.show([]);
+    if (this.box.checked) this.ask();
   }
 
-  show(states) {
-    this.figure.module.take(states);
+  show(numbers) {
+    this.figure.module.take(numbers);
     this.figure.draw();
   }
 
-  /** Not for what a pointer passes on its way; and not if the question is the same. */
-  askSoon() {
-    if (!this.box.checked || `${this.figure.module.question()}` === this.last) return;
+  /** Settings may have changed: then the answer is no longer one to them. */
+  follow() {
+    if (!this.box.checked || `${this.figure.module.question()}` === this.asked) return;
+    this.asked = `${this.figure.module.question()}`;
+    this.figure.module.take([]);
+    this.words.textContent = "Asking your functions …";
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.ask(), 300);
+    this.timer = setTimeout(() => this.ask(), 200); // not for what a pointer passes on its way
   }
 
   async ask() {
     try {
       if (!(await hasAgreed()) && !(await askToDownload(this.place))) return void (this.box.checked = false);
-      const question = this.figure.module.question();
-      this.last = `${question}`;
-      this.words.textContent = "Computing …";
-      this.answer(await (await theJudge()).motion(question, await passing()));
+      this.words.textContent = "Asking your functions …";
+      await this.askNow(this.figure.module.question());
     } catch (error) {
       this.words.textContent = `Your functions cannot be asked here: ${error.message}.`;
     }
   }
 
-  async answer({ states, own, outcome, detail }) {
-    if (!this.box.checked) return;
-    this.show(states ?? []);
-    if (!states) return void (this.words.textContent = `Your functions: ${outcome}. ${detail}`);
-    const numbers = (await units()).filter(({ id }) => own.includes(id)).map(({ number }) => number);
-    this.words.textContent = numbers.length > 0 ? `Yours: ${numbers.join(", ")}. The others are solutions.`
-      : "No exercise of yours passes yet: these are the solutions.";
+  async askNow(numbers) {
+    this.asked = `${numbers}`;
+    const { chapter, declared, module } = this.figure;
+    const question = { topic: declared.topic, numbers };
+    const answer = await (await theJudge()).answerFigure(chapter.slice(0, 2), question, await passing());
+    if (!this.box.checked || `${module.question()}` !== `${numbers}`) return; // the answer to an earlier question
+    this.show(answer.numbers ?? []);
+    this.words.textContent = await wordsFor(answer);
   }
 }
 
-/** Adds the choice to every figure of the page that can show another's motion. */
+/** Adds the choice to every figure of the page that can ask. */
 export function offerMine() {
-  if (typeof tumbleMoving !== "undefined") tumbleMoving.each((figure) => figure.declared.given && new Mine(figure));
+  if (typeof tumbleMoving !== "undefined") tumbleMoving.each((figure) => figure?.declared.topic && new Mine(figure));
 }

@@ -1,23 +1,13 @@
 // From a student's file to a module: compile, and link with the worker and the solutions of earlier
 // units. Runs in the page and, while the site is made, in node.
-
-/** Pieces of bytes, one after the other. */
-function joined(pieces) {
-  const bytes = new Uint8Array(pieces.reduce((size, each) => size + each.length, 0));
-  let place = 0;
-  for (const piece of pieces) {
-    bytes.set(piece, place);
-    place += piece.length;
-  }
-  return bytes;
-}
+import { joined } from "./bytes.mjs";
 
 /**
  * What a tool of LLVM said and made.
  * @returns {ok, files, written, output}: `written` to its standard output, `output` to the error one;
  *          and `limit` if it had no memory or no stack left
  */
-async function run(llvm, args, files) {
+export async function run(llvm, args, files) {
   const heard = { stdout: [], stderr: [] };
   const listen = (to) => (bytes) => bytes && to.push(bytes.slice());
   const options = { stdout: listen(heard.stdout), stderr: listen(heard.stderr), decodeASCII: false, fetchProgress: () => {} };
@@ -103,33 +93,6 @@ export class Toolchain {
     ];
     const { ok, output, files } = await run(this.llvm, args, { ...this.files, object });
     return { ok, output, wasm: files.module ?? null };
-  }
-
-  /**
-   * A module of a student's whole engine: their objects, and solutions for what they lack.
-   * @param objects of the student's files
-   */
-  async linkEngine(objects) {
-    const own = Object.fromEntries(objects.map((object, i) => [`own${i}.o`, object]));
-    const solutions = this.recipe.units.map((each) => `/tumble/objects/${each}.solution.o`);
-    const args = [
-      ...this.recipe.link,
-      "/tumble/objects/engine.o",
-      ...Object.keys(own),
-      ...solutions,
-      ...this.recipe.libraries,
-      ...["-o", "module"],
-    ];
-    const { ok, output, files } = await run(this.llvm, args, { ...this.files, ...own });
-    return { ok, output, wasm: files.module ?? null };
-  }
-
-  /** The engine of these files [{id, text}]: {ok, output, wasm, own: what of them compiles}. */
-  async buildEngine(files) {
-    const compiled = [];
-    for (const { id, text } of files) compiled.push({ id, ...(await this.compile(id, text)) });
-    const whole = compiled.filter(({ ok, headers }) => ok && headers.length === 0);
-    return { ...(await this.linkEngine(whole.map(({ object }) => object))), own: whole.map(({ id }) => id) };
   }
 
   /** The functions that an object defines, as they are declared: "quaternions::prod(double)". */

@@ -145,6 +145,23 @@ TEST_CASE("a crossing: a scanned body's control cage, however it lies") {
   }
 }
 
+TEST_CASE("a crossing: a share of no volume is no number, and no words") {
+  // It counts positively and negatively alike.
+  const PolygonMesh mesh =
+      test::together(test::cube(), test::inside_out(test::moved(test::cube(), 1, {0.5, 0, 0})));
+  bool found = false;
+  for (const MeshDefect& finding : diagnose(mesh)) {
+    INFO(finding.message);
+    CHECK(finding.message.find("nan") == std::string::npos);
+    CHECK(finding.message.find("inf") == std::string::npos);
+    if (finding.kind != MeshDefectKind::self_crossing) continue;
+    found = true;
+    CHECK(std::isnan(finding.share));
+    CHECK(std::isnan(finding.share_uncertainty));
+  }
+  CHECK(found);
+}
+
 TEST_CASE("SpaceGrid: a body whose volume is no double any more has cells all the same") {
   for (const double size : {1e-150, 1e-110, 1., 1e110, 1e150}) {
     const Eigen::AlignedBox3d low(Vec3::Zero(), Vec3::Constant(size)),

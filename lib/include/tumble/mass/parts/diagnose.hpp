@@ -4,6 +4,7 @@
 /// them.
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <cstdio>
 #include <set>
@@ -97,6 +98,7 @@ inline double densest_to_mean(std::span<const parts::Part> parts) {
 /// A crossing of parts is judged by the mass that counts wrongly.
 /// @param factor as densest_to_mean() gives it
 inline void weigh_share(MeshDefect& crossing, double factor) {
+  if (std::isnan(crossing.share)) return;
   crossing.share *= factor;
   crossing.share_uncertainty *= factor;
   std::array<char, 40> share{};
