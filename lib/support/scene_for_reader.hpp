@@ -11,7 +11,7 @@
 namespace tumble::support {
 
 /// @param f a constant force, and where it acts
-/// @return 30 numbers, as tests/judge/page/student/figure_engine.cpp lists them
+/// @return 30 numbers, as tests/judge/page/student/figure_numbers.hpp lists them
 inline std::vector<double> scene_for_reader(const RigidBody<>& body, const RigidBodyState<>& start,
                                             double duration,
                                             const SteadyForces::AtPoint& f = {Vec3::Zero(),

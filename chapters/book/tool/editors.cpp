@@ -87,7 +87,8 @@ void add_editors(const fs::path& site, const fs::path& folder) {
   for (const fs::path& page : pages_in(site)) {
     std::string text = text_of(page);
     const std::vector<std::string> numbers = name_boxes(text);
-    if (numbers.empty() && page.filename() != "index.html") continue;
+    const bool has_figure = text.find("data-figure=") != std::string::npos;  // it may ask a reader
+    if (numbers.empty() && !has_figure && page.filename() != "index.html") continue;
     for (const std::string& number : numbers) page_of[number] = page.filename().string();
     add_script(page, text);
     write_text(page, text);

@@ -6,7 +6,7 @@
 
 namespace tumble::judge {
 
-/// @param question {"topic", "numbers"}: student/figure_engine.cpp lists them
+/// @param question a list of numbers, as student/figure_*.cpp say
 /// @return {"numbers"}, or {"outcome", "detail"} if there is no answer
 nlohmann::ordered_json answer_for_figure(const nlohmann::json& question);
 

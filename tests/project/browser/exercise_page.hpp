@@ -29,7 +29,7 @@ export class Judge {
       explanation: said[how], judge_failure: "", cases: [] };
   }
   /** A body that stays as it is. */
-  async answerFigure(digits, { topic, numbers }, files) {
+  async answerFigure(digits, topic, numbers, files) {
     globalThis.asked = { digits, topic, count: numbers.length, files };
     if (globalThis.refuses) return { outcome: "hung", detail: "no answer in 2 s" };
     return { numbers: Array.from({ length: 1001 }, () => numbers.slice(16, 29)).flat(), own: files.map(({ id }) => id) };

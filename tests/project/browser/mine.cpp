@@ -17,7 +17,7 @@ void open_handle(ExercisePage& page) {
   page.says(
       "globalThis.panel = document.querySelector('.moving-panel'), "
       "globalThis.mine = panel.querySelector('input[type=checkbox]'), "
-      "globalThis.words = () => panel.querySelector('.mine').textContent, "
+      "globalThis.words = () => panel.querySelector('.mine p').textContent, "
       "globalThis.picture = () => "
       "document.querySelector('[data-figure$=\"handle.svg\"]').innerHTML, "
       "globalThis.own = picture()");

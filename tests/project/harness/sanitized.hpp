@@ -12,4 +12,10 @@ constexpr bool sanitized = __has_feature(address_sanitizer);
 constexpr bool sanitized = false;
 #endif
 
+/// How often something is tried: with sanitizers a part is enough, for they look at memory, not at
+/// numbers.
+constexpr int tries(int count, int part = 10) {
+  return sanitized ? (count + part - 1) / part : count;
+}
+
 }  // namespace tumble::test

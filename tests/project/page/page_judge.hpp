@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "project/harness/chromium.hpp"
 #include "project/harness/command.hpp"
@@ -69,20 +70,31 @@ class PageJudge {
   /// The verdict's JSON; {"failure": why} if there is none.
   nlohmann::ordered_json verdict_on(const Written& file, std::uint64_t seed) {
     const nlohmann::json source = file.text;
-    browser_.evaluate(
-        "outcome = null; judge.check('" + file.unit + "', " + source.dump() +
-        ", {seed: " + std::to_string(seed) +
-        "}).then((verdict) => { outcome = {verdict: verdict.json}; }, (why) => { outcome = "
-        "{failure: String(why)}; }); 0");
-    const nlohmann::ordered_json said = outcome();
+    const nlohmann::ordered_json said = outcome_of(
+        "judge.check('" + file.unit + "', " + source.dump() + ", {seed: " + std::to_string(seed) +
+        "}).then((verdict) => ({verdict: verdict.json}))");
     return said.contains("verdict")
                ? nlohmann::ordered_json::parse(said.at("verdict").get<std::string>())
                : said;
   }
 
+  /// What an engine of these files, and of solutions for what they lack, answers to a figure of
+  /// chapter 9: {numbers, own} or {outcome, detail}; {"failure": why} if nothing is answered.
+  nlohmann::ordered_json answer_to_figure(const std::string& topic,
+                                          const nlohmann::ordered_json& numbers,
+                                          const std::vector<Written>& files) {
+    nlohmann::json own = nlohmann::json::array();
+    for (const Written& file : files) own.push_back({{"id", file.unit}, {"text", file.text}});
+    return outcome_of("judge.answerFigure('09', '" + topic + "', " + numbers.dump() + ", " +
+                      own.dump() + ")");
+  }
+
  private:
   /// What a promise has come to, asked again and again: a first verdict may take a minute here.
-  nlohmann::ordered_json outcome() {
+  nlohmann::ordered_json outcome_of(const std::string& promise) {
+    browser_.evaluate("outcome = null; " + promise +
+                      ".then((it) => { outcome = it; }, (why) => { outcome = "
+                      "{failure: String(why)}; }); 0");
     const auto began = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - began < std::chrono::minutes(5)) {
       const nlohmann::json text = browser_.evaluate(

@@ -10,7 +10,7 @@ import { parseArgs } from "node:util";
 import { Clang } from "./clang.mjs";
 import { describe } from "./course.mjs";
 import { writeSite, writeTar } from "./package.mjs";
-import { engineObject, libraries, unitObjects } from "./runtime.mjs";
+import { figureObjects, libraries, unitObjects } from "./runtime.mjs";
 import { assertionHandler, contractsTree, eigenTree, isNeeded, put, treeOf } from "./sysroot.mjs";
 
 const { values: options } = parseArgs({
@@ -125,10 +125,10 @@ async function main() {
   step(`compiling the solutions of ${units.length} units`);
   const steps = await recipe(clang, units, headers, Object.keys(tree.libraries));
   const objects = await unitObjects(llvm, steps, tree, paths);
-  for (const [name, bytes] of Object.entries(objects)) put(tree, `objects/${name}`, bytes);
   const chapters = Object.keys(tree.exercises).filter((each) => /^[0-9]/.test(each));
   const engine = chapters.every((chapter) => units.some((unit) => unit.chapter === chapter)); // figures need all of them
-  if (engine) put(tree, "objects/engine.o", await engineObject(clang, paths));
+  if (engine) Object.assign(objects, await figureObjects(clang, paths));
+  for (const [name, bytes] of Object.entries(objects)) put(tree, `objects/${name}`, bytes);
 
   step("packing");
   const compiler = join(out, "compiler");

@@ -60,11 +60,14 @@ export async function libraries(clang, { root, emscripten, nlohmann, flags }) {
   return objects;
 }
 
-/** What figures ask an engine of a student's functions. */
-export async function engineObject(clang, { root, nlohmann, flags }) {
-  const judge = treeOf(join(root, "tests/judge"), (path) => /\.hpp$|figure_engine\.cpp$/.test(path));
+/** What figures ask engines of a student's functions, by topics: {"figure_motion.o": bytes, …}. */
+export async function figureObjects(clang, { root, nlohmann, flags }) {
+  const files = { judge: treeOf(join(root, "tests/judge"), (path) => /\.hpp$|figure_\w+\.cpp$/.test(path)), nlohmann: treeOf(nlohmann) };
   const include = ["-I", ".", "-I", "/tumble/exercises"];
-  return clang.object([...flags, ...include, "judge/page/student/figure_engine.cpp"], { judge, nlohmann: treeOf(nlohmann) });
+  const objects = {};
+  for (const source of Object.keys(files.judge.page.student).filter((name) => name.endsWith(".cpp")))
+    objects[source.replace(".cpp", ".o")] = await clang.object([...flags, ...include, `judge/page/student/${source}`], files);
+  return objects;
 }
 
 /** What the compiler has made of a file of ours. */

@@ -75,15 +75,16 @@ export class Judge {
   /**
    * What an engine of these files [{id, text}], and of solutions for what they lack, answers to a
    * figure: {numbers, own} or {outcome, detail}; own are the units that are the reader's.
-   * @param question {topic, numbers}: student/figure_engine.cpp
    * @param digits   of the figure's chapter
+   * @param topic    as student/figure_TOPIC.cpp
+   * @param question numbers
    */
-  answerFigure(digits, question, files, onProgress = () => {}) {
-    return this.#inTurn(() => this.#answerFigure(digits, question, files, { onProgress }));
+  answerFigure(digits, topic, question, files, onProgress = () => {}) {
+    return this.#inTurn(() => this.#answerFigure(digits, { topic, files }, question, { onProgress }));
   }
 
-  async #answerFigure(digits, question, files, listeners) {
-    const built = await this.#engineOf(files, listeners);
+  async #answerFigure(digits, engine, question, listeners) {
+    const built = await this.#engineOf(engine, listeners);
     if (!built.ok) return { outcome: "they do not link", detail: built.output };
     try {
       const { verdict } = await this.#judge({ digits, question, built }, listeners);
@@ -94,11 +95,11 @@ export class Judge {
     }
   }
 
-  /** The engine of these files: the last one, if they are the same. */
-  async #engineOf(files, listeners) {
-    const key = JSON.stringify(files);
+  /** The last one, if it was built of the same. */
+  async #engineOf(engine, listeners) {
+    const key = JSON.stringify(engine);
     if (this.engine?.key !== key) {
-      const { built } = await this.#build({ engine: files }, listeners, patienceWithCompiler * (files.length + 1));
+      const { built } = await this.#build({ engine }, listeners, patienceWithCompiler * (engine.files.length + 1));
       this.engine = { key, built };
     }
     return this.engine.built;

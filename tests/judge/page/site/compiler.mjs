@@ -43,7 +43,7 @@ let listener = () => {};
 /** What is asked for: a unit's module, an engine of several files, or only that all is loaded. */
 function build({ toolchain, engines }, { unit, source, engine }) {
   if (unit) return toolchain.build(unit, source);
-  return engine ? engines.build(engine) : null;
+  return engine ? engines.build(engine.topic, engine.files) : null;
 }
 
 onmessage = async ({ data: { id, ...request } }) => {

@@ -12,12 +12,12 @@ export class EngineBuilder {
   }
 
   /** The engine of these files [{id, text}]: {ok, output, wasm, own: the units of them that it uses}. */
-  async build(files) {
+  async build(topic, files) {
     const texts = new Map(files.map(({ id, text }) => [id, text]));
     const parts = new Map(); // unit → what is linked
     const own = [];
     for (;;) {
-      const { ok, output, wasm } = await this.link(parts);
+      const { ok, output, wasm } = await this.link(topic, parts);
       const needed = ok ? [] : this.lacking(output).filter((unit) => !parts.has(unit));
       if (needed.length === 0) return { ok, output, wasm, own };
       for (const unit of needed) {
@@ -35,11 +35,11 @@ export class EngineBuilder {
   }
 
   /** @param parts unit → the reader's object, or nothing: then it is the solution's */
-  async link(parts) {
+  async link(topic, parts) {
     const { recipe, files, llvm } = this.toolchain;
     const own = Object.fromEntries([...parts.values()].filter((object) => object).map((object, i) => [`own${i}.o`, object]));
     const solutions = [...parts].filter(([, object]) => !object).map(([unit]) => `/tumble/objects/${unit}.solution.o`);
-    const objects = ["/tumble/objects/engine.o", ...Object.keys(own), ...solutions];
+    const objects = [`/tumble/objects/figure_${topic}.o`, ...Object.keys(own), ...solutions];
     const args = [...recipe.link, "--error-limit=0", ...objects, ...recipe.libraries, "-o", "module"];
     const linked = await run(llvm, args, { ...files, ...own });
     return { ok: linked.ok, output: linked.output, wasm: linked.files.module ?? null };

@@ -85,7 +85,7 @@ export class ChapterJudge {
   /// [{id, number, chapter, name, title, signature, stub, hints}]
   describe() { return JSON.parse(this.#judge.ccall('describe_units', 'string', [], [])); }
 
-  /// {numbers} or {outcome, detail}: what an engine says to {topic, numbers} (page_figure.hpp)
+  /// {numbers} or {outcome, detail}: what an engine says to a figure's numbers (page_figure.hpp)
   answerFigure(question, wasm, at) {
     this.#desk.begin(new WebAssembly.Module(wasm), [], at);
     const json = this.#judge.ccall('answer_figure', 'string', ['string'], [JSON.stringify(question)]);

@@ -5,17 +5,16 @@ import { element } from "./element.mjs";
 import { theJudge } from "./judging.mjs";
 import { allWork } from "./store.mjs";
 
-/** The reader's files that pass as they are, [{id, text}]. */
+/** The reader's texts that have passed last, [{id, text}]. */
 async function passing() {
-  const done = (await allWork()).filter((work) => work.last?.passed && work.checked === work.text);
-  return done.map(({ id, text }) => ({ id, text }));
+  return (await allWork()).filter(({ right }) => right).map(({ id, right }) => ({ id, text: right }));
 }
 
 /** What a reader is told of an answer. */
 async function wordsFor({ numbers, own, outcome, detail }) {
   if (!numbers) return `Your functions: ${outcome}. ${detail}`;
   const yours = (await units()).filter(({ id }) => own.includes(id)).map(({ number }) => number);
-  if (yours.length === 0) return "None of your functions that this needs passes yet. You see the solutions.";
+  if (yours.length === 0) return "None of your functions that this needs has passed yet. You see the solutions.";
   return `Yours: ${yours.join(", ")}. Where it needs others, it takes the solutions.`;
 }
 
@@ -23,9 +22,10 @@ class Mine {
   constructor(figure) {
     this.figure = figure;
     this.box = element("input", { type: "checkbox", onchange: () => this.turn() });
-    this.words = element("p", { className: "mine", role: "status" });
-    this.place = element("div", {});
-    figure.panel.append(element("label", {}, this.box, " Ask my own functions"), this.place, this.words);
+    this.words = element("p", { role: "status" });
+    this.place = element("section", { hidden: true });
+    const label = element("label", {}, this.box, " Ask my own functions");
+    figure.panel.append(element("section", { className: "mine" }, label, this.place, this.words));
     figure.onchange = () => this.follow();
   }
 
@@ -64,8 +64,8 @@ class Mine {
   async askNow(numbers) {
     this.asked = `${numbers}`;
     const { chapter, declared, module } = this.figure;
-    const question = { topic: declared.topic, numbers };
-    const answer = await (await theJudge()).answerFigure(chapter.slice(0, 2), question, await passing());
+    const digits = chapter.slice(0, 2);
+    const answer = await (await theJudge()).answerFigure(digits, declared.topic, numbers, await passing());
     if (!this.box.checked || `${module.question()}` !== `${numbers}`) return; // the answer to an earlier question
     this.show(answer.numbers ?? []);
     this.words.textContent = await wordsFor(answer);

@@ -4,6 +4,7 @@
 
 #include "objects/objects.hpp"
 #include "project/harness/inputs.hpp"
+#include "project/harness/sanitized.hpp"
 #include "project/library/contact/contact_scenes.hpp"
 #include "tumble/mass.hpp"
 
@@ -20,7 +21,7 @@ using test::over_floor;
 TEST_CASE("lasting contact: every die comes to rest on a face, rough or smooth") {
   test::Random rng(1151);
   std::size_t impacts = 0;
-  constexpr int dice = 8;
+  constexpr int dice = test::tries(8, 4);
   for (int i = 0; i < dice; ++i) {
     CAPTURE(i);
     const double e = i % 2 ? 0.4 : 0.8, mu = i % 4 < 2 ? 0.5 : 0.1;

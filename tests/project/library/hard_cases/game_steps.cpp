@@ -1,6 +1,7 @@
 // A million steps of 1/60 s, as a game takes them: four hours and a half.
 #include <doctest/doctest.h>
 
+#include "project/harness/sanitized.hpp"
 #include "tumble/ensemble/advance.hpp"
 #include "tumble/geometric/splitting.hpp"
 #include "tumble/ode/integrate_fixed.hpp"
@@ -13,7 +14,7 @@ using test::eps;
 
 namespace {
 
-constexpr int steps = 1'000'000;
+constexpr int steps = test::tries(1'000'000);
 constexpr double h = 1.0 / 60, whole_time = steps / 60.0;
 
 /// What is left in the end.

@@ -8,7 +8,7 @@
 using namespace tumble;
 
 TEST_CASE("random scenes: nothing is silently wrong") {
-  constexpr std::uint64_t scenes = test::sanitized ? 20 : 160;
+  constexpr std::uint64_t scenes = test::tries(160, 5);
   std::vector<test::Answer> answers;
   for (std::uint64_t seed = 5000; seed < 5000 + scenes; ++seed) {
     CAPTURE(seed);
