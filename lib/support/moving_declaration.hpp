@@ -26,8 +26,8 @@ inline std::string of(const Control& control) {
 
 }  // namespace declaration_detail
 
-/// A figure: name, plays, drags, topic (what it asks a reader's functions, or ""), and the controls with name, label, unit, choices, least,
-/// most, step, start.
+/// A figure: name, plays, drags, topic (what it asks a reader's functions, or ""), and the controls
+/// with name, label, unit, choices, least, most, step, start.
 inline std::string declaration_of(const MovingFigure& figure) {
   using namespace declaration_detail;
   std::string controls;

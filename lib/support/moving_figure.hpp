@@ -33,8 +33,8 @@ struct Drag {
   double dx, dy;  ///< since it was here last; 0 when it is pressed
 };
 
-/// What a figure asks the reader's own functions, in the page, and shows. Which numbers a topic asks
-/// and answers says tests/judge/page/student/figure_TOPIC.cpp.
+/// What a figure asks the reader's own functions, in the page, and shows. Which numbers a topic
+/// asks and answers says tests/judge/page/student/figure_TOPIC.cpp.
 struct ReadersAnswer {
   std::string_view topic;
   std::vector<double> (*question)(Settings);

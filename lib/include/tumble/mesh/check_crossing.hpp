@@ -115,8 +115,7 @@ inline MeshDefect crossing_defect(const CrossingQuestion& of, const CrossingEvid
       evidence.meetings.through.empty() ? evidence.meetings.touching : evidence.meetings.through;
   MeshDefect crossing{.kind = MeshDefectKind::self_crossing,
                       .face = longest ? longest->here.face : meetings.front().faces[0]};
-  crossing.message =
-      longest ? describe_wrong_depth(*longest) : describe_meeting(meetings.front());
+  crossing.message = longest ? describe_wrong_depth(*longest) : describe_meeting(meetings.front());
   const double share = found.volume / of.volume(), uncertainty = found.uncertainty / of.volume();
   if (!std::isfinite(share) || !std::isfinite(uncertainty)) return crossing;  // of no volume
   crossing.share = share;

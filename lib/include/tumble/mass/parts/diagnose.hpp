@@ -4,8 +4,8 @@
 /// them.
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <set>
 #include <span>
