@@ -128,8 +128,7 @@ const tumbleMoving = (function () {
     }
 
     showValues() {
-      const settings = this.settings();
-      this.fields.forEach((each, k) => each.show(settings[k]));
+      this.settings().forEach((value, k) => this.fields[k].show(value));
     }
 
     // The settings stand in the address, so that a link leads to them.
@@ -242,8 +241,9 @@ const tumbleMoving = (function () {
         const observer = new IntersectionObserver((entries) => {
           if (entries.some((entry) => entry.isIntersecting)) observer.disconnect(), begin();
         }, { rootMargin: "400px" });
-        const linked = new URLSearchParams(location.hash.slice(1)).get("figure") === found[1];
-        linked ? begin() : observer.observe(place);
+        const linked = () => new URLSearchParams(location.hash.slice(1)).get("figure") === found[1];
+        addEventListener("hashchange", () => linked() && place.scrollIntoView({ block: "center" }));
+        linked() ? begin() : observer.observe(place);
       }
     },
   };

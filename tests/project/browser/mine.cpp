@@ -42,6 +42,15 @@ TEST_CASE("a figure asks the reader's functions, and shows what they answer") {
   CHECK(page.says("picture() === own") == true);
 }
 
+TEST_CASE("a link on its own page leads to a figure that was not seen yet, with its settings") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.open_at("chapters-09_rigid_body.html");
+  page.says("location.hash = '#figure=handle&t=3'");
+  REQUIRE(page.says("until(() => document.querySelector('.moving-panel output'))") == true);
+  CHECK(page.says("document.querySelector('.moving-panel output').value") == "3.00 s");
+}
+
 TEST_CASE("a figure asks again when its question changes, and not when time goes on") {
   if (!can_try()) return;
   ExercisePage page;

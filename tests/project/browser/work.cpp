@@ -41,7 +41,11 @@ TEST_CASE("exercises in the page: the front page has a mark for each, and the co
   REQUIRE(page.says("check('passed')") == true);
   REQUIRE(page.says("until(async () => (await (await import('./exercises/store.mjs'))"
                     ".workOn('04_quaternions/product')).last)") == true);
+  const std::string sidebar =
+      "document.querySelector('#sidebar a[href^=\"exercises-04\"]').textContent";
+  CHECK(page.says("until(() => " + sidebar + " === '1 of 2')") == true);
   page.open_at("index.html");
+  CHECK(page.says("until(() => " + sidebar + " === '1 of 2')") == true);
   page.says("until(() => document.querySelector('.exercise-progress .count'))");
   CHECK(page.says("document.querySelector('.exercise-progress .count').textContent") ==
         "1 of 2 exercises have passed");

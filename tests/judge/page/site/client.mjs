@@ -60,10 +60,11 @@ export class Judge {
    * @param unit       "04_quaternions/product"
    * @param seed       of the inputs
    * @param onProgress is called with {done, total} [bytes] while something is downloaded
+   * @param onHung     is called with the number of calls that have not come back in time
    * @param signal     ends it: an AbortSignal
    */
-  check(unit, source, { seed, onProgress = () => {}, signal }) {
-    return this.#inTurn(() => this.#check(unit, source, seed, { onProgress, signal }));
+  check(unit, source, { seed, onProgress = () => {}, onHung = () => {}, signal }) {
+    return this.#inTurn(() => this.#check(unit, source, seed, { onProgress, onHung, signal }));
   }
 
   #inTurn(work) {
@@ -121,6 +122,7 @@ export class Judge {
       } catch (failure) {
         if (!(failure instanceof Hung)) throw failure;
         hung.push(failure.at); // the same again, and this question has no answer
+        listeners.onHung(hung.length);
       }
     }
   }

@@ -13,6 +13,13 @@ export function json(name) {
 }
 
 export const units = () => json("units.json");
+/** chapter → its units, both in the order of the course */
+export async function unitsByChapter() {
+  const chapters = new Map();
+  for (const unit of await units()) chapters.set(unit.chapter, [...(chapters.get(unit.chapter) ?? []), unit]);
+  return chapters;
+}
+
 export const manifest = () => json("manifest.json");
 
 /** "4.1" → "chapters-04_quaternions.html" */

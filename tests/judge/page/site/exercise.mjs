@@ -5,6 +5,7 @@ import { element } from "./element.mjs";
 import { makeBox } from "./box.mjs";
 import { offerMine } from "./mine.mjs";
 import { showProgress } from "./progress.mjs";
+import { showInSidebar } from "./sidebar.mjs";
 
 /** From then on the service worker sees what the page asks for; not after a reload that goes around it. */
 function seenByWorker() {
@@ -39,4 +40,5 @@ started.then(() => {
   document.documentElement.classList.add("exercises-ready");
 }, (error) => console.error("The exercises of this page cannot be shown:", error));
 manifest().then(({ engine }) => engine && offerMine(), () => {}); // not where some chapters are left out
+showInSidebar();
 keepOffline().catch(() => {}); // a private window keeps nothing

@@ -48,9 +48,10 @@ export class Judging {
     this.say("Checking …");
     this.setRunning(new AbortController());
     try {
-      const listeners = { onProgress: (at) => bar.show(at), signal: this.running.signal };
+      const listeners = { onProgress: (at) => bar.show(at), onHung: (count) => this.sayHung(count), signal: this.running.signal };
       const verdict = await (await theJudge()).check(unit.id, text, { seed, ...listeners });
       await saveVerdict(unit.id, text, verdict); // what is shown is kept
+      document.dispatchEvent(new Event("exercise-judged"));
       this.show(verdict);
       box.judged();
     } finally {
@@ -71,6 +72,10 @@ export class Judging {
     this.busy = busy;
     this.parts.check.setAttribute("aria-disabled", busy);
     this.parts.text.classList.toggle("of-before", busy);
+  }
+
+  sayHung(count) {
+    this.say(`Checking … ${count === 1 ? "One call has" : `${count} calls have`} not come back in 2 s. Is there a loop without an end?`);
   }
 
   say(words) {

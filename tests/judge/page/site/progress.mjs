@@ -1,5 +1,5 @@
 // The picture of progress on the front page, as ./tumble list draws it; and the work as a file.
-import { addressOf, units } from "./course.mjs";
+import { addressOf, unitsByChapter } from "./course.mjs";
 import { element } from "./element.mjs";
 import { allWork, onWorkOfOthers } from "./store.mjs";
 import { takeOver, workAsZip, workIn, written } from "./work.mjs";
@@ -33,16 +33,10 @@ async function chapterLine(name, all, work) {
 
 async function draw(list, count) {
   const work = new Map((await allWork()).map((each) => [each.id, each]));
-  const all = await units(), chapters = grouped(all);
-  list.replaceChildren(...(await Promise.all([...chapters].map(([name, of]) => chapterLine(name, of, work)))));
+  const chapters = [...(await unitsByChapter())], all = chapters.flatMap(([, of]) => of);
+  list.replaceChildren(...(await Promise.all(chapters.map(([name, of]) => chapterLine(name, of, work)))));
   const done = all.filter(({ id }) => work.get(id)?.passed).length;
   count.textContent = `${done} of ${all.length} exercises have passed`;
-}
-
-function grouped(all) {
-  const chapters = new Map();
-  for (const unit of all) chapters.set(unit.chapter, [...(chapters.get(unit.chapter) ?? []), unit]);
-  return chapters;
 }
 
 // ── The work as a file ──
