@@ -32,7 +32,7 @@ export class Judge {
   /** A body that stays as it is. */
   async answerFigure(digits, topic, numbers, files) {
     globalThis.asked = { digits, topic, count: numbers.length, files };
-    if (globalThis.refuses) return { outcome: "hung", detail: "no answer in 2 s" };
+    if (globalThis.refuses) return { outcome: "hung", detail: "a call has not come back in 2 s" };
     return { numbers: Array.from({ length: 1001 }, () => numbers.slice(16, 29)).flat(), own: files.map(({ id }) => id) };
   }
 }

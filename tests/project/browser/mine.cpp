@@ -72,6 +72,7 @@ TEST_CASE("a figure says why there is no answer, and shows its own motion") {
   ExercisePage page;
   open_handle(page);
   page.says("globalThis.refuses = true, mine.click()");
-  CHECK(page.says("until(() => words() === 'Your functions: hung. no answer in 2 s')") == true);
+  CHECK(page.says("until(() => words() === 'Your functions give no answer: hung, a call has not "
+                  "come back in 2 s.')") == true);
   CHECK(page.says("picture() === own") == true);
 }

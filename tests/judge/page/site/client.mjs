@@ -92,7 +92,7 @@ export class Judge {
       return { ...JSON.parse(verdict), own: built.own };
     } catch (failure) {
       if (!(failure instanceof Hung)) throw failure;
-      return { outcome: "hung", detail: "no answer in 2 s" };
+      return { outcome: "hung", detail: "a call has not come back in 2 s" };
     }
   }
 

@@ -12,7 +12,7 @@ async function passing() {
 
 /** What a reader is told of an answer. */
 async function wordsFor({ numbers, own, outcome, detail }) {
-  if (!numbers) return `Your functions: ${outcome}. ${detail}`;
+  if (!numbers) return `Your functions give no answer: ${outcome}, ${detail}.`;
   const yours = (await units()).filter(({ id }) => own.includes(id)).map(({ number }) => number);
   if (yours.length === 0) return "None of your functions that this needs has passed yet. You see the solutions.";
   return `Yours: ${yours.join(", ")}. Where it needs others, it takes the solutions.`;
