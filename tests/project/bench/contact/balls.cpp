@@ -8,7 +8,6 @@ namespace tumble::bench {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double radius = 0.1;
 const long double g = -weight.z();
 

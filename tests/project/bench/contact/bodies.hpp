@@ -2,10 +2,13 @@
 /// @file
 /// Bodies and walls of the scenes.
 
+#include <limits>
+
 #include "project/bench/contact/contest.hpp"
 
 namespace tumble::bench {
 
+constexpr double eps = std::numeric_limits<double>::epsilon();
 inline const Vec3 weight(0, 0, -9.81);  ///< [m/s²]
 
 Body ball(double radius, double mass, const Vec3& x, const Vec3& v = Vec3::Zero());

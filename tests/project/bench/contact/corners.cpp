@@ -9,8 +9,6 @@
 namespace tumble::bench {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
 /// After the first impact, halfway to the second one.
 Motion after_first_impact(const Scene& scene) {
   ReferenceBrick twice(scene);

@@ -14,22 +14,23 @@
 namespace tumble::bench {
 namespace {
 
-constexpr double radius = 0.05, speed = 1;
-constexpr double h = 0.1 * radius / speed;  // [s], of those that take steps
+constexpr double ball_radius = 0.05, speed = 1;
+constexpr double h = 0.1 * ball_radius / speed;  // [s], of those that take steps
 
 /// On a lattice, each moved by as much as keeps them apart.
 Scene balls_in_room(int count) {
-  const double volume = 4. / 3 * std::acos(-1.) * std::pow(radius, 3);
+  const double volume = 4. / 3 * std::acos(-1.) * std::pow(ball_radius, 3);
   const double size = std::cbrt(count * volume / 0.15);
   const int side = static_cast<int>(std::ceil(std::cbrt(count) - 1e-9));
-  const double spacing = size / side, jitter = 0.45 * (spacing - 2 * radius);
+  const double spacing = size / side, jitter = 0.45 * (spacing - 2 * ball_radius);
   support::Random random(11);
   Scene scene;
   scene.walls = room(Vec3::Constant(size));
   for (int i = 0; i < count; ++i) {
     const Vec3 place(i % side, i / side % side, i / side / side);
     const Vec3 x = spacing * (place + Vec3::Constant(0.5)) - Vec3::Constant(size / 2);
-    scene.bodies.push_back(ball(radius, 1, x + random.vector(jitter), speed * random.direction()));
+    scene.bodies.push_back(
+        ball(ball_radius, 1, x + random.vector(jitter), speed * random.direction()));
   }
   return scene;
 }
@@ -57,12 +58,12 @@ double overlap(const Ours& all) {
   for (int i = 0; i < static_cast<int>(all.scene.bodies.size()); ++i) {
     places.push_back(all.run.state(all.scene, i, all.run.t).x);
     bounds.push_back(
-        {places.back() - Vec3::Constant(radius), places.back() + Vec3::Constant(radius)});
+        {places.back() - Vec3::Constant(ball_radius), places.back() + Vec3::Constant(ball_radius)});
   }
   double most = 0;
   for (const auto& [i, j] : collide::overlapping_pairs(bounds)) {
     const Vec3 apart = places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)];
-    most = std::max(most, 2 * radius - apart.norm());
+    most = std::max(most, 2 * ball_radius - apart.norm());
   }
   return most;
 }
