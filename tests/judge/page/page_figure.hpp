@@ -7,7 +7,7 @@
 namespace tumble::judge {
 
 /// @param question a list of numbers, as student/figure_*.cpp say
-/// @return {"numbers"}, or {"outcome", "detail"} if there is no answer
+/// @return {"numbers"}, or {"outcome", "detail"}: why the functions did not answer
 nlohmann::ordered_json answer_for_figure(const nlohmann::json& question);
 
 }  // namespace tumble::judge

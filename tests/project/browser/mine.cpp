@@ -62,12 +62,17 @@ TEST_CASE("a figure asks again when its question changes, and not when time goes
       "panel.querySelectorAll('input[type=range]')[k]; "
       "range.value = value; range.dispatchEvent(new Event('input')); }, asked = null, slide(0, 5)");
   CHECK(page.says("asked === null && words().startsWith('Yours')") == true);
-  page.says("slide(1, 3)");
+  page.says("slide(1, 2.5), mine.click()");  // the box is cleared before the functions are asked
+  CHECK(page.says("new Promise((done) => setTimeout(() => done(asked === null && words() === ''), "
+                  "500))") == true);
+  page.says("mine.click()");
+  REQUIRE(page.says("until(() => words().startsWith('Yours'))") == true);
+  page.says("asked = null, slide(1, 3)");
   CHECK(page.says("words()") == "Asking your functions …");
   CHECK(page.says("until(() => asked && words().startsWith('Yours'))") == true);
 }
 
-TEST_CASE("a figure says why there is no answer, and shows its own motion") {
+TEST_CASE("a figure says why the functions did not answer, and shows its own motion") {
   if (!can_try()) return;
   ExercisePage page;
   open_handle(page);

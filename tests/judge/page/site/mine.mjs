@@ -30,6 +30,7 @@ class Mine {
   }
 
   turn() {
+    clearTimeout(this.timer); // nobody wants that answer any more
     this.asked = null;
     this.words.textContent = "";
     this.show([]);

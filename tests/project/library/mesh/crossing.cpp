@@ -145,7 +145,7 @@ TEST_CASE("a crossing: a scanned body's control cage, however it lies") {
   }
 }
 
-TEST_CASE("a crossing: a share of no volume is no number, and no words") {
+TEST_CASE("a crossing: where the volume is 0 the share is NaN, and the message leaves it out") {
   // It counts positively and negatively alike.
   const PolygonMesh mesh =
       test::together(test::cube(), test::inside_out(test::moved(test::cube(), 1, {0.5, 0, 0})));
