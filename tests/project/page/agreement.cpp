@@ -14,29 +14,24 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Of a chapter, or of all: "04".
-bool is_wanted(const std::string& unit) {
-  return unit.starts_with(from_environment("TUMBLE_PAGE_CHAPTER"));
-}
-
-/// The solution and the stub of every unit.
+/// The solution and the stub of every unit in the page.
 std::vector<Written> answers_of_the_course() {
   std::vector<Written> files;
   for (const Json& unit : Json::parse(tumble::support::read_text(
            std::filesystem::path(from_environment("TUMBLE_EXERCISES")) / "units.json"))) {
     const std::string id = unit.at("id");
-    if (!is_wanted(id)) continue;
     files.push_back({id, "stub", unit.at("stub")});
     files.push_back({id, "solution", text_of(root() / "solutions" / (id + ".cpp"))});
   }
   return files;
 }
 
-/// Mistakes that students make: every so many of the corpus, as many as are asked for.
+/// Mistakes that students make: every so many of the page's chapters, as many as are asked for.
 std::vector<Written> mistakes_of_students(std::size_t most) {
+  const std::set<std::string> chapters = chapters_in_page();
   std::vector<Written> all, files;
   for (const Mistake& each : all_mistakes())
-    if (is_wanted(each.unit)) all.push_back({each.unit, each.name, each.text});
+    if (chapters.contains(each.unit.substr(0, 2))) all.push_back({each.unit, each.name, each.text});
   const std::size_t step = std::max<std::size_t>(1, all.size() / most);
   for (std::size_t i = 0; i < all.size(); i += step) files.push_back(all[i]);
   return files;

@@ -2,25 +2,10 @@
 /// The kill matrix of every chapter that is built for the page, from a browser and natively.
 #include <doctest/doctest.h>
 
-#include <set>
-
 #include "project/page/page_judge.hpp"
 
 using namespace tumble::test;
 using Json = nlohmann::ordered_json;
-
-namespace {
-
-/// "04", …
-std::set<std::string> chapters_in_page() {
-  std::set<std::string> digits;
-  const std::string units = from_environment("TUMBLE_EXERCISES") + "/units.json";
-  for (const Json& unit : Json::parse(tumble::support::read_text(units)))
-    digits.insert(unit.at("id").get<std::string>().substr(0, 2));
-  return digits;
-}
-
-}  // namespace
 
 TEST_CASE("kill matrix: a page fails and names every misconception, as the native judge does") {
   if (!can_judge_in_page()) return;

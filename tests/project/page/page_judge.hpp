@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,15 @@ struct Written {
 inline std::string from_environment(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
+}
+
+/// The chapters that the page was built with: "04", …
+inline std::set<std::string> chapters_in_page() {
+  std::set<std::string> digits;
+  const std::string units = from_environment("TUMBLE_EXERCISES") + "/units.json";
+  for (const nlohmann::json& unit : nlohmann::json::parse(support::read_text(units)))
+    digits.insert(unit.at("id").get<std::string>().substr(0, 2));
+  return digits;
 }
 
 /// Whether there is a page's judge to ask, and a browser; says what is missing.
