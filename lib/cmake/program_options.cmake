@@ -17,8 +17,11 @@ endif()
 
 # For what cannot be linked with sanitizers, or is not worth their time; empty where there are none.
 set(TUMBLE_UNSANITIZED)
+# For what computes little: with sanitizers it costs more to compile than to run.
+set(TUMBLE_COMPUTES_LITTLE)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   set(TUMBLE_UNSANITIZED -fno-sanitize=all)
+  set(TUMBLE_COMPUTES_LITTLE -O0)
 endif()
 
 # The same numbers to the last digit from every compiler: no fused multiply-add behind our back, no

@@ -27,10 +27,12 @@ struct Control {
 /// The values of a figure's controls, in their order.
 using Settings = std::span<const double>;
 
-/// A pointer that was pressed on the picture and moved [px of the picture].
+/// A pointer that was pressed on a grip (support::Sketch) and moved [px of the picture].
 struct Drag {
   double x, y;    ///< where it is
   double dx, dy;  ///< since it was here last; 0 when it is pressed
+
+  bool begins() const { return dx == 0 && dy == 0; }
 };
 
 /// What a figure asks the reader's own functions, in the page, and shows. Which numbers a topic

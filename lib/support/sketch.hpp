@@ -85,6 +85,16 @@ class Sketch {
             "\" stroke-linecap=\"round\"/>\n";
   }
 
+  /// Where a reader takes hold of a figure that moves: unseen, around one point or along a line.
+  /// @param reach [px] to each side: a finger is wide
+  void grip(const std::vector<Vec2>& line, double reach = 24) {
+    svg_ += "<path class=\"grip\" d=\"";
+    for (std::size_t i = 0; i < line.size(); ++i) svg_ += (i == 0 ? "M" : "L") + at(line[i]);
+    svg_ += std::string(line.size() == 1 ? "h0" : "") +
+            "\" fill=\"none\" stroke=\"transparent\" stroke-width=\"" + svg_number(2 * reach) +
+            "\" stroke-linecap=\"round\"/>\n";
+  }
+
   /// What has been drawn elsewhere, in pixels, such as a mesh.
   void drawing(const std::string& svg) { svg_ += svg; }
 

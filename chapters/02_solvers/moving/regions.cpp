@@ -118,6 +118,9 @@ void draw_steps(support::Sketch& sketch, Complex z, const Shown& method) {
   const Path dots = over_steps(powers(factor, steps), 1);
   sketch.curve(dots, {colour, 1.2, 0.7});
   sketch.dots(dots, colour, 3.2);
+  if (dots.size() <= steps)
+    sketch.words({steps_width, 76}, {0, 0},
+                 "step " + std::to_string(dots.size()) + " leaves the picture", colour, "end");
   const std::string exact = size_of(std::exp(z));
   sketch.words({0, 117}, {0, 0},
                "40 steps, z = " + text_of(z) + ": each multiplies y by |R| = " + size_of(factor) +
@@ -132,13 +135,13 @@ std::string draw(Settings now) {
   sketch.dot({z.real(), z.imag()}, "ink", 7);
   sketch.dot({z.real(), z.imag()}, std::string(method.colour), 4.5);
   sketch.words({z.real(), z.imag()}, {10, -8}, "z = hλ");
+  sketch.grip({{z.real(), z.imag()}});
   draw_steps(sketch, z, method);
   return sketch.svg();
 }
 
 void drag(std::span<double> settings, const Drag& pointer) {
   const support::Window window = plane.window();
-  if (pointer.y > steps_middle - 130) return;
   settings[0] = allowed(controls[0], (pointer.x - window.x) / window.scale);
   settings[1] = allowed(controls[1], (window.y - pointer.y) / window.scale);
 }

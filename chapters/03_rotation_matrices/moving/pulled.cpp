@@ -72,12 +72,12 @@ const Mat3& view() {
 // ── The mug ──
 
 constexpr double mug_scale = 1250, arrow_length = 0.11;  // [px/m], [m] of a column of length 1
+constexpr double out_of_the_picture = 5;                 // ‖M‖
 constexpr double middle_y = 190, left_x = 185, right_x = 565;
 
 support::Window window(double x) { return {x, middle_y, mug_scale * arrow_length}; }
 
 void draw_mug(Sketch& sketch, const Mat3& M, double x) {
-  constexpr double out_of_the_picture = 5;
   static const PolygonMesh mug = objects::plain_mug();
   if (M.determinant() < flat || M.norm() > out_of_the_picture) return;
   const Vec3 middle = view() * M * Vec3(0, 0, 0.0475);
@@ -123,6 +123,7 @@ void draw_repaired(Sketch& sketch, const Mat3& M, const Repair& chosen) {
     return words(429, "No repair knows which axis is to blame.", "c6");
   }
   const Mat3 R = chosen.apply(M);
+  if (R.norm() > out_of_the_picture) words(330, "The step went too far to be drawn.", "c6");
   draw_mug(sketch, R, right_x);
   draw_ghost(sketch, M);
   draw_arrows(sketch, R, right_x);
@@ -140,6 +141,7 @@ std::string draw(Settings now) {
   SpaceSketch space(sketch, view());
   for (Eigen::Index j = 0; j < 3; ++j)
     space.dot(M.col(j), column_pens[static_cast<std::size_t>(j)].colour, 6);
+  for (Eigen::Index j = 0; j < 3; ++j) sketch.grip({space.seen(M.col(j))});
   sketch.look({45, 290, 1});
   SpaceSketch(sketch, view()).world_axes(Vec3::Zero(), 36);
   draw_numbers(sketch, M, "M", left_x);
@@ -161,7 +163,7 @@ Eigen::Index nearest_tip(const Mat3& M, const Vec2& point) {
 void drag(std::span<double> settings, const Drag& pointer) {
   const support::Window left = window(left_x);
   const Vec2 at((pointer.x - left.x) / left.scale, (left.y - pointer.y) / left.scale);
-  if (pointer.dx == 0 && pointer.dy == 0)
+  if (pointer.begins())
     settings[arrow] = static_cast<double>(nearest_tip(pulled_matrix(settings), at));
   const Vec2 from =
       (view() * paper_rotation().col(static_cast<Eigen::Index>(settings[arrow]))).head<2>();

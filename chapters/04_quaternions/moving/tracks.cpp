@@ -101,11 +101,13 @@ void draw_track(support::Sketch& sketch, const Way& way, const Quat& b, double t
 }
 
 void draw_tracks(support::Sketch& sketch, const Quat& b, double t) {
-  sketch.look({220, 205, 188});
+  constexpr double globe_radius = 188;  // [px]
+  sketch.look({220, 205, globe_radius});
   draw_globe(sketch);
   for (const Way& way : ways) draw_track(sketch, way, b, t);
   for (const auto& [q, name] : {std::pair{a, "start"}, {b, "end"}})
     sketch.words((globe() * to_matrix(q).col(0)).head<2>(), {10, -8}, name);
+  sketch.grip({{0, 0}}, globe_radius);
   sketch.look({38, 385, 1});
   support::SpaceSketch(sketch, globe()).world_axes(Vec3::Zero(), 30);
 }

@@ -98,6 +98,7 @@ void draw_in_space(support::Sketch& sketch, const Motion& motion, std::size_t no
   space.words(tip, {12, 6}, "L", "c0", "start");
   space.arrow(Vec3::Zero(), path.back(), {"c1", 2.6});
   space.words(path.back(), {10, -6}, "ω", "c1", "start");
+  sketch.grip({{0, 0}, space.seen(path.back())}, 40);
   sketch.look({50, 520, 1});
   support::SpaceSketch(sketch, view).world_axes(Vec3::Zero(), 40);
 }

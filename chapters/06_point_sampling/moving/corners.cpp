@@ -152,6 +152,7 @@ std::string draw(Settings now) {
   draw_section(sketch);
   draw_grid(sketch, by);
   draw_ray(sketch, p, met);
+  sketch.grip({p});
   if (by != EdgeRule::one) draw_rings(sketch, p);
   draw_count(sketch, p, by, met);
   return sketch.svg();

@@ -93,6 +93,7 @@ void draw_box(Sketch& sketch, const Mat3& R, const boxes::OrientedBox& box, doub
   const Mat3 edges = box.size.asDiagonal();
   draw_racket(sketch, R, "c0");
   sketch.curves(support::box_edges(R * box.centre, edges, view()), {"c6", 1.8});
+  sketch.grip({{0, 0}}, 120);
   sketch.look({36, 345, 1});
   support::SpaceSketch(sketch, view()).world_axes(Vec3::Zero(), 30);
   const double volume = racket_itself().truth.mass / objects::ash_wood;
@@ -109,10 +110,14 @@ void draw_box(Sketch& sketch, const Mat3& R, const boxes::OrientedBox& box, doub
   line(434, "the tensors differ by δ = " + svg_number(difference, 3), "c6");
 }
 
-void draw_throw(Sketch& sketch, const FreeTrajectory& motion, double t, double x,
-                const std::string& colour, const std::string& name) {
+/// The racket in flight, and the axis that it was spun about.
+void draw_throw(Sketch& sketch, const Mat3& R, int chosen, double x, const std::string& colour,
+                const std::string& name) {
+  constexpr double reach = 0.33;  // [m]
   sketch.look({x, 200, 315});
-  draw_racket(sketch, to_matrix(motion.at(t).q), colour);
+  draw_racket(sketch, R, colour);
+  support::SpaceSketch(sketch, view())
+      .arrow(Vec3::Zero(), reach * (R * racket_itself().axes.R.col(chosen)), {"ink", 1.8});
   sketch.look({0, 0, 1});
   sketch.words({x, -24}, {0, 0}, name, colour, "middle");
 }
@@ -158,8 +163,9 @@ std::string draw(Settings now) {
   const Throws both{thrown(racket.truth.inertia, chosen), thrown(wrong, chosen)};
   Sketch sketch(760, 640, "A racket in the box along the axes, and two throws", 17);
   draw_box(sketch, R, box, difference);
-  draw_throw(sketch, both.own, now[time], 440, "c0", "its own inertia");
-  draw_throw(sketch, both.with_box, now[time], 645, "c6", "that of the box");
+  const auto lies = [&](const FreeTrajectory& motion) { return to_matrix(motion.at(now[time]).q); };
+  draw_throw(sketch, lies(both.own), chosen, 440, "c0", "its own inertia");
+  draw_throw(sketch, lies(both.with_box), chosen, 645, "c6", "that of the box");
   draw_apart(sketch, both, now[time], difference);
   return sketch.svg();
 }

@@ -148,6 +148,7 @@ std::string draw(Settings now) {
   for (const Edge& edge : done) draw_triangle(sketch, edge, apex);
   draw_outline(sketch, edges);
   sketch.dot({now[corner_x], now[corner_y]}, "c3", 7);
+  sketch.grip({{now[corner_x], now[corner_y]}});
   if (!done.empty()) sketch.dot(done.back().to, "ink", 5);
   sketch.dot(apex, "ink", 5);
   sketch.words({0, 0}, {405, 35}, "plus: seen from behind", "c0");

@@ -61,6 +61,7 @@ void draw_in_the_world(support::Sketch& sketch, const Sample& now, const Mat3& v
   const Vec3 L = now.L.normalized();
   space.arrow(Vec3::Zero(), L, {"ink", 2});
   space.words(L, {0, -8}, "L");
+  sketch.grip({{0, 0}}, 130);
 }
 
 /// The tip of L in the body, as a part of its length at the start.

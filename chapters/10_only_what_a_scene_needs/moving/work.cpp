@@ -173,6 +173,7 @@ std::string draw(Settings now) {
   sketch.words({left, y}, {per_tenfold + 8, -8}, "asked", "c6");
   draw_curves(sketch, shown, error, closed);
   draw_closed_form(sketch, shown, closed);
+  sketch.grip({{left, y}, {left + per_tenfold * tenfolds, y}}, 18);
   sketch.words({555, -60}, {0, 0}, "evaluations needed");
   sketch.words({555, -420}, {0, 0}, std::string("model: ") + name_of(shown.model));
   sketch.words({555, -444}, {0, 0}, "← the library takes this");

@@ -58,6 +58,8 @@ void draw_world(Sketch& sketch, const PlanarImpact& impact, const Answers& answe
   const bool alike = (usual - ours).norm() < 0.01, left = usual.x() < ours.x() - 1e-9;
   draw_velocity(sketch, usual, answers.usual_colour(), alike ? "" : "tutorials", left);
   draw_velocity(sketch, ours, "c2", alike ? "both" : "slip followed", !left);
+  sketch.grip({{0, 0}, 2 * Vec2(std::cos(tilt), std::sin(tilt))}, 20);
+  sketch.grip({{0, 0}, impact.u}, 20);
 }
 
 // ── Energy ──
@@ -123,14 +125,15 @@ std::string draw(Settings now) {
   return sketch.svg();
 }
 
-/// Above the floor the rod follows the pointer, below it the arrow with which its tip comes.
+/// Above the floor the reader has hold of the rod, below it of the arrow with which its tip comes.
 void drag(std::span<double> settings, const Drag& pointer) {
-  if (pointer.x > plane_left) return;
+  static bool of_arrow;
   const double up = world.y - pointer.y, right = pointer.x - world.x;
-  if (up < 0)
+  if (pointer.begins()) of_arrow = up < 0;
+  if (of_arrow)
     settings[slip] = allowed(controls[slip], right / world.scale);
   else
-    settings[angle] = allowed(controls[angle], std::atan2(up, right) / degree);
+    settings[angle] = allowed(controls[angle], std::atan2(std::max(up, 0.), right) / degree);
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "11_when_bodies_meet/die_sketch.hpp"
 #include "11_when_bodies_meet/moving_figures.hpp"
 #include "11_when_bodies_meet/planar_impact.hpp"
 #include "11_when_bodies_meet/thrown_die.hpp"
-#include "support/facets.hpp"
 #include "support/space_sketch.hpp"
 
 namespace contact_chapter::strip_figure {
@@ -64,37 +64,11 @@ const Throw& throw_of(Settings now) {
   return thrown;
 }
 
-// ── The die ──
+// ── Where it is drawn ──
 
 /// Where the origin is drawn, and how large the world [px], [px/m].
 const support::Window sheet{150, 315, 1900};
 Mat3 view() { return support::view_from(-76 * degree, 14 * degree); }
-
-/// One face of the die, if the viewer sees it. A die is convex: no face covers another one.
-void draw_face(Sketch& sketch, const Mat3& R, const Vec2& centre, int axis, double side) {
-  const Vec3 normal = side * R.col(axis);
-  if (normal.z() <= 0) return;
-  const Vec3 right = R.col((axis + 1) % 3), up = R.col((axis + 2) % 3);
-  const auto at = [&](double x, double y) -> Vec2 {
-    return centre + edge / 2 * (normal + x * right + y * up).head<2>();
-  };
-  std::string path;
-  for (const Vec2& corner : {at(1, 1), at(-1, 1), at(-1, -1), at(1, -1)})
-    path += (path.empty() ? "M" : "L") + svg_number(sheet.x + sheet.scale * corner.x()) + " " +
-            svg_number(sheet.y - sheet.scale * corner.y());
-  sketch.drawing(support::draw_facet(path + "Z", support::shade_of(normal), 6));
-  std::vector<Vec2> places;
-  for (const Vec2& pip : pips(number_on(axis, side)))
-    places.push_back(at(pip.x() / 2, pip.y() / 2));
-  sketch.dots(places, "ink", 0.7 + 1.2 * normal.z());
-}
-
-void draw_die(Sketch& sketch, const RigidBodyState<>& state) {
-  const Mat3 R = view() * to_matrix(state.q);
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double side : {-1., 1.})
-      draw_face(sketch, R, (view() * state.x).head<2>(), axis, side);
-}
 
 // ── The throw, drawn ──
 
@@ -111,11 +85,13 @@ void draw_throw(Sketch& sketch, const Throw& thrown, Settings now, double t) {
   for (int i = 0; i * fine < end; ++i) path.push_back(thrown.at(i * fine).x);
   path.push_back(thrown.at(end).x);
   sketch.drawing("<g opacity=\"0.5\">\n");
-  for (int i = 0; i * between < end - between / 2; ++i) draw_die(sketch, thrown.at(i * between));
+  for (int i = 0; i * between < end - between / 2; ++i)
+    draw_die(sketch, sheet, view(), thrown.at(i * between));
   sketch.drawing("</g>\n");
   space.curve(path, {"c1", 1.6});
-  draw_die(sketch, thrown.at(t));
+  draw_die(sketch, sheet, view(), thrown.at(t));
   const Vec3 hand = path.front(), aim = hand + drawn_second * Vec3(now[along], 0, now[up]);
+  sketch.grip({space.seen(aim)});
   if ((aim - hand).norm() < 1e-6) return;
   space.arrow(hand, aim, {"c6", 2.4});
   space.words(aim, {12, 6}, "v", "c6");
@@ -205,7 +181,6 @@ std::string draw(Settings now) {
 }
 
 void drag(std::span<double> settings, const Drag& pointer) {
-  if (pointer.y > sheet.y) return;
   const Mat3 seen = view();
   const Vec2 hand = (seen * Vec3(0, 0, 0.09)).head<2>();
   const Vec2 tip((pointer.x - sheet.x) / sheet.scale, (sheet.y - pointer.y) / sheet.scale);

@@ -175,24 +175,24 @@ const tumbleMoving = (function () {
 
     // A pointer's place in the picture's own pixels.
     at(event) {
-      const svg = this.place.querySelector("svg"), box = svg.getBoundingClientRect();
-      const scale = svg.viewBox.baseVal.width / box.width;
+      const svg = this.place.querySelector("svg"), box = svg.getBoundingClientRect(), scale = svg.viewBox.baseVal.width / box.width;
       return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
     }
 
     listen() {
-      (this.place.closest(".scroll") ?? this.place).classList.add("moving-drags");
-      let last = null;
+      let last = null, off;
       const drag = (event) => {
-        const [x, y] = this.at(event);
+        const [x, y] = this.at(event).map((it, k) => it + off[k]);
         this.module.drag(x, y, last ? x - last[0] : 0, last ? y - last[1] : 0);
         last = [x, y];
         this.changed();
       };
       this.place.addEventListener("pointerdown", (event) => {
-        if (event.button !== 0) return;
-        this.place.setPointerCapture(event.pointerId);
+        const box = event.target.closest(".grip")?.getBBox(), [x, y] = this.at(event);
+        if (event.button !== 0 || !box) return;
+        off = box.width + box.height > 0 ? [0, 0] : [box.x - x, box.y - y]; // a point does not jump to the pointer
         last = null;
+        this.place.setPointerCapture(event.pointerId);
         drag(event);
       });
       this.place.addEventListener("pointermove", (event) => {

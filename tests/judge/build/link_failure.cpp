@@ -21,8 +21,11 @@ std::string text_about(const std::vector<std::string>& undefined) {
   std::string text = "Your code calls these functions, but nothing defines them:\n";
   for (const std::string& name : undefined) text += "  " + name + "\n";
   const bool of_eigen = undefined.front().find("Eigen::") != std::string::npos;
-  return text + (of_eigen ? "(Eigen/Core is all of Eigen that an exercise has.)\n"
-                          : "(A later exercise? A helper that is declared, but not defined?)\n");
+  return text +
+         (of_eigen
+              ? "(An exercise has Eigen/Core alone. cross(), inverse() and determinant() are in\n"
+                "other headers of Eigen: write out what you need of them.)\n"
+              : "(A later exercise? A helper that is declared, but not defined?)\n");
 }
 
 }  // namespace

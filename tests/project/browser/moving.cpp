@@ -59,6 +59,20 @@ Json set_all(Chromium& browser, double part) {
       "}); return said; })()");
 }
 
+/// A place of the picture [px of the window] that is the middle of its first grip, or on none.
+std::string place_of(bool grip) {
+  return std::string(
+             "(() => { const svg = figure.place.querySelector('svg');"
+             "const box = svg.getBoundingClientRect(), tries = [];"
+             "const first = svg.querySelector('.grip').getBoundingClientRect();"
+             "tries.push([first.x + first.width / 2, first.y + first.height / 2]);"
+             "for (let i = 1; i < 20; ++i) for (let k = 1; k < 20; ++k)"
+             "  tries.push([box.x + box.width * i / 20, box.y + box.height * k / 20]);"
+             "return tries.find(([x, y]) => { const at = document.elementFromPoint(x, y);"
+             "  return at && svg.contains(at) && !!at.closest('.grip') === ") +
+         (grip ? "true" : "false") + "; }); })()";
+}
+
 /// Empty if two pictures are the same; else what each has at the first place where they differ.
 std::string difference(const std::string& page, const std::string& program) {
   if (page == program) return "";
@@ -126,11 +140,14 @@ TEST_CASE("moving figures: controls, keys and the pointer change them, and a lin
       CHECK(picture() == still);
     }
     if (browser.evaluate("figure.declared.drags") == true) {
-      const Json box = browser.evaluate(
-          "(() => { const b = figure.place.querySelector('svg').getBoundingClientRect(); return "
-          "[b.left, b.top, b.width, b.height]; })()");
-      const double x = box[0], y = box[1], width = box[2];
-      browser.drag(x + 0.4 * width, y + 0.3 * width, x + 0.35 * width, y + 0.26 * width);
+      const Json free = browser.evaluate(place_of(false)), grip = browser.evaluate(place_of(true));
+      const auto drag_from = [&](const Json& at) {
+        const double x = at[0], y = at[1];
+        browser.drag(x, y, x - 45, y - 35);
+      };
+      drag_from(free);  // as one does who scrolls
+      CHECK(picture() == still);
+      drag_from(grip);
       CHECK(picture() != still);
       const Json settings = browser.evaluate("[...figure.settings()]");
       const std::string link = browser.evaluate("(figure.writeLink(), location.href)");
