@@ -35,11 +35,13 @@ TEST_CASE("exercises in the page: Tab indents, and after Escape it leaves") {
 TEST_CASE("exercises in the page: the first check says what is downloaded, and asks once") {
   if (!can_try()) return;
   ExercisePage page;
-  page.says("write('wrong'), button('Check').click()");
+  page.says("write('wrong'), button('Check').focus(), button('Check').click()");
   REQUIRE(page.says("until(() => button('Download and check'))") == true);
+  CHECK(page.says("document.activeElement === button('Download and check')") == true);
   CHECK(page.says("box.querySelector('.download').textContent.includes('33.1 MB, once')") == true);
   page.says("button('Not now').click()");
   CHECK(page.says("until(() => !button('Not now'))") == true);
+  CHECK(page.says("document.activeElement === button('Check')") == true);
   CHECK(page.says("line()") == "");
   REQUIRE(page.says("check('wrong')") == true);
   page.open();

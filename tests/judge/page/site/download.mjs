@@ -18,6 +18,7 @@ async function question() {
 /** Asks in `place`; the promise is of the answer. */
 export async function askToDownload(place) {
   const text = await question();
+  const before = document.activeElement;
   const answer = await new Promise((resolve) => {
     const yes = element("button", { type: "button", className: "main", onclick: () => resolve(true) }, "Download and check");
     const no = element("button", { type: "button", onclick: () => resolve(false) }, "Not now");
@@ -27,6 +28,7 @@ export async function askToDownload(place) {
   });
   place.replaceChildren();
   place.hidden = true;
+  before.focus({ preventScroll: true }); // who uses the keyboard goes on where they were
   if (answer) await saveSetting("agreed", (await manifest()).version);
   return answer;
 }
