@@ -11,7 +11,7 @@ namespace tumble::judge {
 using nlohmann::json;
 
 std::uint64_t fingerprint(const fs::path& file) {
-  constexpr std::uintmax_t most = 1 << 20;  // no source file: whoever handed it in means harm
+  constexpr std::uintmax_t most = 1 << 20;  // no source file is so long
   std::error_code unreadable;
   const bool is_file = fs::is_regular_file(fs::symlink_status(file, unreadable));
   if (!is_file || fs::file_size(file, unreadable) > most) return 0;

@@ -174,7 +174,7 @@ bool OwnCurve::right() const {
 Measurement measure(const OwnEngine& engine,
                     const std::function<void(const std::string&)>& progress) {
   Measurement all;
-  std::set<Method> gave_up;  // whoever hangs once, costs seconds each time
+  std::set<Method> gave_up;  // each try of one that hung would cost seconds
   for (Problem& problem : problems()) {
     progress(problem.sentence);
     ProblemResult result{std::move(problem), {}, {}, {}, {}, {}, {}, {}, {}};

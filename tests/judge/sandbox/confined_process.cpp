@@ -150,7 +150,7 @@ ConfinedProcess::ConfinedProcess(const std::vector<std::string>& command,
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
   if (pid_ == 0) become_program(plan);
-  setpgid(pid_, pid_);  // here as well: whoever comes first
+  setpgid(pid_, pid_);  // here as well: parent or child may come first
   report.write.reset();
   try {
     throw_on_failure(report.read.number(), command.at(0));

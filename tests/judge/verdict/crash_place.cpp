@@ -11,8 +11,8 @@ namespace tumble::judge {
 
 namespace {
 
-// Whoever crashed may have printed anything: the report is searched by hand, because a regular
-// expression of the standard library recurses for every character.
+// A program that crashed may have printed anything: the report is searched by hand, because a
+// regular expression of the standard library recurses for every character.
 
 /// The characters from `start` on that `belongs` takes, at most `most`.
 template <class Predicate>

@@ -86,7 +86,7 @@ namespace tumble::contact {
 /// around the centres of mass which hold the bodies meet on their flights. It takes some products
 /// per body, and a sort.
 /// @param until [s], finite and ≥ 0
-/// @return false only if nothing touches, to rounding. True is no promise that something does.
+/// @return false only if nothing touches, to rounding. True does not promise that something does.
 /// @throws std::invalid_argument if `until` is none
 inline bool can_touch(const ContactScene& scene, double until) {
   require(until >= 0 && std::isfinite(until), "contacts: until = ", until,

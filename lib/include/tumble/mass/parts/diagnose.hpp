@@ -36,7 +36,8 @@ inline MeshDefect in_the_whole(MeshDefect finding, const parts::Part& part) {
   return finding;
 }
 
-/// The parts side by side, as if they shared no vertices: what touches is no edge of four faces.
+/// The parts side by side, as if they shared no vertices: where they touch there is no edge of four
+/// faces.
 class SideBySide {
  public:
   explicit SideBySide(std::span<const parts::Part> parts) : parts_(parts) {
