@@ -141,7 +141,7 @@ function(tumble_add_spec target judge unit spec)
 endfunction()
 
 # Writes ${target}.json, which tells the judge what there is.
-function(tumble_write_course target root engine json)
+function(tumble_write_course target root engine die json)
   tumble_json_list(flags ${TUMBLE_STUDENT_FLAGS})
   tumble_json_list(link ${TUMBLE_LINK_FLAGS})
   tumble_json_list(link_confined ${TUMBLE_LINK_CONFINED})
@@ -155,7 +155,7 @@ function(tumble_write_course target root engine json)
   \"precompiled\": \"${TUMBLE_STUDENT_PCH}\",
   \"linker\": \"${TUMBLE_STUDENT_LINKER}\",
   \"link\": [${link}], \"link_confined\": [${link_confined}], \"link_first_counts\": [${link_first_counts}],
-  \"engine\": \"${engine}\",
+  \"engine\": \"${engine}\", \"die\": \"${die}\",
   \"mine\": \"$<TARGET_FILE:tumble_judge_mine>\",
   \"runtime\": \"$<TARGET_FILE:tumble_worker>\",
   \"units\": [${json}
@@ -248,14 +248,16 @@ const char* const tumble::judge::course_file = "@course_json@";
     endforeach()
   endforeach()
 
-  # What makes one engine of all of a student's functions: ./tumble mine.
-  set(engine)
-  if(EXISTS ${root}/tests/judge/mine/engine.cpp AND whole)
-    tumble_student_object(${target}_engine ${root}/tests/judge/mine/engine.cpp
-      ${PROJECT_SOURCE_DIR}/tests ${root}/exercises)
-    add_dependencies(${prefix}all_specs ${target}_engine tumble_judge_mine)
-    set(engine "$<FILTER:$<TARGET_OBJECTS:${target}_engine>,INCLUDE,/engine.cpp>")
-  endif()
+  # What makes engines of a student's functions: ./tumble mine.
+  foreach(name IN ITEMS engine die)
+    set(${name})
+    set(source ${root}/tests/judge/mine/student/${name}.cpp)
+    if(EXISTS ${source} AND whole)
+      tumble_student_object(${target}_${name} ${source} ${PROJECT_SOURCE_DIR}/tests ${root}/exercises)
+      add_dependencies(${prefix}all_specs ${target}_${name} tumble_judge_mine)
+      set(${name} "$<FILTER:$<TARGET_OBJECTS:${target}_${name}>,INCLUDE,/${name}.cpp>")
+    endif()
+  endforeach()
 
-  tumble_write_course(${target} ${root} "${engine}" "${json}")
+  tumble_write_course(${target} ${root} "${engine}" "${die}" "${json}")
 endfunction()

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "11_when_bodies_meet/die_energy.hpp"
 #include "11_when_bodies_meet/die_sketch.hpp"
 #include "11_when_bodies_meet/moving_figures.hpp"
 #include "11_when_bodies_meet/planar_impact.hpp"
-#include "11_when_bodies_meet/thrown_die.hpp"
+#include "11_when_bodies_meet/readers_die.hpp"
 #include "support/space_sketch.hpp"
 
 namespace contact_chapter::strip_figure {
@@ -52,7 +54,7 @@ contact::ContactScene scene_of(Settings now) {
 }
 
 /// The throw by the settings; it is computed again when they change.
-const Throw& throw_of(Settings now) {
+const Throw& throw_with_friction(Settings now) {
   static Throw thrown;
   static std::array<double, 4> last{-1};
   if (std::equal(last.begin(), last.end(), now.begin())) return thrown;
@@ -64,6 +66,22 @@ const Throw& throw_of(Settings now) {
   return thrown;
 }
 
+// ── By the reader's functions ──
+
+std::optional<Throw>& readers_throw() {
+  static std::optional<Throw> thrown;
+  return thrown;
+}
+
+std::vector<double> question(Settings now) { return question_of_die(scene_of(now), longest); }
+
+void take(Settings now, std::span<const double> answer) {
+  readers_throw().reset();
+  if (!answer.empty()) readers_throw() = readers_die(scene_of(now), longest, answer);
+}
+
+constexpr support::ReadersAnswer by_reader{"die", question, take};
+
 // ── Where it is drawn ──
 
 /// Where the origin is drawn, and how large the world [px], [px/m].
@@ -74,109 +92,77 @@ Mat3 view() { return support::view_from(-76 * degree, 14 * degree); }
 
 constexpr double drawn_second = 0.08;  // [m] of an arrow for 1 m/s
 
-void draw_throw(Sketch& sketch, const Throw& thrown, Settings now, double t) {
-  sketch.look(sheet);
-  support::SpaceSketch space(sketch, view());
-  for (const double y : {-0.025, -0.01, 0.005, 0.02})
-    space.curve({{-0.07, y, 0}, {0.31, y, 0}}, {"faint", 1});
-  constexpr double between = 0.04, fine = 0.002;  // [s]
-  const double end = std::min(t, thrown.end());
+/// The path of its centre until a time.
+void draw_path(support::SpaceSketch& space, const Throw& thrown, double end,
+               const std::string& colour) {
+  constexpr double fine = 0.002;  // [s]
   std::vector<Vec3> path;
   for (int i = 0; i * fine < end; ++i) path.push_back(thrown.at(i * fine).x);
   path.push_back(thrown.at(end).x);
+  space.curve(path, {colour, 1.6});
+}
+
+void draw_throw(Sketch& sketch, const Throw& thrown, const std::string& colour, double t) {
+  constexpr double between = 0.04;  // [s]
+  const double end = std::min(t, thrown.end());
   sketch.drawing("<g opacity=\"0.5\">\n");
   for (int i = 0; i * between < end - between / 2; ++i)
     draw_die(sketch, sheet, view(), thrown.at(i * between));
   sketch.drawing("</g>\n");
-  space.curve(path, {"c1", 1.6});
+  support::SpaceSketch space(sketch, view());
+  draw_path(space, thrown, end, colour);
   draw_die(sketch, sheet, view(), thrown.at(t));
-  const Vec3 hand = path.front(), aim = hand + drawn_second * Vec3(now[along], 0, now[up]);
+}
+
+void draw_hand(Sketch& sketch, Settings now) {
+  support::SpaceSketch space(sketch, view());
+  const Vec3 hand = scene_of(now).body(0).start.x,
+             aim = hand + drawn_second * Vec3(now[along], 0, now[up]);
   sketch.grip({space.seen(aim)});
   if ((aim - hand).norm() < 1e-6) return;
   space.arrow(hand, aim, {"c6", 2.4});
   space.words(aim, {12, 6}, "v", "c6");
 }
 
-// ── Its energy ──
-
-/// What the die has at a time, each above the one before [mJ].
-struct Energies {
-  double t, turning, moving, all;
-};
-
-Energies energies_at(const Throw& thrown, const SteadyFlight& flight, double t) {
-  constexpr double milli = 1e3;
-  const RigidBodyState<> state = flight.state(t);
-  const double mass = thrown.body.mass(),
-               turning = state.L.squaredNorm() / thrown.body.I_body()(0, 0) / 2,
-               moving = state.P.squaredNorm() / mass / 2,
-               height = mass * die_gravity * (state.x.z() - edge / 2);
-  return {t, milli * turning, milli * (turning + moving), milli * (turning + moving + height)};
-}
-
-std::vector<Energies> energies_of(const Throw& thrown) {
-  constexpr double fine = 0.008;  // [s]
-  std::vector<Energies> all;
-  const auto& legs = thrown.legs();
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const double begin = legs[i].t, end = i + 1 < legs.size() ? legs[i + 1].t : thrown.run.t;
-    const int parts = 1 + static_cast<int>((end - begin) / fine);
-    for (int k = 0; k <= parts && legs[i].on_wall < 0; ++k)
-      all.push_back(energies_at(thrown, thrown.flight(legs[i]), begin + k * (end - begin) / parts));
+void draw_all(Sketch& sketch, const Throw& thrown, Settings now, double t) {
+  sketch.look(sheet);
+  support::SpaceSketch space(sketch, view());
+  for (const double y : {-0.025, -0.01, 0.005, 0.02})
+    space.curve({{-0.07, y, 0}, {0.31, y, 0}}, {"faint", 1});
+  if (readers_throw()) {
+    const Throw& other = throw_with_friction(now);
+    draw_path(space, other, std::min(t, other.end()), "c1");
   }
-  return all;
-}
-
-constexpr double strip_left = 60, strip_bottom = 575, per_second = 640, per_millijoule = 21;
-
-/// What lies between two of the curves.
-void draw_band(Sketch& sketch, const std::vector<Energies>& all, double Energies::*low,
-               double Energies::*high, const std::string& colour) {
-  std::vector<Vec2> band;
-  for (const Energies& each : all)
-    band.emplace_back(per_second * each.t, per_millijoule * each.*high);
-  for (auto each = all.rbegin(); each != all.rend(); ++each)
-    band.emplace_back(per_second * each->t, low ? per_millijoule * (*each).*low : 0);
-  sketch.curve(band, {colour, 0.6, 1, 0.45});
-}
-
-void draw_energy(Sketch& sketch, const Throw& thrown, double t) {
-  const std::vector<Energies> all = energies_of(thrown);
-  sketch.look({strip_left, strip_bottom, 1});
-  draw_band(sketch, all, &Energies::moving, &Energies::all, "c2");
-  draw_band(sketch, all, &Energies::turning, &Energies::moving, "c0");
-  draw_band(sketch, all, nullptr, &Energies::turning, "c1");
-  sketch.curve({{0, 0}, {per_second * longest, 0}}, {"faint", 1});
-  std::vector<std::vector<Vec2>> marks;
-  for (const contact::ImpactEvent& impact : thrown.run.impacts)
-    marks.push_back({{per_second * impact.t, -9}, {per_second * impact.t, 0}});
-  sketch.curves(marks, {"c6", 1.2});
-  sketch.curve({{per_second * t, -12}, {per_second * t, 150}}, {"ink", 1.2});
-  sketch.words({0, per_millijoule * all[0].all}, {-6, 6}, svg_number(all[0].all, 1) + " mJ", "ink",
-               "end");
-  const double right = per_second * longest;
-  sketch.words({right, 140}, {0, 0}, "energy: height", "c2", "end");
-  sketch.words({right, 117}, {0, 0}, "moving", "c0", "end");
-  sketch.words({right, 94}, {0, 0}, "turning", "c1", "end");
-  sketch.words({right, 60}, {0, 0}, "impacts", "c6", "end");
+  draw_throw(sketch, thrown, readers_throw() ? "c5" : "c1", t);
+  draw_hand(sketch, now);
 }
 
 std::string caption_of(const Throw& thrown, double t) {
   if (t < thrown.end() || thrown.run.ending == contact::Ending::time)
     return "after " + svg_number(t, 3) + " s";
   const std::string since = " since " + svg_number(thrown.end(), 2) + " s";
-  if (thrown.run.ending == contact::Ending::lasting_contact) return "on an edge" + since;
-  return "at rest" + since + ": on top is " + svg_number(number_shown(thrown.at(t)), 0);
+  switch (thrown.run.ending) {
+    case contact::Ending::too_many_events:
+      return "after " + svg_number(double(thrown.run.impacts.size()), 0) + " impacts, at " +
+             svg_number(thrown.end(), 2) + " s";
+    case contact::Ending::lasting_contact:
+      return "on an edge" + since;
+    default:
+      return "at rest" + since + ": on top is " + svg_number(number_shown(thrown.at(t)), 0);
+  }
 }
 
 std::string draw(Settings now) {
-  const Throw& thrown = throw_of(now);
+  const Throw& thrown = readers_throw() ? *readers_throw() : throw_with_friction(now);
   const double t = now[time] / slower;
   Sketch sketch(760, 600, "A thrown die at equal times, and where its energy goes");
-  draw_throw(sketch, thrown, now, t);
-  draw_energy(sketch, thrown, t);
+  draw_all(sketch, thrown, now, t);
+  draw_energy(sketch, thrown, longest, t);
   sketch.look({0, 0, 1});
   sketch.words({740, -30}, {0, 0}, caption_of(thrown, t), "ink", "end");
+  if (!readers_throw()) return sketch.svg();
+  sketch.words({740, -52}, {0, 0}, "yours, without friction", "c5", "end");
+  sketch.words({740, -74}, {0, 0}, "the library, with friction", "c1", "end");
   return sketch.svg();
 }
 
@@ -195,5 +181,9 @@ void drag(std::span<double> settings, const Drag& pointer) {
 }  // namespace contact_chapter::strip_figure
 
 const tumble::support::MovingFigure tumble::figures::strip{
-    "strip", contact_chapter::strip_figure::controls, contact_chapter::strip_figure::draw,
-    contact_chapter::strip_figure::drag, contact_chapter::strip_figure::time};
+    "strip",
+    contact_chapter::strip_figure::controls,
+    contact_chapter::strip_figure::draw,
+    contact_chapter::strip_figure::drag,
+    contact_chapter::strip_figure::time,
+    &contact_chapter::strip_figure::by_reader};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include "judge/build/work_folder.hpp"
@@ -73,15 +74,39 @@ fs::path figure_file(const Course& course, const MineOptions& options) {
   return builds / "mine.svg";
 }
 
-int measured(const Course& course, const MineOptions& options, const mine::EngineBuild& build) {
+/// What runs: an engine, and a die where what it takes is there.
+struct Engines {
+  mine::EngineBuild build;  ///< with the parts of both
+  std::optional<WorkerProgram> die = {};
+  std::vector<mine::Part> waiting = {};  ///< what the die lacks
+};
+
+void add_die(Engines& engines, const mine::EngineBuild& die, bool fill) {
+  engines.waiting = fill ? std::vector<mine::Part>{} : die.missing();
+  if (!engines.waiting.empty()) return;
+  engines.build.add(die);
+  if (die.does_not_link.empty()) engines.die = die.worker;
+}
+
+mine::Measurement measurement_of(const Engines& engines) {
+  mine::Measurement measurement = mine::measure(mine::OwnEngine(engines.build.worker), progress);
+  if (!engines.die) return measurement;
+  progress("a die that falls onto a table");
+  measurement.die = mine::die_of(*engines.die);
+  return measurement;
+}
+
+int measured(const Course& course, const MineOptions& options, const Engines& engines) {
+  const mine::EngineBuild& build = engines.build;
   mine::print_parts(std::cout, build);
-  const mine::Measurement measurement = mine::measure(mine::OwnEngine(build.worker), progress);
+  const mine::Measurement measurement = measurement_of(engines);
   const std::vector<std::string> findings = mine::diagnose(measurement);
   const fs::path svg = figure_file(course, options);
   support::write_text(svg, mine::figure_of(build, measurement));
   if (options.json)
     support::write_text(*options.json, mine::json_of(build, &measurement, findings));
   mine::print_measurement(std::cout, build, measurement);
+  if (!engines.waiting.empty()) mine::print_waiting(std::cout, course, engines.waiting);
   if (!findings.empty()) explain(course, build, findings);
   std::cout << "\n"
             << (findings.empty() ? "Every curve falls as its method promises. " : "")
@@ -105,13 +130,16 @@ int run_mine(const Course& course, const MineOptions& options) {
   if (options.from) given.emplace(course, *options.from);
   const WorkFolder work;
   progress("compiling the functions that an engine needs");
-  const mine::EngineBuild build = mine::build_engine(
+  mine::EngineBuilder builder(
       course, [&](const Unit& unit) { return given ? given->of(unit) : course.exercise(unit); },
       work.path());
+  Engines engines{builder.build(course.engine)};
+  const mine::EngineBuild& build = engines.build;
   if (const std::vector<mine::Part> missing = build.missing(); !missing.empty() && !options.fill) {
     mine::print_missing(std::cout, course, build);
     return not_built(options, build, "missing: " + mine::names_of(missing));
   }
+  add_die(engines, builder.build(course.die), options.fill);
   if (!build.does_not_link.empty()) {
     std::cout
         << "These are used by your functions, and are not there:\n\n"
@@ -120,7 +148,7 @@ int run_mine(const Course& course, const MineOptions& options) {
            "all\n";
     return not_built(options, build, "does not link: " + build.does_not_link);
   }
-  return measured(course, options, build);
+  return measured(course, options, engines);
 }
 
 }  // namespace

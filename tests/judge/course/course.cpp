@@ -107,9 +107,13 @@ Course read_course(const fs::path& file) {
   if (!in) throw std::runtime_error("the course is not built: cannot read " + file.string());
   try {
     const json j = json::parse(in);
-    Course course{
-        j.at("root").get<std::string>(),   j.at("state").get<std::string>(), read_toolchain(j),
-        j.at("engine").get<std::string>(), j.at("mine").get<std::string>(),  {}};
+    Course course{j.at("root").get<std::string>(),
+                  j.at("state").get<std::string>(),
+                  read_toolchain(j),
+                  j.at("engine").get<std::string>(),
+                  j.at("die").get<std::string>(),
+                  j.at("mine").get<std::string>(),
+                  {}};
     for (const json& unit : j.at("units")) course.units.push_back(read_unit(unit));
     return course;
   } catch (const json::exception& e) {

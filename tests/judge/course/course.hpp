@@ -48,7 +48,8 @@ struct Course {
   fs::path state;  ///< folder where progress and saved attempts are kept
   Toolchain toolchain;
   fs::path engine;  ///< object file that makes an engine of the student's functions; or empty
-  fs::path mine;    ///< module that measures such an engine
+  fs::path die;     ///< object file that lets their functions drop a die; or empty
+  fs::path mine;    ///< module that measures such engines
   std::vector<Unit> units;
   /// Where a course without solutions finds a function that another one calls; in exercises/ if not
   /// said.

@@ -63,6 +63,44 @@ std::string table_of(const EngineBuild& build, const ProblemResult& result) {
   return table.text();
 }
 
+/// A line for each: what is not there, and where it would be.
+std::string list_of(const Course& course, const std::vector<Part>& missing) {
+  std::size_t name = 0, what = 0;
+  for (const Part& part : missing) {
+    name = std::max(name, part.unit.name.size());
+    what = std::max(what, part.missing.size());
+  }
+  std::string lines;
+  for (const Part& part : missing)
+    lines += "  " + support::padded(part.unit.number, 6) +
+             support::padded(part.unit.name, name + 3) + support::padded(part.missing, what + 3) +
+             shown(course, part.source) + "\n";
+  return lines;
+}
+
+std::string table_of(const DieResult& die) {
+  Table table({"impact", "at [s]", "late by [s]", "the tolerance has grown to [s]", "energy left"});
+  const std::vector<DieImpact>& impacts = die.own->answer.impacts;
+  for (std::size_t i = 0; i < std::min(impacts.size(), die.truth.t.size()); ++i)
+    table.add({std::to_string(i + 1), number(impacts[i].t, 6), error_number(die.late(i)),
+               error_number(die.truth.grown[i]), number(100 * die.energy_left(i), 3) + " %"});
+  return table.text();
+}
+
+std::string text_of(const DieResult& die) {
+  std::string text =
+      "A die falls onto a table without friction, with e = " + number(die.question.e) + ".\n";
+  if (!die.own || die.own->answer.impacts.empty()) return text;
+  const DieAnswer& own = die.own->answer;
+  text += "Its first " + std::to_string(own.impacts.size()) + " impacts take " +
+          std::to_string(own.queries) + " distances (11.2) and " + duration(die.own->seconds) +
+          "; the library takes " + std::to_string(die.truth.queries) + " and " +
+          duration(die.truth.seconds) + ".\nA contact begins at a gap of " +
+          error_number(die.question.tolerance) +
+          " m, so the times are off, and each impact makes the error larger:\n\n";
+  return text + table_of(die);
+}
+
 }  // namespace
 
 std::string names_of(const std::vector<Part>& parts) {
@@ -83,15 +121,7 @@ void print_missing(std::ostream& out, const Course& course, const EngineBuild& b
   out << "An engine is made of " << build.parts.size() << " of the course's functions, and "
       << missing.size() << " of yours " << (missing.size() == 1 ? "is" : "are")
       << " not there yet:\n\n";
-  std::size_t name = 0, what = 0;
-  for (const Part& part : missing) {
-    name = std::max(name, part.unit.name.size());
-    what = std::max(what, part.missing.size());
-  }
-  for (const Part& part : missing)
-    out << "  " << support::padded(part.unit.number, 6) << support::padded(part.unit.name, name + 3)
-        << support::padded(part.missing, what + 3) << shown(course, part.source) << "\n";
-  out << "\n";
+  out << list_of(course, missing) << "\n";
   for (const Part& part : missing)
     if (!part.detail.empty())
       out << "      " << part.unit.number << " " << part.unit.name << ", " << part.missing << ":\n"
@@ -127,6 +157,12 @@ void print_measurement(std::ostream& out, const EngineBuild& build,
     out << "\nIts energy in 128 midpoint steps strays by " +
                error_number(measurement.drift.own->largest) + " at most, and by " +
                error_number(measurement.drift.own->trend) + " a second (10.3 energy_drift).\n";
+  if (measurement.die) out << "\n" << text_of(*measurement.die);
+}
+
+void print_waiting(std::ostream& out, const Course& course, const std::vector<Part>& waiting) {
+  out << "\nA die that falls onto a table takes these of yours, too, which are not there yet:\n\n"
+      << list_of(course, waiting);
 }
 
 }  // namespace tumble::judge::mine

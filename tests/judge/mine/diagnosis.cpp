@@ -17,10 +17,6 @@ constexpr double right_angle = 1e-9;  // [rad], of a closed form
 constexpr double same_drift = 1e-6;   // as a fraction of the drift
 constexpr double steady = 1e-6;       // a law that is kept, in thousands of steps of RK4
 
-std::string percent(double fraction) {
-  return std::isfinite(fraction) ? number(100 * fraction, 2) + " %" : "more than can be said";
-}
-
 // ── What the engine is made of ──
 
 void look_at_mass(const ProblemResult& result, std::vector<std::string>& found) {
@@ -203,7 +199,12 @@ std::vector<std::string> diagnose(const Measurement& measurement) {
     }
   }
   look_at_drift(measurement.drift, found);
+  if (measurement.die) look_at_die(*measurement.die, found);
   return found;
+}
+
+std::string percent(double fraction) {
+  return std::isfinite(fraction) ? number(100 * fraction, 3) + " %" : "more than can be said";
 }
 
 }  // namespace tumble::judge::mine

@@ -13,4 +13,10 @@ namespace tumble::judge::mine {
 /// another one is left out.
 std::vector<std::string> diagnose(const Measurement& measurement);
 
+/// Adds what is wrong with the impacts of a die.
+void look_at_die(const DieResult& die, std::vector<std::string>& found);
+
+/// "0.12 %"
+std::string percent(double fraction);
+
 }  // namespace tumble::judge::mine

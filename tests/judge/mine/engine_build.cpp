@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <future>
 #include <map>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -10,70 +11,19 @@
 #include "judge/build/diagnostics.hpp"
 #include "judge/build/worker_build.hpp"
 #include "judge/course/contract.hpp"
-#include "support/text_file.hpp"
+#include "judge/mine/compiled_part.hpp"
 
 namespace tumble::judge::mine {
 
-namespace {
-
-/// A part and its object.
-struct Compiled {
-  Part part;
-  fs::path object;  ///< empty if there is none, not even the solution's
-};
-
-/// Whether a line of the file that is no comment throws what a stub throws.
-bool throws_not_implemented(const std::string& text) {
-  for (auto at = text.find("NotImplemented{"); at != std::string::npos;
-       at = text.find("NotImplemented{", at + 1)) {
-    const auto line = text.rfind('\n', at) + 1;
-    if (text.substr(line, at - line).find("//") == std::string::npos) return true;
-  }
-  return false;
-}
-
-/// What can be said of a file without compiling it; empty if it has to be.
-std::string not_written(const Course& course, const Part& part) {
-  if (!fs::exists(fs::symlink_status(part.source))) return "there is no file";
-  if (!fs::is_regular_file(fs::symlink_status(part.source))) return "is not a file";
-  if (fs::file_size(part.source) > (1 << 20)) return {};  // refused, with its reason, when compiled
-  const std::string text = support::read_text(part.source);
-  if (text == stub_of(course, part.unit)) return "nothing is written yet";
-  return throws_not_implemented(text) ? "still throws NotImplemented" : "";
-}
-
-/// Puts the solution in a part's place.
-/// @param folder for what is built, where the course has solutions as sources only
-void take_solution(const Course& course, Compiled& part, const std::string& why,
-                   const fs::path& folder) {
-  part.part.missing = why;
-  part.object = part.part.unit.solution;
-  const fs::path source = course.instead_of_solution(part.part.unit);
-  if (part.object.empty() && source != part.part.source && fs::exists(source))
-    part.object = compile_unit({course, part.part.unit, source, folder / "solution"}).object;
-}
-
-Compiled compile(const Course& course, Part part, const fs::path& folder) {
-  Compiled result{std::move(part), {}};
-  if (const std::string why = not_written(course, result.part); !why.empty()) {
-    take_solution(course, result, why, folder);
-    return result;
-  }
-  const WorkerBuild build = compile_unit({course, result.part.unit, result.part.source, folder});
-  result.object = build.object;
-  if (build.outcome == BuildOutcome::built) return result;
-  result.part.detail = build.detail;
-  take_solution(course, result, name_of(build.outcome), folder);
-  return result;
-}
-
 /// The objects so far, and the linker that says what they lack.
-class Linker {
+class EngineBuilder::Linker {
  public:
-  Linker(const Course& course, std::function<fs::path(const Unit&)> source, fs::path folder)
+  Linker(const Course& course, SourceOf source, fs::path folder)
       : course_(course), source_(std::move(source)), folder_(std::move(folder)) {}
 
-  EngineBuild build() {
+  EngineBuild build(const fs::path& questions) {
+    questions_ = questions;
+    linked_.clear();
     EngineBuild result;
     Finished step = link(Twice::first_counts);
     while (failed(step) && add(undefined_functions(step.output))) step = link(Twice::first_counts);
@@ -84,12 +34,12 @@ class Linker {
       link(Twice::first_counts);
     }
     if (!failed(step)) result.worker = confined_worker(linked_in(), worker());
-    for (const auto& [place, compiled] : compiled_) result.parts.push_back(compiled.part);
+    for (const std::size_t place : linked_) result.parts.push_back(compiled_.at(place).part);
     return result;
   }
 
  private:
-  fs::path linked_in() const { return folder_ / "engine"; }
+  fs::path linked_in() const { return folder_ / questions_.stem(); }
   fs::path worker() const { return linked_in() / "worker"; }
   fs::path folder_of(const Unit& unit) const { return folder_ / (unit.chapter + "-" + unit.name); }
 
@@ -100,9 +50,10 @@ class Linker {
 
   Finished link(Twice twice) const {
     const Toolchain& tools = course_.toolchain;
-    std::vector<fs::path> objects{course_.engine};
-    for (const auto& [place, compiled] : compiled_)
-      if (!compiled.object.empty()) objects.push_back(compiled.object);
+    std::vector<fs::path> objects{questions_};
+    for (const std::size_t place : linked_)
+      if (const fs::path& object = compiled_.at(place).object; !object.empty())
+        objects.push_back(object);
     objects.push_back(tools.runtime);
     Arguments arguments(objects.begin(), objects.end());
     arguments.insert(arguments.end(), {"-o", worker().string()});
@@ -125,18 +76,19 @@ class Linker {
     for (const std::string& function : functions)
       for (std::size_t i = 0; i < course_.units.size(); ++i) {
         if (course_.units[i].function() != function) continue;
-        const auto known = compiled_.find(i);
-        if (known == compiled_.end()) {
-          places.push_back(i);
-        } else if (known->second.part.own()) {  // its file defines something else
-          known->second.part.detail = read_declaration(course_, course_.units[i]).signature;
-          take_solution(course_, known->second, name_of(BuildOutcome::wrong_signature),
+        if (linked_.insert(i).second) {
+          if (!compiled_.contains(i)) places.push_back(i);
+          helps = true;
+        } else if (Compiled& known = compiled_.at(i); known.part.own()) {
+          // Its file defines something else.
+          known.part.detail = read_declaration(course_, course_.units[i]).signature;
+          take_solution(course_, known, name_of(BuildOutcome::wrong_signature),
                         folder_of(course_.units[i]));
           helps = true;
         }
       }
     compile_all(places);
-    return helps || !places.empty();
+    return helps;
   }
 
   void compile_all(const std::vector<std::size_t>& places) {
@@ -161,12 +113,12 @@ class Linker {
   }
 
   const Course& course_;
-  std::function<fs::path(const Unit&)> source_;
+  SourceOf source_;
   fs::path folder_;
+  fs::path questions_;
   std::map<std::size_t, Compiled> compiled_;  ///< by their place in the course
+  std::set<std::size_t> linked_;              ///< those of them that this engine takes
 };
-
-}  // namespace
 
 std::vector<Part> EngineBuild::missing() const {
   std::vector<Part> list;
@@ -175,9 +127,23 @@ std::vector<Part> EngineBuild::missing() const {
   return list;
 }
 
-EngineBuild build_engine(const Course& course, const std::function<fs::path(const Unit&)>& source,
-                         const fs::path& folder) {
-  return Linker(course, source, folder).build();
+void EngineBuild::add(const EngineBuild& other) {
+  const auto add_new = [](auto& all, const auto& more, auto same) {
+    for (const auto& each : more)
+      if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return same(one, each); }))
+        all.push_back(each);
+  };
+  add_new(parts, other.parts,
+          [](const Part& a, const Part& b) { return a.unit.id() == b.unit.id(); });
+  add_new(defined_twice, other.defined_twice, std::equal_to<>());
+  does_not_link += other.does_not_link;
 }
+
+EngineBuilder::EngineBuilder(const Course& course, SourceOf source, fs::path folder)
+    : linker_(std::make_unique<Linker>(course, std::move(source), std::move(folder))) {}
+
+EngineBuilder::~EngineBuilder() = default;
+
+EngineBuild EngineBuilder::build(const fs::path& questions) { return linker_->build(questions); }
 
 }  // namespace tumble::judge::mine

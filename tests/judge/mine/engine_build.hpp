@@ -4,6 +4,7 @@
 /// ours but what asks.
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,14 +30,30 @@ struct EngineBuild {
   WorkerProgram worker;                    ///< unless it does not link
 
   std::vector<Part> missing() const;
+  /// What is said of another engine of the same functions is said of this one, too.
+  void add(const EngineBuild& other);
 };
 
-/// Compiles what the engine calls, what that calls, and so on, each behind the judge's walls. What
-/// is missing is taken from the solutions, so that all that is missing is found at once.
-/// @param source gives the student's file of a unit
-/// @param folder for what is built; made here
-/// @throws std::runtime_error if the judge itself is broken, or the course has no engine
-EngineBuild build_engine(const Course& course, const std::function<fs::path(const Unit&)>& source,
-                         const fs::path& folder);
+/// Builds engines of one student's functions. Each file is compiled once, however many engines take
+/// it.
+class EngineBuilder {
+ public:
+  using SourceOf = std::function<fs::path(const Unit&)>;
+
+  /// @param source gives the student's file of a unit
+  /// @param folder for what is built; made here
+  EngineBuilder(const Course& course, SourceOf source, fs::path folder);
+  ~EngineBuilder();
+
+  /// Compiles what these questions call, what that calls, and so on, each behind the judge's walls.
+  /// What is missing is taken from the solutions, so that all that is missing is found at once.
+  /// @param questions object file of what asks (student/ has the sources)
+  /// @throws std::runtime_error if the judge itself is broken
+  EngineBuild build(const fs::path& questions);
+
+ private:
+  class Linker;
+  std::unique_ptr<Linker> linker_;
+};
 
 }  // namespace tumble::judge::mine

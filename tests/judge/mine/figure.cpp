@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "judge/mine/report.hpp"
 #include "support/plot.hpp"
 
@@ -32,6 +34,27 @@ support::Plot plot_of(const EngineBuild& build, const ProblemResult& result) {
   return plot;
 }
 
+/// How late the impacts come, and how far an error of the tolerance has grown until then.
+support::Plot plot_of(const EngineBuild& build, const DieResult& die) {
+  support::Plot plot{"a die on a table, without friction",
+                     {"impact", Scale::linear},
+                     {"error of its time [s]", Scale::log},
+                     {}};
+  support::Series grown{"error of the tolerance", {}, {}, Look::dashed},
+      own{owner_of(build, "11.3") + " die", {}, {}};
+  own.width = 3.4;
+  for (std::size_t i = 0; i < die.truth.t.size(); ++i) {
+    const double impact = static_cast<double>(i) + 1;
+    grown.x.push_back(impact);
+    grown.y.push_back(die.truth.grown[i]);
+    if (i >= die.own->answer.impacts.size()) continue;
+    own.x.push_back(impact);
+    own.y.push_back(std::abs(die.late(i)));
+  }
+  plot.series = {grown, own};
+  return plot;
+}
+
 /// "4.1 product, 4.8 …" in lines that fit below the plots.
 std::vector<std::string> lines_of(const std::string& start, const std::string& names) {
   constexpr std::size_t widest = 105;
@@ -52,6 +75,7 @@ std::vector<std::string> lines_of(const std::string& start, const std::string& n
 std::string figure_of(const EngineBuild& build, const Measurement& measurement) {
   std::vector<support::Plot> plots;
   for (const ProblemResult& result : measurement.problems) plots.push_back(plot_of(build, result));
+  if (measurement.die && measurement.die->own) plots.push_back(plot_of(build, *measurement.die));
   const std::vector<Part> missing = build.missing();
   std::vector<std::string> notes =
       missing.empty() ? std::vector<std::string>{"All functions of this engine are yours."}

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "judge/mine/report.hpp"
@@ -55,6 +56,23 @@ ordered_json json_of(const ProblemResult& result) {
   return j;
 }
 
+ordered_json json_of(const DieResult& die) {
+  ordered_json j{{"right", die.right()}, {"impacts", ordered_json::array()}};
+  if (!die.own) {
+    j["failure"] = die.failure;
+    return j;
+  }
+  const std::vector<DieImpact>& impacts = die.own->answer.impacts;
+  for (std::size_t i = 0; i < std::min(impacts.size(), die.truth.t.size()); ++i)
+    j["impacts"].push_back({{"t", impacts[i].t},
+                            {"late", die.late(i)},
+                            {"an_error_of_the_tolerance_grows_to", die.truth.grown[i]},
+                            {"energy_left", die.energy_left(i)}});
+  j["distances"] = die.own->answer.queries;
+  j["seconds"] = die.own->seconds;
+  return j;
+}
+
 }  // namespace
 
 std::string json_of(const EngineBuild& build, const Measurement* measurement,
@@ -68,6 +86,7 @@ std::string json_of(const EngineBuild& build, const Measurement* measurement,
   if (measurement)
     for (const ProblemResult& result : measurement->problems)
       j["problems"].push_back(json_of(result));
+  if (measurement && measurement->die) j["die"] = json_of(*measurement->die);
   // What a student's code says need not be UTF-8.
   return j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

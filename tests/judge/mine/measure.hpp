@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/mine/die.hpp"
 #include "judge/mine/invariants.hpp"
 #include "judge/mine/own_engine.hpp"
 #include "judge/mine/problem.hpp"
@@ -60,6 +61,7 @@ struct ProblemResult {
 struct Measurement {
   std::vector<ProblemResult> problems;
   DriftResult drift;
+  std::optional<DieResult> die = {};  ///< if there are functions to drop it
 };
 
 /// Asks everything.

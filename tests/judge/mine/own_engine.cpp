@@ -18,9 +18,9 @@ class Asker {
   explicit Asker(const WorkerProgram& program) : worker_(program) { worker_.start_case(); }
 
   template <class T, class... Arguments>
-  Timed<T> ask(Topic topic, const Arguments&... arguments) {
+  Timed<T> ask(const Arguments&... arguments) {
     Call call;
-    call.arguments = List{to_value(topic), to_value(arguments)...};
+    call.arguments = List{to_value(arguments)...};
     const auto start = Clock::now();
     const Value value = worker_.ask(call, [](FunctionId, const List&) -> Value {
       throw Malformed("it called a function that it was not given");
@@ -63,17 +63,20 @@ auto timed(Ask&& ask) {
   return result;
 }
 
-/// @throws NoAnswer if these are not the states of a motion
+/// @param when in words
+/// @throws NoAnswer if this is not the state of a body
+void require_state(const Numbers& y, const std::string& when) {
+  const double length = y.segment<4>(3).norm();
+  if (y.allFinite() && length > 0 && std::isfinite(length)) return;
+  throw NoAnswer(Outcome::wrong, when + (y.allFinite() ? " q becomes zero, or endless"
+                                                       : " the state becomes no number"));
+}
+
 void require_states(const RunAnswer& answer, const RunQuestion& question) {
   if (answer.states.size() != static_cast<std::size_t>(question.samples) + 1)
     throw NoAnswer(Outcome::malformed, "not as many states as were asked for");
-  for (const Numbers& y : answer.states) {
-    const double length = y.segment<4>(3).norm();
-    if (y.allFinite() && length > 0 && std::isfinite(length)) continue;
-    throw NoAnswer(Outcome::wrong, "with " + std::to_string(question.steps) + " steps " +
-                                       (y.allFinite() ? "q becomes zero, or endless"
-                                                      : "the state becomes no number"));
-  }
+  for (const Numbers& y : answer.states)
+    require_state(y, "with " + std::to_string(question.steps) + " steps");
 }
 
 }  // namespace
@@ -117,6 +120,17 @@ only_what_a_scene_needs::EnergyDrift OwnEngine::drift(const Setting& setting,
   return Asker(program_)
       .ask<only_what_a_scene_needs::EnergyDrift>(Topic::drift, setting, states, h)
       .answer;
+}
+
+Timed<DieAnswer> drop_die(const WorkerProgram& program, const DieQuestion& question) {
+  Asker asker(program);
+  asker.ask<DieAnswer>(question);  // starts the process
+  const Timed<DieAnswer> timed = asker.ask<DieAnswer>(question);
+  for (const DieImpact& impact : timed.answer.impacts) {
+    require_state(impact.after, "at an impact");
+    if (!std::isfinite(impact.t)) throw NoAnswer(Outcome::wrong, "a time is not a number");
+  }
+  return timed;
 }
 
 }  // namespace tumble::judge::mine

@@ -4,11 +4,12 @@
 /// types; the contracts' own cross the pipe beside them.
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 namespace tumble::judge::mine {
 
-/// The first number of every question.
+/// The first number of every question to the engine.
 enum class Topic { mass, run, top, choose, drift };
 
 /// What takes the steps: 1.3, 1.4 or 1.5 on 9.4, or the whole of 9.5.
@@ -42,6 +43,29 @@ struct RunQuestion {
 struct RunAnswer {
   int evaluations = 0;          ///< of the wrench, in one run
   std::vector<Numbers> states;  ///< the start and the samples, the last one at the end
+};
+
+/// A die that falls onto a table without friction. The table's top is at z = 0, and the centre is
+/// far enough from its sides.
+struct DieQuestion {
+  double mass = 0;       ///< [kg]
+  double edge = 0;       ///< [m]
+  double gravity = 0;    ///< downwards [m/s²], positive
+  double e = 0;          ///< coefficient of restitution
+  double tolerance = 0;  ///< at which distance it touches [m]
+  Numbers start;         ///< above the table
+  double duration = 0;   ///< [s]
+  int most_impacts = 0;  ///< after so many it is over
+};
+
+struct DieImpact {
+  double t = 0;   ///< [s]
+  Numbers after;  ///< the state right after it
+};
+
+struct DieAnswer {
+  std::int64_t queries = 0;  ///< of the distance
+  std::vector<DieImpact> impacts;
 };
 
 }  // namespace tumble::judge::mine

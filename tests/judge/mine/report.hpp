@@ -15,10 +15,13 @@ namespace tumble::judge::mine {
 void print_missing(std::ostream& out, const Course& course, const EngineBuild& build);
 /// Whose functions the engine is made of.
 void print_parts(std::ostream& out, const EngineBuild& build);
+/// What the die lacks, where the engine is there without it.
+void print_waiting(std::ostream& out, const Course& course, const std::vector<Part>& waiting);
 /// The tables of numbers.
 void print_measurement(std::ostream& out, const EngineBuild& build, const Measurement& measurement);
 
-/// Error against time, the student's curves beside the library's: a complete SVG document.
+/// Error against time, the student's curves beside the library's; and how late the die's impacts
+/// come, if there is one. A complete SVG document.
 std::string figure_of(const EngineBuild& build, const Measurement& measurement);
 
 /// Everything, as JSON text.

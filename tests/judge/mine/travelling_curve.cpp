@@ -9,10 +9,16 @@ namespace tumble::judge::mine {
 std::optional<std::string> travelling_curve(const Course& course,
                                             const std::function<fs::path(const Unit&)>& source,
                                             const fs::path& folder) {
-  const EngineBuild build = build_engine(course, source, folder);
+  EngineBuilder builder(course, source, folder);
+  EngineBuild build = builder.build(course.engine);
+  const EngineBuild die = builder.build(course.die);
+  const WorkerProgram engine = build.worker;
+  build.add(die);
   const bool none_own = build.missing().size() == build.parts.size();
   if (!build.does_not_link.empty() || none_own) return std::nullopt;
-  return figure_of(build, measure(OwnEngine(build.worker), [](const std::string&) {}));
+  Measurement measurement = measure(OwnEngine(engine), [](const std::string&) {});
+  measurement.die = die_of(die.worker);
+  return figure_of(build, measurement);
 }
 
 }  // namespace tumble::judge::mine

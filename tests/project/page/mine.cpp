@@ -101,6 +101,22 @@ TEST_CASE("a figure's engine: the cost of runs, and an impact") {
   CHECK(impact.at("numbers") == Json{0, 3});
 }
 
+TEST_CASE("a figure's engine: a die on a table") {
+  if (!can_ask_engine()) return;
+  PageJudge page;
+  // A cube of 1 kg and 0.1 m on its face, 5 m up. Its lower corners hit one after the other.
+  const Json question{1, 0.1, 10, 0.5, 1e-9, 0, 0, 5.05, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 4};
+  const Json answer =
+      page.answer_to_figure("die", question, {solution_of("11_when_bodies_meet/collide")});
+  REQUIRE(answer.contains("numbers"));
+  CHECK(answer.at("own") == Json{"11_when_bodies_meet/collide"});
+  const auto all = answer.at("numbers").get<std::vector<double>>();
+  REQUIRE(all.size() == 4 * 14);
+  // It lands after 1 s with 10 m/s, and touches up to 1e-9 m earlier.
+  CHECK(all[0] <= 1);
+  CHECK(all[0] >= 1 - 2e-10);
+}
+
 TEST_CASE("a figure's engine: an endless loop, a file that does not compile") {
   if (!can_ask_engine()) return;
   PageJudge page;

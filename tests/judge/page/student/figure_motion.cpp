@@ -1,7 +1,7 @@
 /// @file
 /// Topic "motion": a scene, steps, and samples, of which the steps are a multiple. Answered with
 /// the states at the start and at each sample, 13 numbers each, by 9.5.
-#include "judge/mine/engine_run.hpp"
+#include "judge/mine/student/engine_run.hpp"
 #include "judge/page/student/figure_numbers.hpp"
 
 using namespace tumble::judge;

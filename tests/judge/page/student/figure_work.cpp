@@ -1,7 +1,7 @@
 /// @file
 /// Topic "work": a scene, and numbers of steps. Answered for each of these with what the run by 9.5
 /// cost, in evaluations of the forces, and the q in which it ended (w, x, y, z).
-#include "judge/mine/engine_run.hpp"
+#include "judge/mine/student/engine_run.hpp"
 #include "judge/page/student/figure_numbers.hpp"
 
 using namespace tumble::judge;

@@ -85,7 +85,7 @@ TEST_CASE("the solutions make an engine whose errors fall as their methods promi
   const Student student;
   const CommandResult result = student.mine();
   CHECK_MESSAGE(result.status == 0, result.output);
-  CHECK(contains(result.output, "An engine of 25 functions, all of them yours."));
+  CHECK(contains(result.output, "An engine of 29 functions, all of them yours."));
   const nlohmann::json numbers = student.numbers();
   CHECK(numbers.at("right") == true);
   REQUIRE(numbers.at("problems").size() == 3);
@@ -101,8 +101,63 @@ TEST_CASE("the solutions make an engine whose errors fall as their methods promi
   }
   const nlohmann::json closed_form = curve_of(numbers, 2, "closed form");
   CHECK(closed_form.at("points")[0].at("error") < 1e-12);
-  for (const char* part : {"your RK4", "library DOP853", "All functions of this engine are yours."})
+  for (const char* part :
+       {"your RK4", "library DOP853", "your die", "All functions of this engine are yours."})
     CHECK(contains(student.figure(), part));
+}
+
+TEST_CASE("the solutions let a die bounce: it is as late as its tolerance makes it") {
+  const Student student;
+  const CommandResult result = student.mine();
+  CHECK(contains(result.output, "A die falls onto a table without friction, with e = 0.6."));
+  const nlohmann::json die = student.numbers().at("die");
+  CHECK(die.at("right") == true);
+  REQUIRE(die.at("impacts").size() == 12);
+  // It touches at 1e-11 m, and comes down with 1 m/s and more.
+  CHECK(std::abs(die.at("impacts")[0].at("late").get<double>()) < 1e-11);
+  double before = 1;
+  for (const nlohmann::json& impact : die.at("impacts")) {
+    CHECK(impact.at("energy_left") < before);
+    before = impact.at("energy_left");
+  }
+}
+
+TEST_CASE("an engine runs without the functions of the die, which are named") {
+  const Student student;
+  fs::remove(student.files() / "11_when_bodies_meet/collide.cpp");
+  student.change("11_when_bodies_meet/separation.cpp", "return", "retrun");
+  const CommandResult result = student.mine();
+  CHECK_MESSAGE(result.status == 0, result.output);
+  for (const char* part :
+       {"An engine of 25 functions, all of them yours.",
+        "A die that falls onto a table takes these of yours, too",
+        "11.2  separation   does not compile", "11.5  collide      there is no file"})
+    CHECK_MESSAGE(contains(result.output, part), result.output);
+  CHECK_FALSE(student.numbers().contains("die"));
+}
+
+TEST_CASE("a die that bounces wrongly: from which impact on, and which law it breaks") {
+  const Student student;
+  student.change("11_when_bodies_meet/contact_matrix.cpp", "Identity() / body.mass", "Identity()");
+  const CommandResult result = student.mine();
+  CHECK(result.status == 1);
+  for (const char* part : {"The die: impact 2 comes", "s too late", "Impact 1 leaves",
+                           "where 74 % are right", "Broken: the energy, which rises by",
+                           "✗ 11.4 contact_matrix  wrong", "Next:  ./tumble check 11.4"})
+    CHECK_MESSAGE(contains(result.output, part), result.output);
+  CHECK(student.numbers().at("die").at("right") == false);
+  CHECK(curve_of(student.numbers(), 0, "RK4").at("right") == true);
+}
+
+TEST_CASE("a die that sinks, and one that is pushed aside") {
+  const Student student;
+  student.change("11_when_bodies_meet/first_contact.cpp", "distance / speed", "0.001");
+  CHECK(
+      contains(student.mine().output, "The die: threw: at 0.173000 s the die is inside the table"));
+  const Student other;
+  other.change("11_when_bodies_meet/collide.cpp", "n.dot(K * n) * n",
+               "n.dot(K * n) * (n + Eigen::Vector3d(0.01, 0, 0))");
+  CHECK(contains(other.mine().output, "Broken: P along the table and L about its normal"));
 }
 
 TEST_CASE("untouched stubs: all that is missing is named at once") {
@@ -161,10 +216,12 @@ TEST_CASE("crashes, endless loops and no numbers: named, and everything else goe
   student.change("01_particles/midpoint_step.cpp", "return", "return 0.0 / 0.0 * y;\n  return");
   student.change("10_only_what_a_scene_needs/energy_drift.cpp", "if (states.empty())",
                  "for (volatile int i = 0; i >= 0; i = 1) {}\n  if (states.empty())");
+  student.change("11_when_bodies_meet/collide.cpp", "const double u_n",
+                 "for (volatile int i = 0; i >= 0; i = 1) {}\n  const double u_n");
   const CommandResult result = student.mine();
   CHECK(result.status == 1);
   for (const char* part :
-       {"1.3 euler_step, or what it steps: crashed: SIGSEGV",
+       {"1.3 euler_step, or what it steps: crashed: SIGSEGV", "The die: hung",
         "1.4 midpoint_step, or what it steps: wrong: with 64 steps the state becomes no number",
         "10.3 energy_drift: hung", "Of your functions, these do not pass"})
     CHECK_MESSAGE(contains(result.output, part), result.output);

@@ -4,7 +4,7 @@
 /// and those are measured elsewhere.
 #include "08_mirtich/contract.hpp"
 #include "10_only_what_a_scene_needs/contract.hpp"
-#include "judge/mine/engine_run.hpp"
+#include "judge/mine/student/engine_run.hpp"
 #include "judge/worker/serve.hpp"
 
 namespace {

@@ -1,0 +1,50 @@
+#pragma once
+/// @file
+/// The throw of a die by the reader's own functions (11.2 to 11.5), which know no friction.
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "11_when_bodies_meet/thrown_die.hpp"
+#include "support/scene_for_reader.hpp"
+
+namespace contact_chapter {
+
+constexpr int readers_impacts = 40;  // more of them are too low to see
+
+/// What tests/judge/page/student/figure_die.cpp takes.
+/// @param scene the die over the floor; friction is left out
+inline std::vector<double> question_of_die(const contact::ContactScene& scene, double until) {
+  constexpr double tolerance = 1e-9;  // [m]
+  const contact::ContactBody& die = scene.body(0);
+  std::vector<double> numbers{die.body.mass(), die_edge, die_gravity, scene.e, tolerance};
+  const PackedState<double> start = pack(die.start);
+  numbers.insert(numbers.end(), start.begin(), start.end());
+  numbers.insert(numbers.end(), {until, double(readers_impacts)});
+  return numbers;
+}
+
+/// What comes back, as a throw. It ends with the last impact if there are as many as may be.
+inline Throw readers_die(const contact::ContactScene& scene, double until,
+                         std::span<const double> answer) {
+  constexpr std::size_t size = 14;
+  Throw thrown;
+  contact::ContactRun& run = thrown.run;
+  run.flights = {{{0, scene.body(0).start, -1}}};
+  for (std::size_t i = 0; i + size <= answer.size(); i += size) {
+    const double t = answer[i];
+    if (!(t >= run.flights[0].back().t && t <= until)) break;  // no motion: nothing of it is drawn
+    run.flights[0].push_back(
+        {t, support::states_from_reader(answer.subspan(i + 1, size - 1)).front(), -1});
+    run.impacts.push_back({});
+    run.impacts.back().t = t;
+  }
+  const bool all = run.impacts.size() < std::size_t{readers_impacts};
+  run.t = all ? until : run.impacts.back().t;
+  run.ending = all ? contact::Ending::time : contact::Ending::too_many_events;
+  run.rest_since = {std::numeric_limits<double>::infinity()};
+  return thrown;
+}
+
+}  // namespace contact_chapter

@@ -1,0 +1,140 @@
+#pragma once
+/// @file
+/// A die on a table by a student's functions and by nothing else: the flight by 10.2, the gap by
+/// 11.2, the time of a contact by 11.3, and what happens there by 11.4 and 11.5. It runs in the
+/// student's process.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "10_only_what_a_scene_needs/contract.hpp"
+#include "11_when_bodies_meet/contract.hpp"
+#include "judge/mine/questions.hpp"
+
+namespace tumble::judge::mine {
+
+class DieOnTable {
+ public:
+  explicit DieOnTable(const DieQuestion& question)
+      : question_(question),
+        body_{question.mass, moment() * Eigen::Matrix3d::Identity(),
+              Eigen::Matrix3d::Identity() / moment()},
+        start_(rigid_body::unpack(question.start)) {}
+
+  /// From impact to impact.
+  /// @throws std::runtime_error if it sinks into the table, or comes no further
+  DieAnswer run() {
+    DieAnswer answer;
+    while (static_cast<int>(answer.impacts.size()) < question_.most_impacts && comes_down()) {
+      hit();
+      answer.impacts.push_back({begin_, rigid_body::pack(start_)});
+    }
+    answer.queries = queries_;
+    return answer;
+  }
+
+ private:
+  double moment() const { return question_.mass * question_.edge * question_.edge / 6; }
+
+  // ── A flight ──
+
+  /// Where it is at a time. About all axes its moments are the same.
+  rigid_body::State at(double t) const {
+    const double since = t - begin_;
+    const Eigen::Vector3d v = start_.P / body_.mass, g(0, 0, -question_.gravity);
+    return {
+        start_.x + since * (v + since / 2 * g),
+        only_what_a_scene_needs::free_symmetric_top(moment(), moment(), start_.q, start_.L, since),
+        start_.P + since * body_.mass * g, start_.L};
+  }
+
+  /// The speed with which its centre would land, if nothing else did before.
+  double landing_speed() const {
+    const double up = start_.P.z() / body_.mass;
+    return std::sqrt(up * up + 2 * question_.gravity * start_.x.z());
+  }
+
+  /// The gap between table and die, and the normal out of the table.
+  when_bodies_meet::Separation separation_at(const rigid_body::State& state) const {
+    constexpr double wide = 8, thick = 0.5;  // [m]
+    const when_bodies_meet::Box table{
+        {0, 0, -thick / 2}, Eigen::Matrix3d::Identity(), {wide, wide, thick}};
+    return when_bodies_meet::separation(table, {state.x, rigid_body::derived(body_, state).R,
+                                                Eigen::Vector3d::Constant(question_.edge)});
+  }
+
+  // ── From contact to contact ──
+
+  /// Flies to the next contact at which a corner comes down.
+  /// @return whether there is one
+  bool comes_down() {
+    const double omega = rigid_body::derived(body_, start_).omega.norm(), landing = landing_speed(),
+                 up = start_.P.z() / body_.mass;
+    const double speed = landing + omega * std::sqrt(0.75) * question_.edge,
+                 end = std::min(question_.duration, begin_ + (up + landing) / question_.gravity);
+    const auto gap = [&](double t) { return gap_at(t); };
+    for (double t = begin_; t <= end;) {
+      const when_bodies_meet::FirstContact contact =
+          when_bodies_meet::first_contact(gap, speed, t, end, question_.tolerance);
+      if (!contact.found) return false;
+      if (touching_ = coming_down(at(contact.t)); !touching_.empty()) {
+        start_ = at(contact.t);
+        begin_ = contact.t;
+        return true;
+      }
+      t = contact.t + question_.tolerance / speed;  // it still leaves
+    }
+    return false;
+  }
+
+  double gap_at(double t) {
+    constexpr std::int64_t most = 500'000;
+    constexpr double deep = 100;  // tolerances
+    const double gap = separation_at(at(t)).gap;
+    const std::string when = std::to_string(t) + " s";
+    if (++queries_ > most)
+      throw std::runtime_error("the die comes no further than to " + when + " with " +
+                               std::to_string(most) + " distances");
+    if (gap < -deep * question_.tolerance)
+      throw std::runtime_error("at " + when + " the die is inside the table");
+    return gap;
+  }
+
+  /// The corners that touch and come down, seen from the centre.
+  std::vector<Eigen::Vector3d> coming_down(const rigid_body::State& state) const {
+    const rigid_body::Derived now = rigid_body::derived(body_, state);
+    std::vector<Eigen::Vector3d> corners;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      const Eigen::Vector3d arm = now.R * (question_.edge / 2 * side);
+      const double height = state.x.z() + arm.z(), up = now.v.z() + now.omega.cross(arm).z();
+      if (height <= 2 * question_.tolerance && up < 0) corners.push_back(arm);
+    }
+    return corners;
+  }
+
+  /// Each corner that comes down gets its impulse.
+  void hit() {
+    const Eigen::Vector3d n = separation_at(start_).normal;
+    for (const Eigen::Vector3d& arm : touching_) {
+      const rigid_body::Derived now = rigid_body::derived(body_, start_);
+      const Eigen::Matrix3d K = when_bodies_meet::contact_matrix(body_, start_, start_.x + arm);
+      const Eigen::Vector3d impulse =
+          when_bodies_meet::collide(K, now.v + now.omega.cross(arm), n, question_.e);
+      start_.P += impulse;
+      start_.L += arm.cross(impulse);
+    }
+  }
+
+  DieQuestion question_;
+  rigid_body::Body body_;
+  rigid_body::State start_;  ///< of this flight
+  double begin_ = 0;         ///< of this flight [s]
+  std::vector<Eigen::Vector3d> touching_;
+  std::int64_t queries_ = 0;
+};
+
+}  // namespace tumble::judge::mine
