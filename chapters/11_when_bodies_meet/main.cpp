@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   chapter.table("laws", "A thousand impacts", laws_table);
   chapter.table("painleve", "A slender rod that jams", painleve_table);
   chapter.table("zeno", "A ball that comes to rest", zeno_table);
+  chapter.table("magnify", "A die, and one that starts a nanometre higher", magnify_table);
   chapter.figure(tumble::figures::strip);
   chapter.figure("dropped", dropped_figure);
   chapter.figure("plane", plane_figure);

@@ -45,6 +45,11 @@ Table painleve_table();
 /// The tip's velocity while the normal impulse grows.
 std::string slip_figure();
 
+// ── magnify.cpp ──
+
+/// A die, and one that starts a nanometre higher.
+Table magnify_table();
+
 // ── plane.cpp ──
 
 /// Two boxes and the plane between them.

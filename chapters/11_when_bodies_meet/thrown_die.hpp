@@ -18,6 +18,18 @@ inline RigidBody<> the_die() {
   return {mass, mass * die_edge * die_edge / 6 * Mat3::Identity()};
 }
 
+/// Out of the hand, over a table.
+inline contact::ContactScene scene_of_die(const Vec3& v, const Vec3& omega, double e, double mu) {
+  const RigidBody<> body = the_die();
+  const RigidBodyState<> start{
+      {0, 0, 0.09}, Quat(0.9, 0.3, 0.2, 0.25).normalized(), body.mass() * v, body.I_body() * omega};
+  return {{{"die", body, collide::Convex::box(Vec3::Constant(die_edge)), start}},
+          {collide::HalfSpace{Vec3::Zero(), Vec3::UnitZ()}},
+          Vec3(0, 0, -die_gravity),
+          e,
+          mu};
+}
+
 /// From the hand to where it rests.
 struct Throw {
   RigidBody<> body = the_die();

@@ -27,7 +27,7 @@ using support::Sketch;
 using support::svg_number;
 
 constexpr double longest = 1, slower = 10;  // of what is shown [s], than it is
-constexpr double edge = die_edge, mu = 0.4;
+constexpr double mu = 0.4;
 
 enum Which { along, up, spin, restitution, time };
 constexpr std::array<Control, 5> controls{
@@ -40,17 +40,8 @@ constexpr std::array<Control, 5> controls{
 // ── The throw ──
 
 contact::ContactScene scene_of(Settings now) {
-  const RigidBody<> body = the_die();
-  const Vec3 omega(10, 2 * pi * now[spin], 4);
-  const RigidBodyState<> start{{0, 0, 0.09},
-                               Quat(0.9, 0.3, 0.2, 0.25).normalized(),
-                               body.mass() * Vec3(now[along], 0, now[up]),
-                               body.I_body() * omega};
-  return {{{"die", body, collide::Convex::box(Vec3::Constant(edge)), start}},
-          {collide::HalfSpace{Vec3::Zero(), Vec3::UnitZ()}},
-          Vec3(0, 0, -die_gravity),
-          now[restitution],
-          mu};
+  return scene_of_die(Vec3(now[along], 0, now[up]), Vec3(10, 2 * pi * now[spin], 4),
+                      now[restitution], mu);
 }
 
 /// The throw by the settings; it is computed again when they change.

@@ -30,7 +30,7 @@ DieQuestion the_throw() {
                                Quat(0.9, 0.3, 0.2, 0.25).normalized(),
                                die.mass() * Vec3(0.5, 0, 0.4),
                                die.I_body() * omega};
-  return {die.mass(), edge, 9.80665, 0.6, 1e-11, pack(start), 2, impacts};
+  return {die.mass(), edge, 9.81, 0.6, 1e-11, pack(start), 2, impacts};
 }
 
 contact::ContactRun by_library(const DieQuestion& question, double higher) {

@@ -50,7 +50,7 @@ have clang-format && check clang-format formatted
 have shellcheck && check shellcheck scripts
 if have clang-tidy; then
   eigen=$(sed -n 's/^Eigen3_DIR:PATH=\(.*\)\/share\/eigen3\/cmake$/\1\/include\/eigen3/p' "$build/CMakeCache.txt")
-  sources() { git ls-files "$@" | grep '\.cpp$' | grep -v '_none\.cpp$\|spec/doctest\.cpp$\|class/unpack\.cpp$\|class/pack\.cpp$\|mine/engine\.cpp$\|judge/page/\(main\|page_worker\|load_spec\|student/.*\)\.cpp$'; }
+  sources() { git ls-files "$@" | grep '\.cpp$' | grep -v '_none\.cpp$\|spec/doctest\.cpp$\|class/unpack\.cpp$\|class/pack\.cpp$\|mine/student/.*\.cpp$\|judge/page/\(main\|page_worker\|load_spec\|student/.*\)\.cpp$'; }
   # Two at a time, of about the same length.
   # shellcheck disable=SC2046  # one word a file: their names have no spaces
   {

@@ -94,12 +94,11 @@ class DieOnTable {
     constexpr std::int64_t most = 500'000;
     constexpr double deep = 100;  // tolerances
     const double gap = separation_at(at(t)).gap;
-    const std::string when = std::to_string(t) + " s";
     if (++queries_ > most)
-      throw std::runtime_error("the die comes no further than to " + when + " with " +
-                               std::to_string(most) + " distances");
+      throw std::runtime_error("the die comes no further than to " + std::to_string(t) +
+                               " s with " + std::to_string(most) + " distances");
     if (gap < -deep * question_.tolerance)
-      throw std::runtime_error("at " + when + " the die is inside the table");
+      throw std::runtime_error("at " + std::to_string(t) + " s the die is inside the table");
     return gap;
   }
 
