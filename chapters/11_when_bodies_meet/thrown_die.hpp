@@ -18,6 +18,17 @@ inline RigidBody<> the_die() {
   return {mass, mass * die_edge * die_edge / 6 * Mat3::Identity()};
 }
 
+/// Its energy above that of a die that lies still on the table [J].
+inline double energy_of_die(const RigidBodyState<>& state) {
+  const RigidBody<> body = the_die();
+  return kinetic_energy(body, state) + body.mass() * die_gravity * (state.x.z() - die_edge / 2);
+}
+
+/// How high its lowest corner is.
+inline double lowest_corner(const RigidBodyState<>& state) {
+  return state.x.z() - die_edge / 2 * to_matrix(state.q).row(2).cwiseAbs().sum();
+}
+
 /// Out of the hand, over a table.
 inline contact::ContactScene scene_of_die(const Vec3& v, const Vec3& omega, double e, double mu) {
   const RigidBody<> body = the_die();

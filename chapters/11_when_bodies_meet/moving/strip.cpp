@@ -135,7 +135,7 @@ std::string caption_of(const Throw& thrown, double t) {
   switch (thrown.run.ending) {
     case contact::Ending::too_many_events:
       return "after " + svg_number(double(thrown.run.impacts.size()), 0) + " impacts, at " +
-             svg_number(thrown.end(), 2) + " s";
+             svg_number(thrown.end(), 2) + " s, it hops on";
     case contact::Ending::lasting_contact:
       return "on an edge" + since;
     default:

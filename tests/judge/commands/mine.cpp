@@ -79,13 +79,16 @@ struct Engines {
   mine::EngineBuild build;  ///< with the parts of both
   std::optional<WorkerProgram> die = {};
   std::vector<mine::Part> waiting = {};  ///< what the die lacks
+  std::string die_does_not_link = {};    ///< what the linker misses, if it does
 };
 
 void add_die(Engines& engines, const mine::EngineBuild& die, bool fill) {
-  engines.waiting = fill ? std::vector<mine::Part>{} : die.missing();
+  if (!fill) engines.waiting = die.missing();
   if (!engines.waiting.empty()) return;
+  engines.die_does_not_link = die.does_not_link;
+  if (!die.does_not_link.empty()) return;
   engines.build.add(die);
-  if (die.does_not_link.empty()) engines.die = die.worker;
+  engines.die = die.worker;
 }
 
 mine::Measurement measurement_of(const Engines& engines) {
@@ -100,7 +103,10 @@ int measured(const Course& course, const MineOptions& options, const Engines& en
   const mine::EngineBuild& build = engines.build;
   mine::print_parts(std::cout, build);
   const mine::Measurement measurement = measurement_of(engines);
-  const std::vector<std::string> findings = mine::diagnose(measurement);
+  std::vector<std::string> findings = mine::diagnose(measurement);
+  if (!engines.die_does_not_link.empty())
+    findings.push_back("The die: your functions of chapter 11 use what is not there: " +
+                       engines.die_does_not_link);
   const fs::path svg = figure_file(course, options);
   support::write_text(svg, mine::figure_of(build, measurement));
   if (options.json)
@@ -139,7 +145,6 @@ int run_mine(const Course& course, const MineOptions& options) {
     mine::print_missing(std::cout, course, build);
     return not_built(options, build, "missing: " + mine::names_of(missing));
   }
-  add_die(engines, builder.build(course.die), options.fill);
   if (!build.does_not_link.empty()) {
     std::cout
         << "These are used by your functions, and are not there:\n\n"
@@ -148,6 +153,7 @@ int run_mine(const Course& course, const MineOptions& options) {
            "all\n";
     return not_built(options, build, "does not link: " + build.does_not_link);
   }
+  add_die(engines, builder.build(course.die), options.fill);
   return measured(course, options, engines);
 }
 

@@ -78,27 +78,35 @@ std::string list_of(const Course& course, const std::vector<Part>& missing) {
   return lines;
 }
 
+/// What the compiler says about each.
+std::string details_of(const std::vector<Part>& missing) {
+  std::string lines;
+  for (const Part& part : missing)
+    if (!part.detail.empty())
+      lines += "      " + part.unit.number + " " + part.unit.name + ", " + part.missing + ":\n" +
+               indented(part.detail, 4);
+  return lines;
+}
+
 std::string table_of(const DieResult& die) {
   Table table({"impact", "at [s]", "late by [s]", "the tolerance has grown to [s]", "energy left"});
-  const std::vector<DieImpact>& impacts = die.own->answer.impacts;
-  for (std::size_t i = 0; i < std::min(impacts.size(), die.truth.t.size()); ++i)
-    table.add({std::to_string(i + 1), number(impacts[i].t, 6), error_number(die.late(i)),
-               error_number(die.truth.grown[i]), number(100 * die.energy_left(i), 3) + " %"});
+  for (std::size_t i = 0; i < die.common(); ++i)
+    table.add({std::to_string(i + 1), number(die.own->impacts[i].t, 6), error_number(die.late(i)),
+               error_number(die.truth.impacts[i].grown),
+               number(100 * die.energy_left(i), 3) + " %"});
   return table.text();
 }
 
-std::string text_of(const DieResult& die) {
+std::string about_die(const DieResult& die) {
   std::string text =
       "A die falls onto a table without friction, with e = " + number(die.question.e) + ".\n";
-  if (!die.own || die.own->answer.impacts.empty()) return text;
-  const DieAnswer& own = die.own->answer;
-  text += "Its first " + std::to_string(own.impacts.size()) + " impacts take " +
-          std::to_string(own.queries) + " distances (11.2) and " + duration(die.own->seconds) +
-          "; the library takes " + std::to_string(die.truth.queries) + " and " +
-          duration(die.truth.seconds) + ".\nA contact begins at a gap of " +
-          error_number(die.question.tolerance) +
-          " m, so the times are off, and each impact makes the error larger:\n\n";
-  return text + table_of(die);
+  if (die.common() == 0) return text;
+  text += "A contact begins at a gap of " + error_number(die.question.tolerance) +
+          " m, so the times are off, and each impact makes the error larger:\n\n" + table_of(die);
+  if (!die.right()) return text;
+  return text + "\nIt took " + std::to_string(die.own->queries) +
+         " distances (11.2); the library, " + "which looks for the time in another way, takes " +
+         std::to_string(die.truth.queries) + ".\n";
 }
 
 }  // namespace
@@ -122,10 +130,7 @@ void print_missing(std::ostream& out, const Course& course, const EngineBuild& b
       << missing.size() << " of yours " << (missing.size() == 1 ? "is" : "are")
       << " not there yet:\n\n";
   out << list_of(course, missing) << "\n";
-  for (const Part& part : missing)
-    if (!part.detail.empty())
-      out << "      " << part.unit.number << " " << part.unit.name << ", " << part.missing << ":\n"
-          << indented(part.detail, 4);
+  out << details_of(missing);
   out << "  Next:  ./tumble check " << missing.front().unit.number
       << "        With ours in their place:  ./tumble mine --fill\n";
 }
@@ -157,12 +162,12 @@ void print_measurement(std::ostream& out, const EngineBuild& build,
     out << "\nIts energy in 128 midpoint steps strays by " +
                error_number(measurement.drift.own->largest) + " at most, and by " +
                error_number(measurement.drift.own->trend) + " a second (10.3 energy_drift).\n";
-  if (measurement.die) out << "\n" << text_of(*measurement.die);
+  if (measurement.die) out << "\n" << about_die(*measurement.die);
 }
 
 void print_waiting(std::ostream& out, const Course& course, const std::vector<Part>& waiting) {
   out << "\nA die that falls onto a table takes these of yours, too, which are not there yet:\n\n"
-      << list_of(course, waiting);
+      << list_of(course, waiting) << details_of(waiting);
 }
 
 }  // namespace tumble::judge::mine

@@ -6,7 +6,6 @@
 
 #include "judge/mine/measure.hpp"
 #include "judge/protocol/finding.hpp"
-#include "support/stopwatch.hpp"
 #include "tumble/contact/simulate_contacts.hpp"
 #include "tumble/quaternion.hpp"
 
@@ -42,35 +41,41 @@ contact::ContactRun by_library(const DieQuestion& question, double higher) {
       {0, 0, -question.gravity},
       question.e,
       0};
-  const double exact = 1e-13;  // [m]
+  constexpr double exact = 1e-15;  // [m]
   return contact::simulate_contacts(
       scene,
       {.until = question.duration, .tolerance = exact, .most_impacts = question.most_impacts});
 }
 
-DieTruth truth_of(const DieQuestion& question) {
-  const contact::ContactRun run = by_library(question, 0),
-                            shifted = by_library(question, question.tolerance);
-  DieTruth truth;
-  truth.queries = run.queries;
-  truth.seconds =
-      support::shortest_run(0.01, [&] { support::keep(by_library(question, 0).energy.end); });
-  double grown = 0, energy = run.energy.start;
-  for (std::size_t i = 0; i < std::min(run.impacts.size(), shifted.impacts.size()); ++i) {
-    truth.t.push_back(run.impacts[i].t);
-    grown = std::max(grown, std::abs(shifted.impacts[i].t - run.impacts[i].t));
-    truth.grown.push_back(grown);
-    energy += run.impacts[i].energy;
-    truth.energy_left.push_back(energy / run.energy.start);
-  }
-  return truth;
+/// [J]; none by its height where it lies on the table.
+double energy_of(const DieQuestion& question, const RigidBodyState<>& state) {
+  const RigidBody<> die = the_die();
+  return kinetic_energy(die, state) + die.mass() * question.gravity * (state.x.z() - edge / 2);
 }
 
-/// [J], above the table.
-double energy_of(const DieQuestion& question, const Numbers& y) {
-  const RigidBodyState<> state = unpack<double>(y);
-  const RigidBody<> die = the_die();
-  return kinetic_energy(die, state) + die.mass() * question.gravity * state.x.z();
+/// What the impacts leave of the energy.
+std::vector<double> energies_left(const DieQuestion& question, const contact::ContactRun& run) {
+  const double at_start = energy_of(question, run.flights[0].front().state);
+  std::vector<double> left;
+  double energy = at_start;
+  for (const contact::ImpactEvent& impact : run.impacts)
+    left.push_back((energy += impact.energy) / at_start);
+  return left;
+}
+
+DieTruth truth_of(const DieQuestion& question) {
+  const contact::ContactRun run = by_library(question, 0),
+                            other = by_library(question, question.tolerance);
+  const std::vector<double> left = energies_left(question, run),
+                            other_left = energies_left(question, other);
+  DieTruth truth{{}, run.queries};
+  double grown = 0, energy_grown = 0;
+  for (std::size_t i = 0; i < std::min(left.size(), other_left.size()); ++i) {
+    grown = std::max(grown, std::abs(other.impacts[i].t - run.impacts[i].t));
+    energy_grown = std::max(energy_grown, std::abs(other_left[i] - left[i]));
+    truth.impacts.push_back({run.impacts[i].t, left[i], grown, energy_grown});
+  }
+  return truth;
 }
 
 double lowest_corner(const Numbers& y) {
@@ -80,43 +85,49 @@ double lowest_corner(const Numbers& y) {
 
 }  // namespace
 
+std::size_t DieResult::common() const {
+  return own ? std::min(own->impacts.size(), truth.impacts.size()) : 0;
+}
+
 double DieResult::late(std::size_t impact) const {
-  return own->answer.impacts[impact].t - truth.t[impact];
+  return own.value().impacts.at(impact).t - truth.impacts.at(impact).t;
 }
 
 double DieResult::energy_left(std::size_t impact) const {
-  return energy_of(question, own->answer.impacts[impact].after) /
-         energy_of(question, question.start);
+  return energy_of(question, unpack<double>(own.value().impacts.at(impact).after)) /
+         energy_of(question, unpack<double>(question.start));
 }
 
 std::optional<std::size_t> DieResult::first_wrong() const {
-  constexpr double room = 100;  // each impact is found to the tolerance, not only the first one
-  for (std::size_t i = 0; i < truth.t.size(); ++i)
-    if (i >= own->answer.impacts.size() || std::abs(late(i)) > room * truth.grown[i]) return i;
+  constexpr double room = 100;
+  const std::vector<TrueImpact>& all = truth.impacts;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    double near = room * all[i].grown;
+    if (i > 0) near = std::min(near, (all[i].t - all[i - 1].t) / 2);
+    if (i + 1 < all.size()) near = std::min(near, (all[i + 1].t - all[i].t) / 2);
+    if (i >= common() || !(std::abs(late(i)) <= near)) return i;
+  }
   return std::nullopt;
 }
 
 DieLaws DieResult::laws() const {
   const RigidBodyState<> start = unpack<double>(question.start);
-  const double at_start = energy_of(question, question.start);
   DieLaws laws;
-  double before = at_start;
-  const auto worse = [](double& largest, double x) { largest = std::max(largest, x); };
-  const std::vector<DieImpact>& impacts = own->answer.impacts;
-  const std::size_t last = first_wrong().value_or(impacts.size());
-  for (std::size_t i = 0; i < std::min(last + 1, impacts.size()); ++i) {
-    const RigidBodyState<> after = unpack<double>(impacts[i].after);
-    worse(laws.height, std::abs(lowest_corner(impacts[i].after)));
+  double before = 1;
+  const auto worse = [](double& largest, double x) {
+    if (!(x <= largest)) largest = x;  // not a number counts too
+  };
+  for (std::size_t i = 0; i < std::min(first_wrong().value_or(common()) + 1, common()); ++i) {
+    const Numbers& numbers = own->impacts[i].after;
+    const RigidBodyState<> after = unpack<double>(numbers);
+    worse(laws.height, std::abs(lowest_corner(numbers)));
     worse(laws.sideways, (after.P - start.P).head<2>().norm() / start.P.norm());
     worse(laws.sideways, std::abs(after.L.z() - start.L.z()) / start.L.norm());
-    const double energy = energy_of(question, impacts[i].after);
-    worse(laws.energy, (energy - before) / at_start);
-    before = energy;
+    worse(laws.energy, energy_left(i) - before);
+    before = energy_left(i);
   }
   return laws;
 }
-
-bool DieResult::right() const { return own && !first_wrong(); }
 
 DieResult die_of(const WorkerProgram& program) {
   DieResult result{the_throw(), truth_of(the_throw()), {}};

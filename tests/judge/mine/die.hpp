@@ -19,30 +19,39 @@ struct DieLaws {
   double energy = 0;    ///< by which it rises in an impact, as a part of that at the start
 };
 
-/// The same impacts by the library.
-struct DieTruth {
-  std::vector<double> t;            ///< [s]
-  std::vector<double> energy_left;  ///< after each, as a part of that at the start
-  std::vector<double> grown;  ///< by how much t changed so far at most if the die starts higher by
-                              ///< the tolerance [s]
-  std::int64_t queries = 0;   ///< of the distance
-  double seconds = 0;         ///< that it took
+/// An impact by the library.
+struct TrueImpact {
+  double t;            ///< [s]
+  double energy_left;  ///< after it, as a part of that at the start
+  double grown;        ///< by how much t has changed so far at most if the die starts higher by the
+                       ///< tolerance [s]
+  double energy_grown;  ///< and energy_left
 };
 
+struct DieTruth {
+  std::vector<TrueImpact> impacts;
+  std::int64_t queries = 0;  ///< of the distance
+};
+
+/// The impacts of a student's die, beside the true ones.
 struct DieResult {
   DieQuestion question;
   DieTruth truth;
-  std::optional<Timed<DieAnswer>> own;
-  std::string failure = {};  ///< why there are no impacts
+  std::optional<DieAnswer> own;
+  std::string failure = {};  ///< why there is no answer
 
+  /// How many impacts both have.
+  std::size_t common() const;
   /// By how much an impact comes later than the true one [s].
   double late(std::size_t impact) const;
-  /// What is left of the energy after an impact, as a part of that at the start.
+  /// What is left of the energy after an impact, as a part of that at the start. A die that lies on
+  /// the table has none by its height.
   double energy_left(std::size_t impact) const;
-  /// The first impact that is missing, or further off than an error of the tolerance can have
-  /// grown.
+  /// The first impact that is missing or too far off: by 100 times what an error of the tolerance
+  /// has grown to, as each impact is found to the tolerance; or by so much that it could be the
+  /// next one, or the one before.
   std::optional<std::size_t> first_wrong() const;
-  bool right() const;
+  bool right() const { return own && !first_wrong(); }
   DieLaws laws() const;
 };
 

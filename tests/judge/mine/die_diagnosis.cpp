@@ -18,7 +18,7 @@ std::string sentence_about(const DieResult& die) {
   const DieLaws laws = die.laws();
   std::string text;
   if (!(laws.height <= right_height * die.question.tolerance))
-    text += " Broken: that it touches. At an impact its lowest corner is " +
+    text += " Broken: that a corner touches. At an impact the lowest one is " +
             error_number(laws.height) +
             " m from the table: 11.2 separation gives the gap, 11.3 first_contact the time.";
   if (!(laws.sideways <= right_sideways))
@@ -32,11 +32,23 @@ std::string sentence_about(const DieResult& die) {
 
 /// Whether the impact before left too much, or too little.
 std::string sentence_about_energy(const DieResult& die, std::size_t impact) {
-  if (impact == 0 || impact > die.own->answer.impacts.size()) return {};
-  const double left = die.energy_left(impact - 1), right = die.truth.energy_left[impact - 1];
-  if (std::abs(left - right) <= right_energy) return {};
-  return " Impact " + std::to_string(impact) + " leaves " + percent(left) +
-         " of the energy at the start, where " + percent(right) + " are right.";
+  if (impact == 0 || impact > die.common()) return {};
+  const TrueImpact& before = die.truth.impacts[impact - 1];
+  const std::string left = percent(die.energy_left(impact - 1)),
+                    right = percent(before.energy_left);
+  const double off = std::abs(die.energy_left(impact - 1) - before.energy_left);
+  if (left == right || off <= 100 * before.energy_grown) return {};
+  return " Impact " + std::to_string(impact) + " leaves " + left +
+         " of the energy that it had at the start, where " + right + " is right.";
+}
+
+std::string sentence_about_time(const DieResult& die, std::size_t impact) {
+  const std::string name = "impact " + std::to_string(impact + 1);
+  if (impact >= die.common()) return name + " never comes.";
+  const double late = die.late(impact);
+  return name + " comes " + error_number(std::abs(late)) + " s too " +
+         (late > 0 ? "late" : "early") + ", where an error of the tolerance has grown to " +
+         error_number(die.truth.impacts[impact].grown) + " s.";
 }
 
 }  // namespace
@@ -46,14 +58,8 @@ void look_at_die(const DieResult& die, std::vector<std::string>& found) {
   if (!die.failure.empty()) found.push_back(start + die.failure + ".");
   if (die.right() || !die.own) return;
   const std::size_t first = *die.first_wrong();
-  const std::string name = "impact " + std::to_string(first + 1);
-  const std::string what = first >= die.own->answer.impacts.size()
-                               ? name + " never comes."
-                               : name + " comes " + error_number(std::abs(die.late(first))) +
-                                     " s too " + (die.late(first) > 0 ? "late" : "early") +
-                                     ", where an error of the tolerance has grown to " +
-                                     error_number(die.truth.grown[first]) + " s.";
-  found.push_back(start + what + sentence_about_energy(die, first) + sentence_about(die));
+  found.push_back(start + sentence_about_time(die, first) + sentence_about_energy(die, first) +
+                  sentence_about(die));
 }
 
 }  // namespace tumble::judge::mine

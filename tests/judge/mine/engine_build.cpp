@@ -136,7 +136,6 @@ void EngineBuild::add(const EngineBuild& other) {
   add_new(parts, other.parts,
           [](const Part& a, const Part& b) { return a.unit.id() == b.unit.id(); });
   add_new(defined_twice, other.defined_twice, std::equal_to<>());
-  does_not_link += other.does_not_link;
 }
 
 EngineBuilder::EngineBuilder(const Course& course, SourceOf source, fs::path folder)

@@ -30,7 +30,7 @@ struct EngineBuild {
   WorkerProgram worker;                    ///< unless it does not link
 
   std::vector<Part> missing() const;
-  /// What is said of another engine of the same functions is said of this one, too.
+  /// The parts of another engine stand beside these.
   void add(const EngineBuild& other);
 };
 

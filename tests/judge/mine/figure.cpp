@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "judge/mine/report.hpp"
@@ -34,6 +36,13 @@ support::Plot plot_of(const EngineBuild& build, const ProblemResult& result) {
   return plot;
 }
 
+/// Whether nothing of the die is the solutions'.
+bool all_own(const EngineBuild& build) {
+  constexpr std::array units = {"10.2", "11.2", "11.3", "11.4", "11.5"};
+  return std::all_of(units.begin(), units.end(),
+                     [&](const char* number) { return owner_of(build, number) == "your"; });
+}
+
 /// How late the impacts come, and how far an error of the tolerance has grown until then.
 support::Plot plot_of(const EngineBuild& build, const DieResult& die) {
   support::Plot plot{"a die on a table, without friction",
@@ -41,13 +50,12 @@ support::Plot plot_of(const EngineBuild& build, const DieResult& die) {
                      {"error of its time [s]", Scale::log},
                      {}};
   support::Series grown{"error of the tolerance", {}, {}, Look::dashed},
-      own{owner_of(build, "11.3") + " die", {}, {}};
+      own{all_own(build) ? "your die" : "die, in part yours", {}, {}};
   own.width = 3.4;
-  for (std::size_t i = 0; i < die.truth.t.size(); ++i) {
+  for (std::size_t i = 0; i < die.common(); ++i) {
     const double impact = static_cast<double>(i) + 1;
     grown.x.push_back(impact);
-    grown.y.push_back(die.truth.grown[i]);
-    if (i >= die.own->answer.impacts.size()) continue;
+    grown.y.push_back(die.truth.impacts[i].grown);
     own.x.push_back(impact);
     own.y.push_back(std::abs(die.late(i)));
   }
@@ -75,7 +83,8 @@ std::vector<std::string> lines_of(const std::string& start, const std::string& n
 std::string figure_of(const EngineBuild& build, const Measurement& measurement) {
   std::vector<support::Plot> plots;
   for (const ProblemResult& result : measurement.problems) plots.push_back(plot_of(build, result));
-  if (measurement.die && measurement.die->own) plots.push_back(plot_of(build, *measurement.die));
+  if (measurement.die && measurement.die->common() > 0)
+    plots.push_back(plot_of(build, *measurement.die));
   const std::vector<Part> missing = build.missing();
   std::vector<std::string> notes =
       missing.empty() ? std::vector<std::string>{"All functions of this engine are yours."}

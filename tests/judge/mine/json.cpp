@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "judge/mine/report.hpp"
@@ -62,14 +61,14 @@ ordered_json json_of(const DieResult& die) {
     j["failure"] = die.failure;
     return j;
   }
-  const std::vector<DieImpact>& impacts = die.own->answer.impacts;
-  for (std::size_t i = 0; i < std::min(impacts.size(), die.truth.t.size()); ++i)
-    j["impacts"].push_back({{"t", impacts[i].t},
+  for (std::size_t i = 0; i < die.common(); ++i)
+    j["impacts"].push_back({{"t", die.own->impacts[i].t},
                             {"late", die.late(i)},
-                            {"an_error_of_the_tolerance_grows_to", die.truth.grown[i]},
+                            {"an_error_of_the_tolerance_grows_to", die.truth.impacts[i].grown},
                             {"energy_left", die.energy_left(i)}});
-  j["distances"] = die.own->answer.queries;
-  j["seconds"] = die.own->seconds;
+  const DieLaws laws = die.laws();
+  j["broken_by"] = {{"height", laws.height}, {"sideways", laws.sideways}, {"energy", laws.energy}};
+  j["distances"] = die.own->queries;
   return j;
 }
 

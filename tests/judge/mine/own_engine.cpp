@@ -124,11 +124,9 @@ only_what_a_scene_needs::EnergyDrift OwnEngine::drift(const Setting& setting,
       .answer;
 }
 
-Timed<DieAnswer> drop_die(const WorkerProgram& program, const DieQuestion& question) {
-  Asker asker(program);
-  asker.ask<DieAnswer>(question);  // starts the process
-  Timed<DieAnswer> dropped = asker.ask<DieAnswer>(question);
-  for (const DieImpact& impact : dropped.answer.impacts) {
+DieAnswer drop_die(const WorkerProgram& program, const DieQuestion& question) {
+  DieAnswer dropped = Asker(program).ask<DieAnswer>(question).answer;
+  for (const DieImpact& impact : dropped.impacts) {
     require_state(impact.after, "at an impact");
     if (!std::isfinite(impact.t)) throw NoAnswer(Outcome::wrong, "a time is not a number");
   }

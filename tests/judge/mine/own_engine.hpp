@@ -40,8 +40,8 @@ class OwnEngine {
   WorkerProgram program_;
 };
 
-/// The die of a student's functions, asked in the same way.
+/// The die of a student's functions.
 /// @throws NoAnswer also if these are not the states of a motion
-Timed<DieAnswer> drop_die(const WorkerProgram& program, const DieQuestion& question);
+DieAnswer drop_die(const WorkerProgram& program, const DieQuestion& question);
 
 }  // namespace tumble::judge::mine

@@ -11,13 +11,13 @@ std::optional<std::string> travelling_curve(const Course& course,
                                             const fs::path& folder) {
   EngineBuilder builder(course, source, folder);
   EngineBuild build = builder.build(course.engine);
-  const EngineBuild die = builder.build(course.die);
-  const WorkerProgram engine = build.worker;
-  build.add(die);
   const bool none_own = build.missing().size() == build.parts.size();
   if (!build.does_not_link.empty() || none_own) return std::nullopt;
-  Measurement measurement = measure(OwnEngine(engine), [](const std::string&) {});
-  measurement.die = die_of(die.worker);
+  Measurement measurement = measure(OwnEngine(build.worker), [](const std::string&) {});
+  if (const EngineBuild die = builder.build(course.die); die.does_not_link.empty()) {
+    build.add(die);
+    measurement.die = die_of(die.worker);
+  }
   return figure_of(build, measurement);
 }
 
