@@ -52,8 +52,10 @@ void print_growth(const Contacts& contacts) {
   std::cout << support::fitted(
                    "Each flight is exact, but each impact makes earlier errors larger. We have "
                    "followed a second start, with speeds that differ by " +
-                   support::number(growth.start) + " of themselves: at the end a body is up to " +
-                   support::error_number(growth.distance) + " m elsewhere, and turned by up to " +
+                   support::number(growth.start) +
+                   " of themselves: at the end the two motions are up to " +
+                   support::error_number(growth.distance) +
+                   " m apart, and turned against each other by up to " +
                    support::error_number(growth.angle) + " rad.")
             << '\n';
 }

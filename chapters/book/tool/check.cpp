@@ -171,7 +171,7 @@ std::vector<std::string> mistakes_of_terms(const fs::path& root) {
   const fs::path place = place_of_terms(root);
   if (!fs::exists(place) || read_page(place).lines != fresh_terms(root).lines)
     mistakes.push_back(place.string() +
-                       ":1: is not what the pages say; ./tumble book --write takes it over");
+                       ":1: is not what the pages say; ./tumble book --write updates the page");
   return mistakes;
 }
 

@@ -95,8 +95,9 @@ std::vector<std::string> stale_exercises(const fs::path& root, const Page& page)
   for (const ExerciseBlock& block : exercise_blocks(page)) {
     try {
       if (!is_fresh(page, block, wanted_lines(root, page, block)))
-        stale.push_back(at(page, block.comment) + "exercise " + block.number +
-                        " is not what contract and hints say; ./tumble book --write takes it over");
+        stale.push_back(
+            at(page, block.comment) + "exercise " + block.number +
+            " is not what contract and hints say; ./tumble book --write updates the page");
     } catch (const std::exception& error) {
       const std::string what = error.what();
       stale.push_back(what.starts_with(page.file.string()) ? what : at(page, block.comment) + what);

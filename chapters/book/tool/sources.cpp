@@ -82,7 +82,7 @@ std::vector<std::string> stale_fences(const Places& places, const Page& page) {
     try {
       if (!is_fresh(content_of(page, fence), wanted_content(places, fence), fence))
         stale.push_back(place + fence.path + "#" + fence.region +
-                        " has changed; ./tumble book --write takes it over");
+                        " has changed; ./tumble book --write updates the page");
     } catch (const std::exception& e) {
       stale.push_back(place + e.what());
     }

@@ -193,7 +193,7 @@ class SubmissionCollector {
     try {
       metadata_ = read_gradescope_metadata(support::read_text(file));
     } catch (const std::invalid_argument& error) {
-      leave_out(file, std::string("cannot be understood, so that students are called as their "
+      leave_out(file, std::string("cannot be read, so students keep the names of their "
                                   "folders: ") +
                           error.what());
     }

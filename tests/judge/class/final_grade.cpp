@@ -46,7 +46,7 @@ void subtract_late(const CourseSettings& settings, const StudentRecord& record, 
   const std::string text = std::to_string(days) + (days == 1 ? " day late" : " days late");
   if (rule.days && days > *rule.days) {
     grade.points = 0;
-    grade.because.push_back(text + ": more than " + std::to_string(*rule.days));
+    grade.because.push_back(text + ", and nothing counts after " + std::to_string(*rule.days));
     return;
   }
   const double percent = std::min(100.0, days * rule.per_day);

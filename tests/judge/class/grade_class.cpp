@@ -155,8 +155,8 @@ KeptRecords read_records(const GradesFolder& folder) {
   KeptRecords kept;
   const std::optional<ClassList> list = read_class_list(folder.class_list());
   require(list || !fs::exists(folder.shards()), folder.path.string(),
-          " holds shards of a class: ./tumble grade --merge ", folder.path.string(),
-          " makes one of them, when all are judged");
+          " holds shards of a class; when all are judged, ./tumble grade --merge ",
+          folder.path.string(), " combines them into grades");
   for (const ListedStudent& listed : list ? list->students : students_with_records(folder)) {
     if (listed.absent) {
       kept.records.push_back({listed.student, 1, 0, "", {}});

@@ -87,7 +87,8 @@ void ShardedClass::require_all_there() const {
   std::set<std::size_t> numbers;
   for (const FoundShard& each : found_) {
     require(each.manifest.shard.of == count(), called(first()), " and ", called(each),
-            " are of another number of shards: give --merge the folders of one class");
+            " divide the class into different numbers of shards: give --merge the folders of one "
+            "division");
     numbers.insert(each.manifest.shard.number);
   }
   std::string missing;
@@ -104,14 +105,15 @@ void ShardedClass::require_same_class() const {
   const nlohmann::ordered_json roll_of_first = json_of(roll());
   for (const FoundShard& each : found_) {
     const ShardManifest &one = first().manifest, &other = each.manifest;
-    require(one.settings == other.settings, "course.json is not the same in ", called(first()),
-            " and in ", called(each),
-            ": judge one of them again, with the same; verdicts that still hold are kept");
+    require(
+        one.settings == other.settings, "course.json is not the same in ", called(first()),
+        " and in ", called(each),
+        ": judge one of them again with the other's course.json; verdicts that still hold stay");
     require(one.seed == other.seed, called(first()), " and ", called(each),
-            " have other inputs: \"seed\" in course.json makes them the same");
+            " have different inputs: put a \"seed\" into course.json, and judge both again");
     require(one.judges == other.judges, called(first()), " and ", called(each),
             " come from different judges: another version of tumble, or another compiler. Judge "
-            "one of them again, where the other was");
+            "one of them again, with the other's tumble and compiler");
     require(roll_of_first == json_of(other.roll), difference(first(), each),
             ": give all shards the same submissions and the same roster");
   }

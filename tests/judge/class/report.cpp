@@ -161,7 +161,7 @@ class Page {
     const std::vector<Frequent> frequent = most_frequent(units_, 8);
     out_ << "<h2>To explain again</h2>\n";
     if (frequent.empty()) {
-      out_ << "<p>No answer was that of a known misconception.</p>\n";
+      out_ << "<p>No wrong answer matches a known misconception.</p>\n";
       return;
     }
     out_ << "<ol>\n";
@@ -214,8 +214,9 @@ class Page {
       add_counts("laws:", unit.laws, 3);
       out_ << "</tr>\n";
     }
-    out_ << "</table>\n<p><small>Tries: different files that were graded until one passed, on "
-            "average of those who passed. Verdicts, laws and misconceptions count each student "
+    out_ << "</table>\n<p><small>Tries: how many different files we graded until one passed, the "
+            "average over the students with a pass. Verdicts, laws and misconceptions count each "
+            "student "
             "once, with the file that was graded last.</small></p>\n";
   }
 

@@ -84,9 +84,10 @@ void require_same_cut(const GradesFolder& folder, const Shard& shard) {
   const std::string ending = "-of-" + std::to_string(shard.of) + ".json";
   for (const fs::path& file : manifests_in(folder))
     require(file.filename().string().ends_with(ending), folder.path.string(),
-            " has a shard of another number of them, ", file.string(), ": a student is in one of ",
-            shard.of, " shards and in another of those. Take another folder with --out, or delete ",
-            folder.shards().string(), " to cut the class anew: records stay");
+            " holds a shard of another division of the class, ", file.string(),
+            ". You now divide it into ", shard.of,
+            " shards, so students change their shards. Take another folder with --out, or delete ",
+            folder.shards().string(), " to divide the class anew: its records stay");
 }
 
 }  // namespace tumble::judge

@@ -221,7 +221,7 @@ void Sources::convert(const std::string& unit) {
   const fs::path name = handed_in_.at(unit), file = own_.path() / name;
   support::write_text_and_folders(file, *text);
   of_unit_[unit] = file;
-  notes_.push_back(escaped(name.string()) + " is UTF-16: read as UTF-8");
+  notes_.push_back(escaped(name.string()) + " is UTF-16: converted to UTF-8");
 }
 
 }  // namespace tumble::judge

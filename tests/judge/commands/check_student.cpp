@@ -82,7 +82,7 @@ int check_student(const Course& course, const CheckOptions& options) {
   if (!seen.record.refused.empty())
     std::cout << "The submission " << escaped(seen.record.refused) << ".\n";
   require(!units.empty() || !seen.record.refused.empty(), options.student->string(),
-          " has no verdict on what was asked for");
+          " has no verdict on the exercises that you named");
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::yes)) return 2;
   std::vector<Unit> kept;
   for (const Unit& unit : units)

@@ -52,7 +52,7 @@ bool said_who_is_left(const std::vector<StudentRecord>& records, const GradingRu
                                   [](const StudentRecord& record) { return record.out_of_time; });
   if (left > 0)
     std::cerr << "tumble: no time was left for " << left << " of " << records.size()
-              << " submissions; " << run.again << " goes on there\n";
+              << " submissions; " << run.again << " goes on with them\n";
   return left > 0;
 }
 
@@ -76,15 +76,15 @@ int finish_class(const ClassRoll& roll, const GradesFolder& folder, const Course
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - run.start;
   std::cerr << "tumble: " << duration_text(taken.count()) << "; grades: ";
   for (const fs::path& file : written) std::cerr << file.string() << ", ";
-  std::cerr << "one file a student in " << (folder.path / "students").string() << ", for them in "
-            << folder.feedback().string() << "\n";
+  std::cerr << "one record per student in " << (folder.path / "students").string()
+            << ", their feedback in " << folder.feedback().string() << "\n";
   return say_end(records, run);
 }
 
 int say_end(const std::vector<StudentRecord>& records, const GradingRun& run) {
   if (run.interrupted) {
-    std::cerr << "tumble: interrupted: the grades are those of what was judged; " << run.again
-              << " goes on there\n";
+    std::cerr << "tumble: interrupted: the grades count only what is judged so far; " << run.again
+              << " goes on from there\n";
     return 130;
   }
   const bool has_failed = say_failures(run.failed, records, run.again),

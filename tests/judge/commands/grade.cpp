@@ -100,8 +100,8 @@ std::vector<Submission> chosen(const std::vector<Submission>& all, const GradeOp
 /// Shards of one class need one seed.
 void require_seed(const CourseSettings& settings, const GradesFolder& folder) {
   require(settings.seed || fs::exists(folder.seed()),
-          "--shard needs a \"seed\" in --course course.json, or every shard would draw its own "
-          "inputs: a whole number that you keep secret, such as ",
+          "--shard needs a \"seed\" in --course course.json, so that all shards draw the same "
+          "inputs. Take a whole number and keep it secret, such as ",
           std::random_device{}());
 }
 
@@ -153,7 +153,7 @@ int finish_shard(const Shard& shard, const GradesFolder& folder, const CourseSet
   say(duration_text(taken.count()), "; shard ", name_of(shard), ", ", own.size(), " of ",
       all.size(), " submissions, is ", status == 0 ? "judged" : "not complete", ": ",
       (folder.path / "students").string());
-  say("the tables come when all ", shard.of, " are judged: ./tumble grade --merge DIR...");
+  say("when all ", shard.of, " shards are judged, make the tables: ./tumble grade --merge DIR...");
   return status;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 /// Every entry that has no row, and why.
 void say_left_out(const std::vector<LeftOut>& left_out) {
-  constexpr const char* head = "left out, as no submission:";
+  constexpr const char* head = "left out, because these are not submissions:";
   if (!left_out.empty()) std::cerr << "tumble: " << head << "\n";
   for (const LeftOut& each : left_out)  // none is hidden: it could be somebody's work
     std::cerr << "  " << escaped(each.what) << ": " << escaped(each.why) << "\n";
@@ -61,7 +61,7 @@ void say_timeless(const CourseSettings& settings, const std::vector<StudentRecor
                                           ? ""
                                           : ": \"" + record.handed_in + "\" cannot be read"));
   }
-  say_list("nobody says when these came, so they count as in time:", lines);
+  say_list("we don't know when these students handed in, so their work counts as on time:", lines);
 }
 
 /// What the judge has failed at.
@@ -128,7 +128,7 @@ void say_changes(const std::vector<StudentRecord>& before,
         changes.push_back(record.student + ", " + unit.number + ": " + last.summary + " → " +
                           unit.summary);
     }
-  say_list("verdicts on the same files that have changed:", changes);
+  say_list("changed verdicts on unchanged files:", changes);
 }
 
 bool say_failures(const std::vector<FailedStudent>& failed,
@@ -137,8 +137,8 @@ bool say_failures(const std::vector<FailedStudent>& failed,
   for (const std::string& line : lines)
     std::cerr << "tumble: the judge failed at " << escaped(line) << "\n";
   if (!lines.empty())
-    std::cerr << "tumble: these are failures of the judge or of this machine, and cost nobody a "
-                 "point for good: "
+    std::cerr << "tumble: the judge or this machine has failed here, not a student. No point is "
+                 "lost: "
               << again << " judges what is missing\n";
   return !lines.empty();
 }

@@ -26,7 +26,7 @@ Unit one_unit(const Course& course, const std::string& what) {
 Unit next_open(const Progress& progress) {
   const std::optional<Unit> unit = progress.next_open();
   require(unit.has_value(),
-          "every exercise passes; a hint for which one? Such as: ./tumble hint 4.1");
+          "every exercise passes; name one for a hint, for example: ./tumble hint 4.1");
   return *unit;
 }
 
@@ -54,7 +54,7 @@ int hint(const Course& course, const std::string& what, int number) {
             << "\n\n"
             << hints[static_cast<std::size_t>(number) - 1];
   if (number < static_cast<int>(hints.size()))
-    std::cout << "\nFurther: ./tumble hint " << unit.number << "\n";
+    std::cout << "\nNext hint: ./tumble hint " << unit.number << "\n";
   return 0;
 }
 

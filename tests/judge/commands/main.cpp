@@ -20,7 +20,7 @@ Targets nothing(const Course&) { return {}; }
 Targets everything(const Course&) { return all_specs(); }
 
 constexpr const char* seconds_help =
-    "seconds after which no exercise is begun: what is left is said to be not judged";
+    "seconds after which we begin no exercise; we report the rest as not judged";
 constexpr const char* strict_help = "refuse to judge if a wall of the sandbox is missing";
 
 class CommandLine {
@@ -154,11 +154,12 @@ class CommandLine {
         app.get_option("DIR"),
         app.add_option("--course", grade_.settings,
                        "course.json: exercises, weights, credit, due date, seed"),
-        app.add_option(
-            "--from", grade_.from,
-            std::string("whose download it is, if its names leave a doubt: ") + lms_names),
+        app.add_option("--from", grade_.from,
+                       std::string("the platform of the download, if its file names don't tell: ") +
+                           lms_names),
         app.add_option("--roster", grade_.roster,
-                       "table of the class (CSV): names, numbers, who has not handed in"),
+                       "the class list (CSV) with names and numbers; students without a submission "
+                       "get a row, too"),
         app.add_option("--only", grade_.only, "judge only these exercises or chapters, and again"),
         app.add_option("--student", grade_.students, "judge only these students"),
         app.add_option("--jobs", grade_.at_once,
@@ -166,10 +167,12 @@ class CommandLine {
             ->check(CLI::Range(1, 1000)),
         app.add_option("--deadline", grade_.seconds, seconds_help)->check(CLI::PositiveNumber),
         app.add_flag("--strict", grade_.strict, strict_help),
-        app.add_option("--shard", grade_.shard,
-                       "3/10: judge a tenth of the class, the third; by the students' names")};
-    CLI::Option* merge = app.add_option(
-        "--merge", grade_.merge, "folders of shards: make the grades of the whole class of them");
+        app.add_option(
+            "--shard", grade_.shard,
+            "3/10: judge the third of ten parts of the class; a student's name decides the part")};
+    CLI::Option* merge =
+        app.add_option("--merge", grade_.merge,
+                       "folders of all shards: combine them into the grades of the whole class");
     for (CLI::Option* option : about_judging) merge->excludes(option);
   }
 

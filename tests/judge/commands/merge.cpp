@@ -25,7 +25,8 @@ bool said_unfinished(const ShardedClass& shards, const GradesFolder& out) {
       lines.push_back("shard " + name_of({i, shards.count()}) + ": " + std::to_string(left[i]) +
                       " students");
   say_list(
-      "not judged to the end, so that these students' grades are left open; --shard goes on there:",
+      "these shards are not complete, and their students' grades stay open; --shard judges the "
+      "rest:",
       lines);
   return !lines.empty();
 }
@@ -49,8 +50,8 @@ int merge(const Course& course, const GradeOptions& options) {
   fs::create_directories(out.path / "students");
   const GradingLock lock(out.lock(), out.path.string());
   if (!is_here(course, shards))
-    std::cerr << "tumble: the shards agree with each other, but this tumble would judge otherwise: "
-                 "it has other specs, or another compiler\n";
+    std::cerr << "tumble: one judge has judged all the shards, and this tumble is another: "
+                 "its specs or its compiler differ\n";
   std::cerr << "tumble: " << shards.count() << " shards, " << shards.roll().submissions.size()
             << " submissions, " << shards.settings().units.size() << " exercises each\n";
   shards.bring_to(out);

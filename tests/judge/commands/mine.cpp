@@ -47,10 +47,10 @@ std::vector<UnitResult> failing_units(const Course& course, const mine::EngineBu
 
 void explain(const Course& course, const mine::EngineBuild& build,
              const std::vector<std::string>& findings) {
-  std::cout << "\nNot as it should be:\n";
+  std::cout << "\nWhat is wrong:\n";
   for (const std::string& finding : findings)
     std::cout << "  ✗ " << one_line(finding, 2000) << "\n";
-  progress("which of your functions is it? Each one is judged");
+  progress("the judge checks each of your functions, to find the cause");
   const std::vector<UnitResult> failing = failing_units(course, build);
   if (failing.empty())
     std::cout << "\n  Each of your functions passes its own laws. Try others:  ./tumble check all "
@@ -146,11 +146,10 @@ int run_mine(const Course& course, const MineOptions& options) {
     return not_built(options, build, "missing: " + mine::names_of(missing));
   }
   if (!build.does_not_link.empty()) {
-    std::cout
-        << "These are used by your functions, and are not there:\n\n"
-        << printable(build.does_not_link)
-        << "\nHelpers that are declared, but not defined? In which file, says  ./tumble check "
-           "all\n";
+    std::cout << "Your functions use these names, and no file defines them:\n\n"
+              << printable(build.does_not_link)
+              << "\nDid you declare a helper and not define it? To find the file:  ./tumble check "
+                 "all\n";
     return not_built(options, build, "does not link: " + build.does_not_link);
   }
   add_die(engines, builder.build(course.die), options.fill);

@@ -9,7 +9,7 @@ namespace tumble::judge {
 const MineModule& mine_module(const Course& course) {
   if (course.engine.empty())
     throw std::runtime_error(
-        "an engine takes functions of all chapters, and this tree has not all");
+        "an engine needs functions of every chapter, and this tree lacks some chapters");
   if (!fs::exists(course.mine))
     throw std::runtime_error(
         "the part that measures engines is not built: build the target tumble_judge_mine");

@@ -13,15 +13,16 @@ std::string signal_text(int number) {
   switch (number) {
     case SIGSEGV:
       return "SIGSEGV: it used memory that is not its own (an index out of range, endless "
-             "recursion, or tables too large to start with)";
+             "recursion, or arrays too large for its memory)";
     case SIGFPE:
       return "SIGFPE: an integer was divided by zero";
     case SIGABRT:
-      return "SIGABRT: an assertion failed, or an exception was caught by nobody";
+      return "SIGABRT: an assertion failed, or an exception was never caught";
     case SIGBUS:
       return "SIGBUS: it used memory that is not there";
     case SIGILL:
-      return "SIGILL: it came where nothing can be (a function that ends without return, a null "
+      return "SIGILL: it reached code that must never run (a function that ends without return, a "
+             "null "
              "pointer)";
     case SIGTRAP:
       return "SIGTRAP: it ran into a trap (a function without return?)";

@@ -45,7 +45,7 @@ std::optional<std::string> Exchange::result_for(const Message& message, const Ca
   if (message.token != token_) throw malformed("a message that belongs to no question");
   if (message.kind != Kind::call_back) return std::nullopt;
   if (evaluations_++ == most_evaluations)
-    throw NoAnswer(Outcome::hung, "it called a function that it was given 100000 times");
+    throw NoAnswer(Outcome::hung, "it called a function among its arguments 100000 times");
   const FunctionId* function =
       message.content.size() == 2 ? message.content[0].as<FunctionId>() : nullptr;
   if (!function) throw malformed("a call of no function");

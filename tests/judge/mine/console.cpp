@@ -52,8 +52,8 @@ void add_curve(Table& table, const EngineBuild& build, const OwnCurve& own) {
 }
 
 std::string table_of(const EngineBuild& build, const ProblemResult& result) {
-  Table table({"method", "steps", "evaluations", "error at the end [rad]", "order", "µs a step",
-               "time of all"});
+  Table table({"method", "steps", "evaluations", "error at the end [rad]", "order", "µs per step",
+               "total time"});
   for (const OwnCurve& own : result.own) add_curve(table, build, own);
   if (result.closed_form)
     add_row(table, owner_of(build, closed_form_unit) + " " + result.closed_form->name,
@@ -159,14 +159,16 @@ void print_measurement(std::ostream& out, const EngineBuild& build,
     out << "\n" << table_of(build, result);
   }
   if (measurement.drift.own)
-    out << "\nIts energy in 128 midpoint steps strays by " +
-               error_number(measurement.drift.own->largest) + " at most, and by " +
-               error_number(measurement.drift.own->trend) + " a second (10.3 energy_drift).\n";
+    out << "\nIn 128 midpoint steps the energy of the free T-handle strays from its first value E₀ "
+           "by at most " +
+               error_number(measurement.drift.own->largest) + " E₀, and by " +
+               error_number(measurement.drift.own->trend) + " E₀ per second (10.3 energy_drift).\n";
   if (measurement.die) out << "\n" << about_die(*measurement.die);
 }
 
 void print_waiting(std::ostream& out, const Course& course, const std::vector<Part>& waiting) {
-  out << "\nA die that falls onto a table takes these of yours, too, which are not there yet:\n\n"
+  out << "\nTo drop a die onto a table, we also need these functions of yours, which are not there "
+         "yet:\n\n"
       << list_of(course, waiting) << details_of(waiting);
 }
 

@@ -102,7 +102,7 @@ std::string sentence_about(const Turning& turning) {
     instead = "with " + number(factor, 2) + " ω";
   else if ((measured - turning.R * omega).norm() <= close)
     instead = "as if ω were in body axes";
-  return " Broken: that q turns with ω. It turns " + instead +
+  return " Broken: q turns with ω. Your q turns " + instead +
          " (4.8 quaternion_dot, 4.1 product; and ω is R I⁻¹Rᵀ L: 5.5, 9.3).";
 }
 
@@ -130,11 +130,11 @@ std::string sentence_about(const OwnCurve& own) {
 }
 
 std::string sentence_about_all(const ProblemResult& result, bool first) {
-  return (first
-              ? "No method comes to the true motion with smaller steps: what they step is wrong, "
-                "dydt (9.4) or what it calls."
-              : "In free flight all is right, here nothing is: look at the forces, 5.4 net_wrench "
-                "and 5.3 torque, and where 9.4 dydt puts them.") +
+  return (first ? "No method converges to the true motion with smaller steps: "
+                  "dydt (9.4), or a function that it calls, is wrong."
+                : "In free flight the methods are right, and here they are not: check the forces, "
+                  "5.4 net_wrench "
+                  "and 5.3 torque, and where 9.4 dydt puts them.") +
          sentence_about_motion(result);
 }
 
@@ -144,8 +144,8 @@ void look_at_failures(const OwnCurves& failed, std::size_t methods,
                       std::vector<std::string>& found) {
   const auto same = [&](const OwnCurve* own) { return own->failure == failed.front()->failure; };
   if (failed.size() == methods && methods > 1 && std::all_of(failed.begin(), failed.end(), same))
-    found.push_back("All methods the same: " + failed.front()->failure +
-                    ". So it is what they step, dydt (9.4) or what it calls.");
+    found.push_back("All methods fail alike: " + failed.front()->failure +
+                    ". So dydt (9.4), or a function that it calls, is wrong.");
   else
     for (const OwnCurve* own : failed) found.push_back(sentence_about(*own));
 }

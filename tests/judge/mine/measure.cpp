@@ -48,7 +48,7 @@ MassResult mass_of(const OwnEngine& engine, const Problem& problem) {
     result.own = engine.mass(polyhedron_of(problem.mesh), problem.density);
     const mirtich::MassProperties& own = result.own->answer;
     require(std::isfinite(own.mass) && own.centre.allFinite() && own.inertia.allFinite(),
-            "the answer has a number that is none");
+            "a number in the answer is not finite");
     result.error = error_of(own, problem);
     require_valid(MassProperties{own.mass, Vec3::Zero(), own.inertia});
   } catch (const NoAnswer& why) {

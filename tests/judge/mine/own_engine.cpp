@@ -70,8 +70,8 @@ auto timed(Ask&& ask) {
 void require_state(const Numbers& y, const std::string& when) {
   const double length = y.segment<4>(3).norm();
   if (y.allFinite() && length > 0 && std::isfinite(length)) return;
-  throw NoAnswer(Outcome::wrong, when + (y.allFinite() ? " q becomes zero, or endless"
-                                                       : " the state becomes no number"));
+  throw NoAnswer(Outcome::wrong, when + (y.allFinite() ? " q has length 0, or its length overflows"
+                                                       : " the state is no longer finite"));
 }
 
 void require_states(const RunAnswer& answer, const RunQuestion& question) {

@@ -146,7 +146,7 @@ void Session::unusable(const std::string& why) {
   }
   Finding finding = wrong_answer(calls_.size() - 1);
   finding.misconceptions.clear();
-  finding.detail = "an answer that can be computed with, but " + why;
+  finding.detail = "an answer that the judge can compute with; it refuses yours: " + why;
   found(std::move(finding));
 }
 
@@ -176,7 +176,7 @@ bool Session::demand(std::size_t number, const Obeys& demand) {
   Finding finding = wrong_answer(number);
   char missed[32];
   std::snprintf(missed, sizeof missed, "%.3g", demand.error);
-  finding.detail = demand.law + ", and it is missed by " + missed;
+  finding.detail = demand.law + "; your answer misses it by " + missed;
   finding.tolerance = demand.bound;
   found(std::move(finding));
   return false;

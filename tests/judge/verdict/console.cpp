@@ -98,7 +98,7 @@ class Printer {
 
   void explain_judge_failure() {
     out_ << "\n  The judge failed here: " << one_line(result_.judge_failure)
-         << ".\n  This is not a verdict on your code. Try again; if it stays, tell your "
+         << ".\n  This is not a verdict on your code. Try again; if it fails again, tell your "
             "instructor.\n\n";
   }
 
@@ -124,7 +124,7 @@ class Printer {
                 "needed.\n";
         break;
       case BuildOutcome::assembly:
-        out_ << "  " << exercise() << " contains assembler code. Plain C++ is what is asked for.\n";
+        out_ << "  " << exercise() << " contains assembler code. Write plain C++.\n";
         break;
       case BuildOutcome::too_expensive:
         out_ << "  The compiler did not finish with " << exercise()
@@ -133,7 +133,7 @@ class Printer {
         break;
       case BuildOutcome::wrong_signature:
         out_ << "  " << exercise()
-             << " compiles, but does not define the function that is asked for:\n\n"
+             << " compiles, but does not define the function of its contract:\n\n"
              << indented(result_.build_detail, "    ", 8)
              << "\n  Its name, the types of its arguments (with const and &) and the namespace "
                 "have to be\n"
@@ -151,9 +151,9 @@ class Printer {
   }
 
   void explain_untouched() {
-    out_ << "\n  Nothing is written yet. Asked for is " << declaration_.title << ":\n\n"
+    out_ << "\n  Nothing is written yet. Your task: " << declaration_.title << "\n\n"
          << indented(declaration_.signature, "    ", 8) << "\n  Write it in  " << exercise()
-         << "   (what is demanded: " << relative(course_.contract(result_.unit)) << ")\n"
+         << "   (its contract: " << relative(course_.contract(result_.unit)) << ")\n"
          << "  A hint:      ./tumble hint " << result_.unit.number << "\n\n";
   }
 
@@ -285,7 +285,7 @@ class Printer {
       case Outcome::hung:
         return "      Your code did not answer: " + detail + ". A loop that never ends?";
       case Outcome::out_of_memory:
-        return "      Your code asked for too much memory: " + detail + " are not given.";
+        return "      Your code asked for too much memory: " + detail + " is not allowed.";
       case Outcome::flooded:
         return "      Your code prints without end: " + detail + ".";
       case Outcome::exited:
@@ -294,8 +294,8 @@ class Printer {
         return "      Your code " + detail +
                ".\n      An exercise computes: it has no files, no network, no other processes.";
       case Outcome::wrong_call:
-        return "      Your code called a function that it was given in a way it is not defined "
-               "for:\n"
+        return "      Your code called a function that it got as an argument, in a way that is not "
+               "allowed:\n"
                "      " +
                detail + ".";
       case Outcome::malformed:

@@ -245,7 +245,7 @@ ID=1000 run book --pdf
 expect 0 tumble.pdf
 if grep -q no-sandbox "$CALLS"; then complain 'without root the sandbox stays'; fi
 CHROMIUM_FAILS=yes run book --pdf
-expect 2 'no fonts' 'tumble: the PDF is not printed, see above'
+expect 2 'no fonts' 'tumble: printing the PDF failed, see above'
 rm "$bin/chromium"
 mkdir -p "$work/tools"
 for each in sh sed grep cat mkdir rm dirname basename awk tr id; do ln -sf "$(command -v "$each")" "$work/tools/$each"; done

@@ -62,7 +62,8 @@ inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
 ///                  span. For a spin perpendicular to the axis of a near-symmetry it grows as t²
 /// @throws std::invalid_argument if the tolerance is negative or not finite
 inline ModelChoice choose_model(const PrincipalAxes& axes, double tolerance = 0) {
-  require(tolerance >= 0 && std::isfinite(tolerance), "choose_model: the tolerance is ", tolerance);
+  require(tolerance >= 0 && std::isfinite(tolerance), "choose_model: the tolerance is ", tolerance,
+          ", not a finite number ≥ 0");
   const SymmetricMoments top = nearest_symmetric_top(axes);
   if (top.asymmetry > tolerance) return {Model::full_body, "no two principal moments are equal"};
   if (std::abs(top.axial - top.transverse) > tolerance * std::max(top.axial, top.transverse))

@@ -123,7 +123,7 @@ struct HalfSpace {
   void require_valid() const {
     require(point.allFinite(), "half space: its point is not finite");
     require(std::abs(normal.norm() - 1) < 1e-9, "half space: its normal (", normal.transpose(),
-            ") has not the length 1");
+            ") does not have length 1");
   }
 };
 

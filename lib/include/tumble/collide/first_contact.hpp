@@ -52,7 +52,7 @@ FirstContact first_contact(const Gap& gap, double speed, double t0, double t1, d
           " m/s is not positive and finite");
   require(tolerance > 0, "first_contact: the tolerance ", tolerance, " m is not positive");
   require(t0 <= t1 && std::isfinite(t1 - t0), "first_contact: from t0 = ", t0, " to t1 = ", t1,
-          " is no span");
+          " is not a span of time: t1 must be finite, and not before t0");
   FirstContact contact{.t = t0};
   while (true) {
     contact.gap = gap(contact.t);

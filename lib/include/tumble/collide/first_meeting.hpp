@@ -59,7 +59,7 @@ template <class Things>
 Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) {
   require(tolerance > 0, "first_meeting: the tolerance ", tolerance, " m is not positive");
   require(t0 <= t1 && std::isfinite(t1 - t0), "first_meeting: from t0 = ", t0, " to t1 = ", t1,
-          " is no span");
+          " is not a span of time: t1 must be finite, and not before t0");
   Meeting meeting;
   meeting.t = t0;
   while (true) {

@@ -24,7 +24,7 @@ struct Impact {
   void require_valid() const {
     require(K.allFinite() && u.allFinite(), "impact: K or u is not finite");
     require(std::abs(normal.norm() - 1) < 1e-9, "impact: the normal (", normal.transpose(),
-            ") has not the length 1");
+            ") does not have length 1");
     require(normal.dot(K * normal) > 0,
             "impact: both bodies have infinite mass: nK n = ", normal.dot(K * normal));
     require(e >= 0 && e <= 1, "impact: restitution e = ", e, " is not in 0 … 1");

@@ -26,7 +26,8 @@ inline ContactRun simulate_contacts(const ContactScene& scene, const ContactSett
           "contacts: until = ", settings.until, " s is not finite and ≥ 0");
   require(settings.tolerance > 0, "contacts: the tolerance ", settings.tolerance,
           " m is not positive");
-  require(settings.most_impacts > 0, "contacts: at most ", settings.most_impacts, " impacts");
+  require(settings.most_impacts > 0, "contacts: most_impacts = ", settings.most_impacts,
+          " is not positive");
   scene.require_valid(settings.tolerance);
   return detail::ContactSimulation<detail::ContactEvents>(scene, settings).run();
 }

@@ -38,10 +38,11 @@ void require_valid_steps([[maybe_unused]] std::size_t bodies, const FixedSteps& 
                          const Forces&... forces) {
   require(std::isfinite(steps.h) && std::isfinite(steps.t0), "advance: the step is ", steps.h,
           " s and the time ", steps.t0, " s, but both must be finite");
-  require(steps.count >= 0, "advance: the number of steps is ", steps.count);
-  require(steps.loop.threads >= 1, "advance: the number of threads is ", steps.loop.threads);
+  require(steps.count >= 0, "advance: the number of steps is ", steps.count, ", less than 0");
+  require(steps.loop.threads >= 1, "advance: the number of threads is ", steps.loop.threads,
+          ", not positive");
   require(steps.loop.instructions <= simd::best_instruction_set(),
-          "advance: this processor does not have the instructions that were asked for");
+          "advance: this processor lacks the instruction set that you asked for");
   (require_valid_forces(forces, bodies), ...);
 }
 

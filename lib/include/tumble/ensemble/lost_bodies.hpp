@@ -34,7 +34,7 @@ inline void require_none(const LostBodies& lost) {
   if (lost.count == 0) return;
   detail::throw_error<std::runtime_error>(
       lost.count, " of the ensemble's bodies are no longer finite, the first is body ", lost.first,
-      ": smaller steps, or a force that stays finite where it goes, may keep it");
+      ". Take smaller steps, or a force that is finite wherever the bodies go");
 }
 
 }  // namespace detail

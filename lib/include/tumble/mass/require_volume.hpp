@@ -16,19 +16,18 @@ namespace tumble {
 /// @throws std::invalid_argument if the mesh is inside out, or so flat, thin or small that no digit
 ///         of its mass or inertia is certain
 inline BoundedMassProperties require_volume(const BoundedMassProperties& body) {
-  require(body.mass_error_bound < 1,
-          "the mesh encloses no volume that rounding leaves certain: mass ", body.mass,
+  require(body.mass_error_bound < 1, "rounding hides the volume of the mesh: mass ", body.mass,
           " kg, with a relative error of up to ", body.mass_error_bound);
   require(body.mass > 0,
           "the mesh is inside out: its faces go round clockwise seen from outside (mass ",
-          body.mass, " kg)");
+          body.mass, " kg). Reverse the corners of its faces");
   // Beside what is 2⁻¹⁰⁷⁴, the smallest double, a tensor keeps its digits only if it is much
   // larger.
   require(body.inertia.trace() > 0x1p-960 && body.inertia.allFinite() &&
               std::isfinite(body.centre_error_bound),
           "the inertia of the mesh is too small or too large for double");
   require(body.inertia_error_bound < 1,
-          "the mesh has no inertia that rounding leaves certain: a relative error of up to ",
+          "rounding hides the inertia of the mesh: a relative error of up to ",
           body.inertia_error_bound);
   return body;
 }

@@ -41,10 +41,10 @@ inline std::string describe_wrong_depth(const WrongDepth& wrong) {
   };
   text << "the surface passes through itself: " << describe_line(wrong.here);
   if (wrong.depth < 0)
-    text << ", the body is left at " << place(wrong.here) << " without having been entered";
+    text << ", you leave the body at " << place(wrong.here) << " without having entered it";
   else
-    text << ", the body is entered at " << place(wrong.before) << " and again at "
-         << place(wrong.here) << " without having been left; what lies "
+    text << ", you enter the body at " << place(wrong.before) << " and again at "
+         << place(wrong.here) << " without leaving it in between; what lies "
          << (wrong.here.view.axis == 2 ? "above" : "behind") << " counts " << wrong.depth
          << " times";
   return text.str();

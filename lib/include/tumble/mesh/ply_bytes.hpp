@@ -22,7 +22,7 @@ class PlyBytes {
     for (const PlyProperty& property : element.properties)
       size += static_cast<std::int64_t>(about(property.count.value_or(property.type)).size);
     if (element.count > static_cast<std::int64_t>(bytes_.bytes_left()) / size)
-      bytes_.refuse(bytes_.at(), "the header names ", element.count, " times '",
+      bytes_.refuse(bytes_.at(), "the header announces ", element.count, " elements '",
                     shown(element.name), "', but only ", bytes_.bytes_left(), " bytes follow");
   }
 

@@ -21,7 +21,7 @@ class PlyText {
   void require_room(const PlyElement& element) const {
     const std::int64_t size = 2 * static_cast<std::int64_t>(element.properties.size());
     if (element.count > (static_cast<std::int64_t>(text_.bytes_left()) + 1) / size)
-      text_.refuse("the header names ", element.count, " times '", shown(element.name),
+      text_.refuse("the header announces ", element.count, " elements '", shown(element.name),
                    "', but only ", text_.bytes_left(), " bytes follow");
   }
 

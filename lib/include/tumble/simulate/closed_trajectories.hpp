@@ -55,8 +55,7 @@ Trajectory closed_trajectory(const Turning& turning, const steady::SteadyPath& p
   const double span = task.t1 - task.t0;
   if (!path.x(span).allFinite() || !path.P(span).allFinite() ||
       !std::isfinite(report.error_estimate))
-    throw_error<std::runtime_error>("simulate: the motion leaves the range of numbers before t = ",
-                                    task.t1);
+    throw_error<std::runtime_error>("simulate: the motion overflows a double before t = ", task.t1);
   return {std::make_shared<const ClosedMotion<Turning>>(turning, path, task.t0, task.t1, omega),
           task.t0, task.t1, report};
 }
@@ -105,7 +104,7 @@ inline Trajectory particle_trajectory(const RigidBodyState<>& start, const stead
       NoTurning{{start.q.normalized(), start.L}}, path, 0, task,
       {.model = Model::particle,
        .method = "closed form: path under steady forces",
-       .why = "nobody asks for the turning, and the path does not depend on it",
+       .why = "you don't ask for the orientation, and the path does not depend on it",
        .tolerance = task.tolerance,
        .error_estimate = 1e-15});
 }

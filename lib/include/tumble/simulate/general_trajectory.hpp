@@ -143,7 +143,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
     throw_error<std::runtime_error>(
         std::setprecision(std::numeric_limits<double>::max_digits10), "simulate: ", why,
         " at t = ", t0_ + s, " with a step of h = ", h,
-        ": the motion leaves what the forces are defined for; ask for a shorter time");
+        ": the forces are not defined where the motion leads; ask for a shorter time");
   }
 
   /// Steps whose way between is kept (42 MB); for later ones it is computed anew.

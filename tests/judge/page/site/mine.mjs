@@ -14,7 +14,7 @@ async function passing() {
 async function wordsFor({ numbers, own, outcome, detail }) {
   if (!numbers) return `Your functions give no answer: ${outcome}, ${detail}.`;
   const yours = (await units()).filter(({ id }) => own.includes(id)).map(({ number }) => number);
-  if (yours.length === 0) return "None of your functions that this needs has passed yet. You see the solutions.";
+  if (yours.length === 0) return "This figure needs functions of yours that have not passed yet. You see the solutions.";
   return `Yours: ${yours.join(", ")}. Where it needs others, it takes the solutions.`;
 }
 

@@ -84,7 +84,7 @@ export async function showProgress() {
   const list = element("ul", {}), count = element("p", { className: "count" });
   const redraw = () => draw(list, count);
   const words = element("p", {}, "You can write every exercise in its page: a compiler and the judge run in your browser. " +
-    "Your work stays in this browser. What is judged in a page is for learning: if your course gives grades, hand in the file " +
+    "Your work stays in this browser. A verdict in a page is for learning: if your course gives grades, hand in the file " +
     "that “Download my work” gives you.");
   await redraw();
   heading.before(element("section", { className: "exercise-progress", "aria-labelledby": "your-exercises" },

@@ -117,8 +117,8 @@ TEST_CASE("grading: Ctrl-C writes what is there, and says how to go on") {
   CAPTURE(said);
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 130);
-  CHECK(said.find("interrupted: the grades are those of what was judged; the same command goes on "
-                  "there") != std::string::npos);
+  CHECK(said.find("interrupted: the grades count only what is judged so far; the same command "
+                  "goes on from there") != std::string::npos);
   CHECK(said.find("the judge has failed") == std::string::npos);
   CHECK(two.table().rows.size() == 32);
   CHECK(two.cell("s9", "note") == "not judged yet: 1.1, 1.2");
@@ -242,7 +242,7 @@ TEST_CASE("late work, extensions, overrides, extra credit") {
   CHECK(tells(grade(R"(, "overrides": {"bne": {"points": 2, "reason": "x"}})"),
               "overrides: there is no bne; did you mean ben?"));
   const CommandResult spoken = two.grade_with("{" + due + "}");  // nobody knows when
-  CHECK(tells(spoken, "nobody says when these came, so they count as in time:\n  ann\n  ben\n"));
+  CHECK(tells(spoken, "we don't know when these students handed in, so their work counts as on time:\n  ann\n  ben\n"));
   test::write_file(two.work.path() / "class.csv", "name,handed in\nann,Dienstag\nzoe,\n");
   CHECK(tells(grade(""), "ann: \"Dienstag\" cannot be read"));
   REQUIRE(grade(R"(, "overrides": {"zoe": {"points": 1, "reason": "oral"}})").status == 0);

@@ -83,7 +83,7 @@ inline ExpectedRows hand_in_folders(const fs::path& to) {
           {"eve", {"0", "eve.rar, an archive that cannot be read here"}},
           {"fay", {"2", ""}},
           {"gus", {"2", ""}},
-          {"hal", {"2", "carry.cpp is UTF-16: read as UTF-8"}},
+          {"hal", {"2", "carry.cpp is UTF-16: converted to UTF-8"}},
           {"ida", {"2", ""}},
           {"jon", {"2", ""}},
           {"kim", {"0", "no exercise found in it; it holds homework1.docx, main.cpp"}},

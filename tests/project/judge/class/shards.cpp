@@ -231,7 +231,7 @@ TEST_CASE("shards: beside each other in one folder") {
   check_same(without_times(dozen.files_in("one")), without_times(dozen.files_in("grades")));
   const CommandResult other_cut = dozen.grade("grades", "--shard 1/4");
   CHECK(other_cut.status == 2);
-  CHECK_MESSAGE(said_in(other_cut, "a shard of another number of them"), other_cut.output);
+  CHECK_MESSAGE(said_in(other_cut, "a shard of another division of the class"), other_cut.output);
 }
 
 TEST_CASE("shards: one of them is judged by one process at a time, all of a class by nobody else") {
@@ -284,11 +284,11 @@ TEST_CASE("shards: what does not belong together is not merged, and why is said"
   manifest_with("settings", "{}");
   refused("a x c", "course.json is not the same in shard 1/3 (in a) and in shard 2/3 (in x)");
   manifest_with("seed", 7);
-  refused("a x c", "shard 1/3 (in a) and shard 2/3 (in x) have other inputs");
+  refused("a x c", "shard 1/3 (in a) and shard 2/3 (in x) have different inputs");
   manifest_with("judges", ordered_json{{"01_crossing/carry", 1}, {"01_crossing/twice", 2}});
   refused("a x c", "come from different judges");
   manifest_with("of", 4);
-  refused("a x c", "are of another number of shards");
+  refused("a x c", "divide the class into different numbers of shards");
   changed([&] { test::write_file(dozen.at(manifest), "{"); });
   refused("a x c", "2-of-3.json cannot be understood");
   changed(

@@ -83,7 +83,7 @@ void check_as_handed_out(const BuiltCourse& course) {
   CHECK_MESSAGE(untouched.status == 1, untouched.output);
   CHECK_MESSAGE(test::contains(untouched.output, "0 of 5 exercises pass"), untouched.output);
   CHECK(test::contains(course.in_the_tree("solution 1.1 --anyway").output, "has no solutions"));
-  CHECK(test::contains(course.in_the_tree("mine").output, "takes functions of all chapters"));
+  CHECK(test::contains(course.in_the_tree("mine").output, "needs functions of every chapter"));
   CHECK(
       test::contains(course.in_the_tree("handout --chapters 1 x").output, "is a hand-out itself"));
 }

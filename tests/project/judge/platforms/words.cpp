@@ -25,7 +25,7 @@ TEST_CASE("image names: as registries take them") {
 TEST_CASE("limits: the deadline leaves room for what has begun") {
   CHECK(time_limits(600, 2400, {}).deadline == 600 - most_for_what_has_begun);
   CHECK(time_limits(600, 2400, 900).limit == 900);
-  CHECK_REFUSED(time_limits(600, 2400, 2401), "the limit is 2401 s", "to 2400 s");
+  CHECK_REFUSED(time_limits(600, 2400, 2401), "the limit is 2401 s", "at most 2400 s");
   CHECK_REFUSED(time_limits(600, 2400, 60), "the limit is 60 s");
 }
 

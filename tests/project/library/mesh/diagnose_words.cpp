@@ -73,8 +73,8 @@ TEST_CASE("diagnose: shows a line on which the surface crosses itself") {
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].face >= 6);  // of the second cube
   const std::string& message = findings[0].message;
-  for (const char* part : {"the body is entered at ", " = 0 (face #", " and again at ",
-                           " = 0.5 (face #", ") without having been left; what lies ",
+  for (const char* part : {"you enter the body at ", " = 0 (face #", " and again at ",
+                           " = 0.5 (face #", ") without leaving it in between; what lies ",
                            " counts 2 times; 0.062 ± 0.00", " of the volume count wrongly"})
     CHECK_MESSAGE(message.find(part) != std::string::npos, message);
 }

@@ -156,7 +156,7 @@ TEST_CASE("parse_ply: counts that lie take no memory") {
   file.replace(file.find("vertex 8"), 8, "vertex 9");
   ply_refused(file, "face #1 has 0 corners");  // where the ninth vertex took its bytes
   file.replace(file.find("vertex 9"), 8, "vertex 2000000000");
-  ply_refused(file, "the header names 2000000000 times 'vertex', but only 294 bytes follow");
+  ply_refused(file, "the header announces 2000000000 elements 'vertex', but only 294 bytes follow");
 }
 
 TEST_CASE("parse_ply: refuses a binary file that is shorter or longer than its elements") {

@@ -69,13 +69,13 @@ TEST_CASE("parse_stl: a binary file may begin with 'solid'") {
   CHECK(parse_stl(test::binary_stl(cube, "solid made by a program"), "x").face_count() == 12);
   stl_refused(
       test::binary_stl(cube, "solid").substr(0, 683),
-      "test.stl, byte 80: the header names 12 facets, which take 684 bytes, but the file has 683");
+      "test.stl, byte 80: the header announces 12 facets, which take 684 bytes, but the file has 683");
 }
 
 TEST_CASE("parse_stl: refuses a binary file that is not as long as its facets") {
   const std::string file = test::binary_stl(test::triangulated(test::cube()));
   for (const std::size_t size : {84u, 85u, 133u, 134u, 600u})
-    stl_refused(file.substr(0, size), "byte 80: the header names 12 facets");
+    stl_refused(file.substr(0, size), "byte 80: the header announces 12 facets");
   stl_refused(file + "x", "but the file has 685");
   stl_refused(with_bytes(file, 80, "\xFF\xFF\xFF\xFF"),
               "names 4294967295 facets, which take 214748364834 bytes");

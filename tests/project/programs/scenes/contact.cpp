@@ -216,7 +216,7 @@ TEST_CASE("simulate: contact that lasts, and too many impacts, are said, with ex
   scene["record_every"] = 1e6;
   const CommandResult endless = said(scene);
   CHECK(endless.status == 1);
-  CHECK(mentions(endless.output, "100000 impulses, and that is enough"));
+  CHECK(mentions(endless.output, "100000 impulses, the most that we allow"));
 }
 
 TEST_CASE("simulate: what is round collides as a polyhedron, and how far it is off is said") {

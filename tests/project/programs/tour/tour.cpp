@@ -66,7 +66,7 @@ TEST_CASE("tour: the picture on the front page is the one that it draws") {
   const std::filesystem::path root = std::getenv("TUMBLE_ROOT");
   std::ifstream kept(root / "chapters/tour/figures/tumbling.svg");
   CHECK_MESSAGE(content("tumbling.svg") == std::string(std::istreambuf_iterator<char>(kept), {}),
-                "./tumble book --write takes it over");
+                "./tumble book --write updates the page");
 }
 
 TEST_CASE("tour: takes a user's mesh") {
