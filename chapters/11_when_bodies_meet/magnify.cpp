@@ -14,7 +14,7 @@ constexpr int bounces = 12;
 
 /// A die on a smooth table.
 contact::ContactRun smooth_throw(double higher_by) {
-  contact::ContactScene scene = scene_of_die({0.5, 0, 0.4}, {10, 6 * pi, 4}, 0.6, 0);
+  contact::ContactScene scene = scene_of_die(objects::thrown_die(), 0.6, 0);
   scene.bodies[0].start.x.z() += higher_by;
   const contact::ContactSettings settings{.until = 2, .tolerance = 1e-15, .most_impacts = bounces};
   return contact::detail::ContactSimulation<OneBodyEvents>(scene, settings).run();

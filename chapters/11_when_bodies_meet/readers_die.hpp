@@ -2,6 +2,7 @@
 /// @file
 /// The throw of a die by the reader's own functions (11.2 to 11.5), which know no friction.
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -11,14 +12,15 @@
 
 namespace contact_chapter {
 
-constexpr int readers_impacts = 60;
+constexpr int readers_impacts = 2000;
 
 /// What tests/judge/page/student/figure_die.cpp takes.
 /// @param scene the die over the floor; friction is left out
 inline std::vector<double> question_of_die(const contact::ContactScene& scene, double until) {
-  constexpr double tolerance = 1e-9;  // [m]
+  constexpr double tolerance = 1e-8, high = 1e-4;  // [m], too low to see
   const contact::ContactBody& die = scene.body(0);
-  std::vector<double> numbers{die.body.mass(), die_edge, die_gravity, scene.e, tolerance};
+  const double hop = std::sqrt(2 * die_gravity * high);
+  std::vector<double> numbers{die.body.mass(), die_edge, die_gravity, scene.e, tolerance, hop};
   const PackedState<double> start = pack(die.start);
   numbers.insert(numbers.end(), start.begin(), start.end());
   numbers.insert(numbers.end(), {until, double(readers_impacts)});
@@ -30,7 +32,7 @@ inline std::vector<double> question_of_die(const contact::ContactScene& scene, d
 inline Throw readers_die(const contact::ContactScene& scene, double until,
                          std::span<const double> answer) {
   constexpr std::size_t size = 14;
-  constexpr double through = 1e-4;  // [m]: as if there were no table
+  constexpr double through = 1e-7;  // [m], as if there were no table
   Throw thrown;
   contact::ContactRun& run = thrown.run;
   run.flights = {{{0, scene.body(0).start, -1}}};

@@ -7,16 +7,14 @@
 #include <vector>
 
 #include "11_when_bodies_meet/one_body_events.hpp"
+#include "objects/die.hpp"
 
 namespace contact_chapter {
 
-constexpr double die_edge = 0.016, die_density = 1200;  // [m], [kg/m³]
-constexpr double die_gravity = 9.81;                    // [m/s²]
+using objects::die_edge;
+constexpr double die_gravity = 9.81;  // [m/s²]
 
-inline RigidBody<> the_die() {
-  const double mass = die_density * die_edge * die_edge * die_edge;
-  return {mass, mass * die_edge * die_edge / 6 * Mat3::Identity()};
-}
+inline RigidBody<> the_die() { return objects::die(); }
 
 /// Its energy above that of a die that lies still on the table [J].
 inline double energy_of_die(const RigidBodyState<>& state) {
@@ -29,12 +27,9 @@ inline double lowest_corner(const RigidBodyState<>& state) {
   return state.x.z() - die_edge / 2 * to_matrix(state.q).row(2).cwiseAbs().sum();
 }
 
-/// Out of the hand, over a table.
-inline contact::ContactScene scene_of_die(const Vec3& v, const Vec3& omega, double e, double mu) {
-  const RigidBody<> body = the_die();
-  const RigidBodyState<> start{
-      {0, 0, 0.09}, Quat(0.9, 0.3, 0.2, 0.25).normalized(), body.mass() * v, body.I_body() * omega};
-  return {{{"die", body, collide::Convex::box(Vec3::Constant(die_edge)), start}},
+/// It leaves the hand over a table.
+inline contact::ContactScene scene_of_die(const RigidBodyState<>& start, double e, double mu) {
+  return {{{"die", the_die(), collide::Convex::box(Vec3::Constant(die_edge)), start}},
           {collide::HalfSpace{Vec3::Zero(), Vec3::UnitZ()}},
           Vec3(0, 0, -die_gravity),
           e,

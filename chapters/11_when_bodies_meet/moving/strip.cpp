@@ -40,8 +40,8 @@ constexpr std::array<Control, 5> controls{
 // ── The throw ──
 
 contact::ContactScene scene_of(Settings now) {
-  return scene_of_die(Vec3(now[along], 0, now[up]), Vec3(10, 2 * pi * now[spin], 4),
-                      now[restitution], mu);
+  const Vec3 v(now[along], 0, now[up]), omega(10, 2 * pi * now[spin], 4);
+  return scene_of_die(objects::die_in_hand(v, omega), now[restitution], mu);
 }
 
 /// The throw by the settings; it is computed again when they change.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "judge/mine/measure.hpp"
 #include "judge/protocol/finding.hpp"
+#include "objects/die.hpp"
 #include "tumble/contact/simulate_contacts.hpp"
 #include "tumble/quaternion.hpp"
 
@@ -13,30 +13,20 @@ namespace tumble::judge::mine {
 
 namespace {
 
-constexpr double edge = 0.016, density = 1200;  // [m], [kg/m³]
-constexpr int impacts = 12;                     // after more of them the table would say no more
+using objects::die_edge;
 
-RigidBody<> the_die() {
-  const double mass = density * edge * edge * edge;
-  return {mass, mass * edge * edge / 6 * Mat3::Identity()};
-}
-
-/// Thrown forwards and up, with three turns per second.
+/// The throw of chapter 11's table.
 DieQuestion the_throw() {
-  const RigidBody<> die = the_die();
-  const Vec3 omega(10, 6 * std::numbers::pi, 4);
-  const RigidBodyState<> start{{0, 0, 0.09},
-                               Quat(0.9, 0.3, 0.2, 0.25).normalized(),
-                               die.mass() * Vec3(0.5, 0, 0.4),
-                               die.I_body() * omega};
-  return {die.mass(), edge, 9.81, 0.6, 1e-11, pack(start), 2, impacts};
+  constexpr int impacts = 12;  // after more of them the table would say no more
+  return {objects::die().mass(),       die_edge, 9.81,   0.6, 1e-11, 0,
+          pack(objects::thrown_die()), 2,        impacts};
 }
 
 contact::ContactRun by_library(const DieQuestion& question, double higher) {
   RigidBodyState<> start = unpack<double>(question.start);
   start.x.z() += higher;
   const contact::ContactScene scene{
-      {{"die", the_die(), collide::Convex::box(Vec3::Constant(edge)), start}},
+      {{"die", objects::die(), collide::Convex::box(Vec3::Constant(die_edge)), start}},
       {collide::HalfSpace{Vec3::Zero(), Vec3::UnitZ()}},
       {0, 0, -question.gravity},
       question.e,
@@ -49,8 +39,8 @@ contact::ContactRun by_library(const DieQuestion& question, double higher) {
 
 /// [J]; none by its height where it lies on the table.
 double energy_of(const DieQuestion& question, const RigidBodyState<>& state) {
-  const RigidBody<> die = the_die();
-  return kinetic_energy(die, state) + die.mass() * question.gravity * (state.x.z() - edge / 2);
+  const RigidBody<> die = objects::die();
+  return kinetic_energy(die, state) + die.mass() * question.gravity * (state.x.z() - die_edge / 2);
 }
 
 /// What the impacts leave of the energy.
@@ -80,7 +70,8 @@ DieTruth truth_of(const DieQuestion& question) {
 
 double lowest_corner(const Numbers& y) {
   const RigidBodyState<> state = unpack<double>(y);
-  return state.x.z() - edge / 2 * to_matrix(rotation::normalize(state.q)).row(2).cwiseAbs().sum();
+  return state.x.z() -
+         die_edge / 2 * to_matrix(rotation::normalize(state.q)).row(2).cwiseAbs().sum();
 }
 
 }  // namespace

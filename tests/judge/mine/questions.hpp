@@ -53,6 +53,8 @@ struct DieQuestion {
   double gravity = 0;    ///< downwards [m/s²], positive
   double e = 0;          ///< coefficient of restitution
   double tolerance = 0;  ///< at which distance it touches [m]
+  double hop = 0;        ///< with which speed at least a corner leaves if it came as fast [m/s]: so
+                         ///< that contact which would last is a train of hops
   Numbers start;         ///< above the table
   double duration = 0;   ///< [s]
   int most_impacts = 0;  ///< after so many it is over

@@ -105,7 +105,7 @@ TEST_CASE("a figure's engine: a die on a table") {
   if (!can_ask_engine()) return;
   PageJudge page;
   // A cube of 1 kg and 0.1 m on its face, 5 m up. Its lower corners hit one after the other.
-  const Json question{1, 0.1, 10, 0.5, 1e-9, 0, 0, 5.05, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 4};
+  const Json question{1, 0.1, 10, 0.5, 1e-9, 0, 0, 0, 5.05, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 4};
   const Json answer =
       page.answer_to_figure("die", question, {solution_of("11_when_bodies_meet/collide")});
   REQUIRE(answer.contains("numbers"));

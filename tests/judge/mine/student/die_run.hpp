@@ -75,27 +75,45 @@ class DieOnTable {
   /// Flies to the next contact at which a corner comes down.
   /// @return whether there is one
   bool comes_down() {
-    const double omega = rigid_body::derived(body_, start_).omega.norm(), landing = landing_speed(),
-                 up = start_.P.z() / body_.mass;
-    const double speed = landing + omega * std::sqrt(0.75) * question_.edge,
-                 end = std::min(question_.duration, begin_ + (up + landing) / question_.gravity);
-    const auto gap = [&](double t) { return gap_at(t); };
-    for (double t = begin_; t <= end && queries_ < most_queries;) {
-      const when_bodies_meet::FirstContact contact =
-          when_bodies_meet::first_contact(gap, speed, t, end, question_.tolerance);
-      if (!contact.found) return false;
-      if (!(contact.t >= t && contact.t <= end))
-        throw std::runtime_error("first_contact (11.3) was asked from " + std::to_string(t) +
-                                 " to " + std::to_string(end) + " s, and answers " +
-                                 std::to_string(contact.t) + " s");
+    const double up = start_.P.z() / body_.mass,
+                 last = std::min(question_.duration,
+                                 begin_ + (up + landing_speed()) / question_.gravity);
+    for (double t = begin_; t < last && queries_ < most_queries;) {
+      const when_bodies_meet::FirstContact contact = next_contact(t, last);
+      if (!contact.found) {
+        t = contact.t;
+        continue;
+      }
       if (touching_ = coming_down(at(contact.t)); !touching_.empty()) {
         start_ = at(contact.t);
         begin_ = contact.t;
         return true;
       }
-      t = contact.t + question_.tolerance / speed;  // it still leaves
+      t = contact.t + question_.tolerance / speed_at(contact.t);  // it still leaves
     }
     return false;
+  }
+
+  /// Until when it gets no more than twice as fast, by 11.3.
+  /// @return a contact, or when to go on looking
+  when_bodies_meet::FirstContact next_contact(double t, double last) {
+    const double now = speed_at(t), end = std::min(last, t + now / question_.gravity);
+    const when_bodies_meet::FirstContact contact = when_bodies_meet::first_contact(
+        [this](double time) { return gap_at(time); }, 2 * now, t, end, question_.tolerance);
+    if (!contact.found) return {false, end};
+    if (!(contact.t >= t && contact.t <= end))
+      throw std::runtime_error("first_contact (11.3) was asked from " + std::to_string(t) + " to " +
+                               std::to_string(end) + " s, and answers " +
+                               std::to_string(contact.t) + " s");
+    return contact;
+  }
+
+  /// With which none of its points goes up or down faster, and a little more [m/s].
+  double speed_at(double t) const {
+    constexpr double little = 0.01;
+    const double up = start_.P.z() / body_.mass - question_.gravity * (t - begin_),
+                 omega = rigid_body::derived(body_, start_).omega.norm();
+    return std::abs(up) + omega * std::sqrt(0.75) * question_.edge + little;
   }
 
   double gap_at(double t) {
@@ -123,14 +141,19 @@ class DieOnTable {
     return corners;
   }
 
+  /// A slow corner gets back all its speed, but for what would be more than a hop.
+  double restitution(double u_n) const {
+    return std::max(question_.e, std::min(1., question_.hop / std::abs(u_n)));
+  }
+
   /// Each corner that comes down gets its impulse.
   void hit() {
     const Eigen::Vector3d n = separation_at(start_).normal;
     for (const Eigen::Vector3d& arm : touching_) {
       const rigid_body::Derived now = rigid_body::derived(body_, start_);
       const Eigen::Matrix3d K = when_bodies_meet::contact_matrix(body_, start_, start_.x + arm);
-      const Eigen::Vector3d impulse =
-          when_bodies_meet::collide(K, now.v + now.omega.cross(arm), n, question_.e);
+      const Eigen::Vector3d u = now.v + now.omega.cross(arm);
+      const Eigen::Vector3d impulse = when_bodies_meet::collide(K, u, n, restitution(u.dot(n)));
       start_.P += impulse;
       start_.L += arm.cross(impulse);
     }

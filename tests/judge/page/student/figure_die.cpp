@@ -1,32 +1,5 @@
 /// @file
-/// Topic "die": mass [kg], edge [m], gravity [m/s²], e, tolerance [m], the state at the start (13
-/// numbers), the duration [s] and the most impacts. Answered with 14 numbers for each impact on a
-/// table without friction: when, and the state right after it.
-#include "judge/mine/student/die_run.hpp"
-#include "judge/page/student/figure_numbers.hpp"
+/// Topic "die": see figure_die.hpp.
+#include "judge/page/student/figure_die.hpp"
 
-using namespace tumble::judge;
-
-namespace {
-
-figure::AllNumbers die(figure::Numbers numbers) {
-  mine::DieQuestion question;
-  question.mass = numbers.number();
-  question.edge = numbers.number();
-  question.gravity = numbers.number();
-  question.e = numbers.number();
-  question.tolerance = numbers.number();
-  question.start = numbers.matrix<mine::Numbers>();
-  question.duration = numbers.number();
-  question.most_impacts = numbers.count();
-  figure::AllNumbers all;
-  for (const mine::DieImpact& impact : mine::DieOnTable(question).run().impacts) {
-    all.push_back(impact.t);
-    all.insert(all.end(), impact.after.begin(), impact.after.end());
-  }
-  return all;
-}
-
-}  // namespace
-
-int main() { return figure::serve_figure(die); }
+int main() { return tumble::judge::figure::serve_figure(tumble::judge::figure::die); }
