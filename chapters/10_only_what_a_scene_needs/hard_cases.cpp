@@ -8,6 +8,7 @@
 
 #include "parts.hpp"
 #include "reference/long_free_turning.hpp"
+#include "support/rounding.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/ensemble/advance.hpp"
 #include "tumble/ode/dop853.hpp"
@@ -39,16 +40,10 @@ struct Case {
   reference::Turning turning() const { return {J, Quat(1, 0, 0, 0), start().L}; }
 };
 
-/// An error of rounding: a power of ten, three times of which it is below. Its digits are chance.
-std::string rounding(double error) {
-  const double power = std::ceil(std::log10(std::max(3 * error, 1e-15)));
-  return "< 1e" + std::to_string(static_cast<int>(power));
-}
-
 /// A rounding error, or one that is more than that.
 std::string off_by(double angle) {
   if (angle > 0.5) return "lost";
-  return (angle < 1e-6 ? rounding(angle) : error_number(angle)) + " rad";
+  return (angle < 1e-6 ? support::rounding_number(angle) : error_number(angle)) + " rad";
 }
 
 double off(const Quat& q, const Quat& truth) { return angle_between(q.normalized(), truth); }
@@ -83,7 +78,7 @@ double worst_late(const std::vector<double>& times, const std::vector<double>& t
 
 std::string late_text(double seconds) {
   if (seconds > 1) return "lost";
-  return (seconds < 1e-8 ? rounding(seconds) : error_number(seconds)) + " s";
+  return (seconds < 1e-8 ? support::rounding_number(seconds) : error_number(seconds)) + " s";
 }
 
 }  // namespace
@@ -246,7 +241,7 @@ Table hard_tops_table() {
       table.add({number(part), number(tilt) + " rad",
                  number(std::asin(std::hypot(axis.x(), axis.y())), 2) + " rad",
                  motion.report().runs == 0 ? "closed form" : method.substr(0, 13), "1e-09",
-                 rounding(off(motion.end().q, truth)) + " rad"});
+                 support::rounding_number(off(motion.end().q, truth)) + " rad"});
     }
   return table;
 }
@@ -275,7 +270,7 @@ Table hard_million_table() {
   const Quat truth = reference::LongFreeTurning(c.turning()).at(duration).q;
   const double energy = kinetic_energy(c.body(), c.start());
   const auto part = [](double error) {
-    return error < 1e-10 ? rounding(error) : error_number(error);
+    return error < 1e-10 ? support::rounding_number(error) : error_number(error);
   };
   const auto add = [&](const std::string& name, const RigidBodyState<>& end) {
     table.add({name, part(std::abs(kinetic_energy(c.body(), end) / energy - 1)),

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   chapter.table("painleve", "A slender rod that jams", painleve_table);
   chapter.table("zeno", "A ball that comes to rest", zeno_table);
   chapter.table("magnify", "A die, and one that starts a nanometre higher", magnify_table);
+  chapter.table("hard_cases", "Hard cases, one by one", hard_cases_table);
   chapter.figure(tumble::figures::strip);
   chapter.figure("dropped", dropped_figure);
   chapter.figure("plane", plane_figure);

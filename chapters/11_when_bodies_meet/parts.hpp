@@ -45,6 +45,11 @@ Table painleve_table();
 /// The tip's velocity while the normal impulse grows.
 std::string slip_figure();
 
+// ── hard_cases.cpp ──
+
+/// Contacts that break simulators, one by one.
+Table hard_cases_table();
+
 // ── magnify.cpp ──
 
 /// A die, and one that starts a nanometre higher.

@@ -110,7 +110,8 @@ int measured(const Course& course, const MineOptions& options, const Engines& en
   const fs::path svg = figure_file(course, options);
   support::write_text(svg, mine::figure_of(build, measurement));
   if (options.json)
-    support::write_text(*options.json, mine::json_of(build, &measurement, findings));
+    support::write_text(*options.json,
+                        mine::json_of(build, &measurement, engines.waiting, findings));
   mine::print_measurement(std::cout, build, measurement);
   if (!engines.waiting.empty()) mine::print_waiting(std::cout, course, engines.waiting);
   if (!findings.empty()) explain(course, build, findings);
@@ -122,7 +123,8 @@ int measured(const Course& course, const MineOptions& options, const Engines& en
 
 int not_built(const MineOptions& options, const mine::EngineBuild& build,
               const std::string& finding) {
-  if (options.json) support::write_text(*options.json, mine::json_of(build, nullptr, {finding}));
+  if (options.json)
+    support::write_text(*options.json, mine::json_of(build, nullptr, {}, {finding}));
   return 1;
 }
 

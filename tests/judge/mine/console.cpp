@@ -169,7 +169,8 @@ void print_measurement(std::ostream& out, const EngineBuild& build,
 void print_waiting(std::ostream& out, const Course& course, const std::vector<Part>& waiting) {
   out << "\nTo drop a die onto a table, we also need these functions of yours, which are not there "
          "yet:\n\n"
-      << list_of(course, waiting) << details_of(waiting);
+      << list_of(course, waiting) << details_of(waiting) << "\n  Next:  ./tumble check "
+      << waiting.front().unit.number << "\n";
 }
 
 }  // namespace tumble::judge::mine

@@ -75,7 +75,7 @@ ordered_json json_of(const DieResult& die) {
 }  // namespace
 
 std::string json_of(const EngineBuild& build, const Measurement* measurement,
-                    const std::vector<std::string>& findings) {
+                    const std::vector<Part>& waiting, const std::vector<std::string>& findings) {
   ordered_json j{{"schema", "tumble/mine/1"},
                  {"right", measurement != nullptr && findings.empty()},
                  {"parts", ordered_json::array()},
@@ -86,6 +86,7 @@ std::string json_of(const EngineBuild& build, const Measurement* measurement,
     for (const ProblemResult& result : measurement->problems)
       j["problems"].push_back(json_of(result));
   if (measurement && measurement->die) j["die"] = json_of(*measurement->die);
+  for (const Part& part : waiting) j["die"]["waits_for"].push_back(json_of(part));
   // What a student's code says need not be UTF-8.
   return j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

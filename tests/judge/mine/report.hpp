@@ -26,8 +26,9 @@ std::string figure_of(const EngineBuild& build, const Measurement& measurement);
 
 /// Everything, as JSON text.
 /// @param measurement null if the engine was not built
+/// @param waiting     what the die lacks
 std::string json_of(const EngineBuild& build, const Measurement* measurement,
-                    const std::vector<std::string>& findings);
+                    const std::vector<Part>& waiting, const std::vector<std::string>& findings);
 
 /// "4.8 quaternion_dot, 9.4 dydt"
 std::string names_of(const std::vector<Part>& parts);

@@ -79,7 +79,7 @@ class ContactSimulation {
     if (b) fly_on(event.other, b->state, coming);
     settle(event, a, {normal, coming, parting});
     // Between several others its impacts can follow each other ever faster.
-    if (run_.ending == Ending::time && landings(event.body).faint >= 1000)
+    if (run_.ending == Ending::time && landings(event.body).faint >= most_faint())
       end_undecided(event.body);
     if (++handled_ >= settings_.most_impacts && run_.ending == Ending::time)
       run_.ending = Ending::too_many_events;
@@ -99,6 +99,9 @@ class ContactSimulation {
     run_.flights[static_cast<std::size_t>(i)].push_back({run_.t, state, -1});
     events_.fly(i, state, run_.t);
   }
+
+  /// More faint impacts in turn than bounces need to die away: each leaves e of the speed.
+  double most_faint() const { return 1000 / (1 - std::min(scene_.e, 0.999999)); }
 
   bool is_ball(int i) const { return events_.is_ball(i); }
   double pull(const Vec3& normal) const { return -normal.dot(scene_.gravity); }

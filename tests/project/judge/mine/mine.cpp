@@ -128,12 +128,16 @@ TEST_CASE("an engine runs without the functions of the die, which are named") {
   student.change("11_when_bodies_meet/separation.cpp", "return", "retrun");
   const CommandResult result = student.mine();
   CHECK_MESSAGE(result.status == 0, result.output);
-  for (const char* part :
-       {"An engine of 25 functions, all of them yours.",
-        "To drop a die onto a table, we also need these functions of yours",
-        "11.2  separation   does not compile", "11.5  collide      there is no file"})
+  for (const char* part : {"An engine of 25 functions, all of them yours.",
+                           "To drop a die onto a table, we also need these functions of yours",
+                           "11.2  separation   does not compile",
+                           "11.5  collide      there is no file", "Next:  ./tumble check 11.2"})
     CHECK_MESSAGE(contains(result.output, part), result.output);
-  CHECK_FALSE(student.numbers().contains("die"));
+  const nlohmann::json die = student.numbers().at("die");
+  CHECK_FALSE(die.contains("impacts"));
+  REQUIRE(die.at("waits_for").size() == 2);
+  CHECK(die.at("waits_for")[0].at("number") == "11.2");
+  CHECK(die.at("waits_for")[1].at("missing") == "there is no file");
 }
 
 TEST_CASE("an engine runs where only the die lacks a helper, which is named") {

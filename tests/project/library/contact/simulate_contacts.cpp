@@ -84,7 +84,7 @@ TEST_CASE("simulate_contacts: a ball dropped 5 m, e = 1, bounces ten times in 20
 }
 
 TEST_CASE("simulate_contacts: bounces that add up end at rest at t0 (1 + e)/(1 − e)") {
-  for (const double e : {0.2, 0.5, 0.8, 0.95}) {
+  for (const double e : {0.2, 0.5, 0.8, 0.95, 0.99, 0.999}) {
     CAPTURE(e);
     const auto scene = over_floor(ball("ball", 0.1, Vec3(3, 0, 1.1), Vec3::Zero()), e);
     const ContactRun run = simulate_contacts(scene, {.until = 1000});
