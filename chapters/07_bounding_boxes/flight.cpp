@@ -3,6 +3,7 @@
 
 #include "common.hpp"
 #include "parts.hpp"
+#include "support/flipbook.hpp"
 #include "support/plot.hpp"
 #include "tumble/body.hpp"
 #include "tumble/ode.hpp"
@@ -242,25 +243,66 @@ Table mug_table() {
   return table;
 }
 
+namespace {
+
+/// The mug after a time in flight, with the axis of its spin painted on it.
+void draw_flown_mug(support::Sketch& sketch, const Mat3& I, double t, const std::string& colour) {
+  const Mat3 R = flown(I, mug_spin(), t);
+  const Vec2 tip = (mug_viewer() * R * mug_spin().normalized()).head<2>();
+  MugLines(mug_viewer() * R).draw(sketch);
+  sketch.arrow(0.06 * tip, 0.098 * tip, {colour, 2.6});
+}
+
+/// One throw, computed with each of two tensors.
+struct Throw {
+  Mat3 I;
+  std::string colour, caption;
+};
+
+std::array<Throw, 2> both_throws() {
+  return {{{mug().truth.inertia, "c0", "with its own inertia tensor"},
+           {mug_box_inertia(), "c6", "with that of its bounding box"}}};
+}
+
+}  // namespace
+
 std::string spin_figure() {
   constexpr int pictures = 6;
   support::Sketch sketch(760, 432, "A mug that spins, with its own inertia and with its box's", 20);
-  const auto row = [&](const Mat3& I, double y, const std::string& colour,
-                       const std::string& caption) {
+  double y = 96;
+  for (const Throw& each : both_throws()) {
     sketch.look({380, y, 800});
-    sketch.words({0, 0}, {0, 92}, caption, colour, "middle");
+    sketch.words({0, 0}, {0, 92}, each.caption, each.colour, "middle");
     for (int i = 0; i < pictures; ++i) {
       const double t = 0.25 * i;
       sketch.look({760 * (i + 0.5) / pictures, y, 800});
-      const Mat3 R = flown(I, mug_spin(), t);
-      const Vec2 tip = (mug_viewer() * R * mug_spin().normalized()).head<2>();
-      MugLines(mug_viewer() * R).draw(sketch);
-      sketch.arrow(0.06 * tip, 0.098 * tip, {colour, 2.6});
+      draw_flown_mug(sketch, each.I, t, each.colour);
       sketch.words({0, 0}, {0, 422 - y}, number(t) + " s", "ink", "middle");
     }
+    y += 208;
+  }
+  return sketch.svg();
+}
+
+std::string slow_motion_figure() {
+  constexpr double duration = 1.5, slower = 4;
+  constexpr int pictures = 54;  // 12 a turn
+  support::Sketch sketch(760, 320, "The mug in slow motion, with its own inertia and its box's",
+                         20);
+  const std::array<Throw, 2> throws = both_throws();
+  const auto look = [&sketch](std::size_t i) {
+    sketch.look({190 + 380 * static_cast<double>(i), 140, 1300});
   };
-  row(mug().truth.inertia, 96, "c0", "with its own inertia tensor");
-  row(mug_box_inertia(), 304, "c6", "with that of its bounding box");
+  for (std::size_t i = 0; i < throws.size(); ++i) {
+    look(i);
+    sketch.words({0, 0}, {0, 170}, throws[i].caption, throws[i].colour, "middle");
+  }
+  support::flipbook(sketch, pictures, slower * duration, [&](int k) {
+    for (std::size_t i = 0; i < throws.size(); ++i) {
+      look(i);
+      draw_flown_mug(sketch, throws[i].I, duration * k / pictures, throws[i].colour);
+    }
+  });
   return sketch.svg();
 }
 

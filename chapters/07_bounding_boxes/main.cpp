@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   chapter.measured("times", "What a box takes, and what the exact sum does", times_table);
   chapter.table("hard", "Bodies that are bad for boxes", hard_table);
   chapter.figure("spin", spin_figure);
+  chapter.figure("slow_motion", slow_motion_figure);
   chapter.figure("lies", lies_figure);
   chapter.figure("cube", cube_figure);
   chapter.figure("sides", sides_figure);

@@ -61,6 +61,8 @@ Table moments_table();
 Table mug_table();
 /// One throw, computed twice. The arrow, painted on the mug, is the axis of its spin.
 std::string spin_figure();
+/// The same, moving, four times slower than it is.
+std::string slow_motion_figure();
 
 // ── hard_cases.cpp ──
 

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   chapter.table("fast", "Twenty turns by long steps of RK4", fast_table);
   chapter.table("honey", "A mug in honey", honey_table);
   chapter.figure("nut", nut_figure);
+  chapter.figure("slow_motion", slow_motion_figure);
   chapter.figure("machine", machine_figure);
   chapter.figure("frames", frames_figure);
   chapter.figure("seen", seen_figure);

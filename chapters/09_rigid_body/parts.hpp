@@ -109,6 +109,8 @@ std::string energy_figure();
 
 /// The nut photographed by flashes that follow each other as the turns do, and its spin.
 std::string nut_figure();
+/// The nut, moving: once for each turn.
+std::string slow_motion_figure();
 /// ω along the three axes of the nut, over some flips.
 std::string spin_figure();
 /// The tip of L in the body, on its sphere. Curves go round the least and the largest axis.

@@ -4,6 +4,7 @@
 #include "common.hpp"
 #include "parts.hpp"
 #include "polhodes.hpp"
+#include "support/flipbook.hpp"
 #include "support/view.hpp"
 
 namespace rigid_body_chapter {
@@ -11,6 +12,12 @@ namespace rigid_body_chapter {
 // ── The nut ──
 
 namespace {
+
+/// |L|/B is how fast the nut goes round L while it turns about its middle axis.
+/// @return how long it takes [s]
+double nut_turn() {
+  return 2 * pi * principal_axes(nut().I_body()).moments[1] / nut_start().L.norm();
+}
 
 /// Where things stand: a row of pictures two turns apart, and below it the spin, each picture above
 /// its time.
@@ -65,8 +72,7 @@ void draw_spin(support::Sketch& sketch, const NutStrip& strip) {
 }  // namespace
 
 std::string nut_figure() {
-  // |L|/B is how fast the nut goes round L while it turns about its middle axis.
-  const NutStrip strip{2 * pi * principal_axes(nut().I_body()).moments[1] / nut_start().L.norm()};
+  const NutStrip strip{nut_turn()};
   support::Sketch sketch(strip.width, strip.row + strip.curve, "A wing nut turns over", 15);
   const FreeTrajectory motion(nut(), nut_start());
   for (int i = 0; i < strip.pictures; ++i) {
@@ -77,6 +83,19 @@ std::string nut_figure() {
                  "middle");
   }
   draw_spin(sketch, strip);
+  return sketch.svg();
+}
+
+std::string slow_motion_figure() {
+  // Until it is as at first, but for how far it has gone round.
+  const double period = 2 * time_between_flips(nut(), nut_start());
+  const int turns = static_cast<int>(std::lround(period / nut_turn()));
+  constexpr double seconds_a_turn = 0.2;
+  support::Sketch sketch(760, 300, "A wing nut, seen once in each of its turns", 15);
+  const FreeTrajectory motion(nut(), nut_start());
+  support::flipbook(sketch, turns, seconds_a_turn * turns, [&](int i) {
+    draw_nut(sketch, motion.at(nut_turn() * i), {380, 150, 4200});
+  });
   return sketch.svg();
 }
 

@@ -48,10 +48,19 @@ Page folder_page(const fs::path& root, const fs::path& folder) {
   return page_of(folder / "README.md", text);
 }
 
+/// A drawing that is too large for the page that tells of it.
+Page drawing_page(const fs::path& svg) {
+  const std::string text = text_of(svg), start = "<title>";
+  const auto begin = text.find(start) + start.size();
+  const std::string title = text.substr(begin, text.find("</title>", begin) - begin);
+  return page_of(svg, "# " + title + "\n\n![" + title + "](" + svg.filename().string() + ")\n");
+}
+
 }  // namespace
 
 Page source_page(const fs::path& root, const fs::path& what) {
   if (fs::is_directory(what)) return folder_page(root, what);
+  if (what.extension() == ".svg") return drawing_page(what);
   return page_of(what, "# " + fs::relative(what, root).string() + "\n\n" + fence_of(what));
 }
 
