@@ -242,7 +242,9 @@ TEST_CASE("late work, extensions, overrides, extra credit") {
   CHECK(tells(grade(R"(, "overrides": {"bne": {"points": 2, "reason": "x"}})"),
               "overrides: there is no bne; did you mean ben?"));
   const CommandResult spoken = two.grade_with("{" + due + "}");  // nobody knows when
-  CHECK(tells(spoken, "we don't know when these students handed in, so their work counts as on time:\n  ann\n  ben\n"));
+  CHECK(tells(spoken,
+              "we don't know when these students handed in, so their work counts as on time:\n  "
+              "ann\n  ben\n"));
   test::write_file(two.work.path() / "class.csv", "name,handed in\nann,Dienstag\nzoe,\n");
   CHECK(tells(grade(""), "ann: \"Dienstag\" cannot be read"));
   REQUIRE(grade(R"(, "overrides": {"zoe": {"points": 1, "reason": "oral"}})").status == 0);

@@ -67,9 +67,9 @@ TEST_CASE("parse_stl: thousands of vertices are found again") {
 TEST_CASE("parse_stl: a binary file may begin with 'solid'") {
   const PolygonMesh cube = test::triangulated(test::cube());
   CHECK(parse_stl(test::binary_stl(cube, "solid made by a program"), "x").face_count() == 12);
-  stl_refused(
-      test::binary_stl(cube, "solid").substr(0, 683),
-      "test.stl, byte 80: the header announces 12 facets, which take 684 bytes, but the file has 683");
+  stl_refused(test::binary_stl(cube, "solid").substr(0, 683),
+              "test.stl, byte 80: the header announces 12 facets, which take 684 bytes, but the "
+              "file has 683");
 }
 
 TEST_CASE("parse_stl: refuses a binary file that is not as long as its facets") {
