@@ -9,8 +9,6 @@
 
 namespace {
 
-constexpr std::size_t most = 112 * 1024;  // some 50 KB of what a reader downloads
-
 std::string base64(const std::string& bytes) {
   constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -32,15 +30,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const std::string bytes = tumble::support::read_text(argv[1]);
-    if (bytes.size() > most) {
-      std::cerr << "tumble_embed: " << argv[1] << " has " << bytes.size() << " bytes; a figure "
-                << "may have " << most << '\n';
-      return 1;
-    }
     tumble::support::write_text_and_folders(
-        argv[3],
-        "tumbleMoving.arrived(\"" + std::string(argv[2]) + "\", \"" + base64(bytes) + "\");\n");
+        argv[3], "tumbleMoving.arrived(\"" + std::string(argv[2]) + "\", \"" +
+                     base64(tumble::support::read_text(argv[1])) + "\");\n");
   } catch (const std::exception& error) {
     std::cerr << "tumble_embed: " << error.what() << '\n';
     return 2;

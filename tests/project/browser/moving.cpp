@@ -12,6 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What a module may have [bytes]: 104 KiB, some 45 KB of what a reader downloads. Without
+/// wasm-opt, by which clang makes what it links a sixth smaller, one may have more.
+const std::uintmax_t most_bytes = (std::getenv("TUMBLE_WASM_OPT") ? 104 : 120) * 1024;
+
 /// A figure that moves, and its page.
 struct Moving {
   std::string picture, chapter, name, page;
@@ -111,6 +115,15 @@ TEST_CASE("moving figures: the page draws what the program draws, byte for byte"
       CHECK(difference(drawn(), native.output) == "");
     }
     CHECK(browser.complaints() == std::vector<std::string>{});
+  }
+}
+
+TEST_CASE("moving figures: what a reader downloads for one is small") {
+  if (!can_look()) return;
+  for (const Moving& moving : figures_that_move()) {
+    const fs::path script = site_folder() / "moving" / (moving.chapter + "." + moving.name + ".js");
+    CAPTURE(script.string());
+    CHECK(fs::file_size(script) / 4 * 3 < most_bytes);  // base64
   }
 }
 
