@@ -16,7 +16,7 @@ using namespace contact_chapter;
 
 namespace {
 
-constexpr double until = 1, eps = std::numeric_limits<double>::epsilon();
+constexpr double until = 1;
 
 contact::ContactScene thrown(double along, double up, double spin, double e) {
   return scene_of_die(objects::die_in_hand({along, 0, up}, {10, 2 * std::numbers::pi * spin, 4}), e,
