@@ -10,6 +10,8 @@ namespace tumble::judge {
 
 namespace {
 
+using support::padded;
+
 std::string state_of(const Course& course, Progress& progress, const Unit& unit) {
   if (progress.is_done(unit)) return "passed";
   const UnitProgress& known = progress.of(unit);
@@ -30,11 +32,6 @@ Line line_of(const Course& course, Progress& progress, const Unit& unit) {
   if (tries > 0) state += ", " + std::to_string(tries) + (tries == 1 ? " try" : " tries");
   return {unit.chapter, progress.is_done(unit) ? "✓" : "·",   unit.number,
           unit.name,    read_declaration(course, unit).title, state};
-}
-
-std::string padded(const std::string& text, std::size_t width) {
-  const std::size_t length = support::characters(text);
-  return text + std::string(length < width ? width - length : 0, ' ');
 }
 
 std::string in_one_line(const Line& line) {

@@ -6,6 +6,7 @@
 #include "judge/mine/report.hpp"
 #include "judge/verdict/number_text.hpp"
 #include "support/table.hpp"
+#include "support/terminal.hpp"
 #include "support/wrapped.hpp"
 
 namespace tumble::judge::mine {
@@ -60,7 +61,7 @@ std::string table_of(const EngineBuild& build, const ProblemResult& result) {
             result.closed_form->points.front(), "");
   for (const Curve& curve : result.library)
     add_row(table, "library's " + curve.name, curve.points.back(), "");
-  return table.text();
+  return support::fitted(table);
 }
 
 /// A line for each: what is not there, and where it would be.
@@ -94,7 +95,7 @@ std::string table_of(const DieResult& die) {
     table.add({std::to_string(i + 1), number(die.own->impacts[i].t, 6), error_number(die.late(i)),
                error_number(die.truth.impacts[i].grown),
                number(100 * die.energy_left(i), 3) + " %"});
-  return table.text();
+  return support::fitted(table);
 }
 
 std::string about_die(const DieResult& die) {

@@ -39,17 +39,9 @@ std::string indented(const std::string& text, const std::string& by, std::size_t
 
 /// The text in lines of at most 100 characters, all but the first indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
-  constexpr std::size_t width = 100;
-  std::istringstream in(text);
-  std::string result, word;
-  std::size_t column = indent;
-  while (in >> word) {
-    const std::size_t length = support::characters(word);
-    const bool fits = column + 1 + length <= width;
-    if (!result.empty()) result += fits ? " " : "\n" + std::string(indent, ' ');
-    column = fits ? column + 1 + length : indent + length;
-    result += word;
-  }
+  std::string result;
+  for (const std::string& line : support::lines_of(text, 100 - indent))
+    result += (result.empty() ? "" : "\n" + std::string(indent, ' ')) + line;
   return result;
 }
 

@@ -25,6 +25,12 @@ check() {
   grep -v 'warnings generated\|Suppressed\|Use -header-filter' "$work/$name" | head -n 60
 }
 
+# Every check below asks git for its files: of none, each would pass.
+[ -n "$(git ls-files '*.cpp')" ] || {
+  echo "check.sh: git knows no files in $root; is it a clone?" >&2
+  exit 2
+}
+
 have() { command -v "$1" >/dev/null 2>&1 || { echo "left out: $1 is not installed"; return 1; }; }
 
 # Submissions are as their authors would write them.

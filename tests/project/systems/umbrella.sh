@@ -1,5 +1,5 @@
 #!/bin/sh
-# The library's umbrella header for compilers and targets that no other test has: libc++, C++23,
+# The library's umbrella headers for compilers and targets that no other test has: libc++, C++23,
 # wasm32-wasi, no exceptions. And a program of a user who has nothing but -I: without a warning.
 # What is not installed is left out, and said; exit status 77 if that is everything.
 #
@@ -24,7 +24,7 @@ done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 echo '#include <version>' >"$work/probe.cpp"
-echo '#include "tumble/tumble.hpp"' >"$work/umbrella.cpp"
+for header in tumble collide contact; do echo "#include \"tumble/$header.hpp\""; done >"$work/umbrella.cpp"
 cat >"$work/plain.cpp" <<'CPP'
 #include "tumble/tumble.hpp"
 using namespace tumble;
@@ -46,15 +46,11 @@ int main() {
 }
 CPP
 warnings='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror'
-checked=0 failed=0
-
-report() { printf '%-8s %s\n' "$1" "$2"; }
+report() { printf '%-8s %s\n' "$1" "$2" | tee -a "$work/results"; }
 works() { # what was tried, and whether it worked
-  checked=$((checked + 1))
   if [ "$2" = 0 ]; then report passed "$1"; return; fi
-  failed=$((failed + 1))
   report FAILED "$1"
-  sed 's/^/         /' "$work/messages" | head -n 20
+  sed 's/^/         /' "$work/$lane.messages" | head -n 20
 }
 
 # Does the compiler have what these flags ask for?
@@ -65,7 +61,7 @@ umbrella() {
   status=0
   # shellcheck disable=SC2086  # one word a warning
   "$@" $warnings -I"$root/lib/include" -isystem "$eigen" -fsyntax-only "$work/umbrella.cpp" \
-    >"$work/messages" 2>&1 || status=1
+    >"$work/$lane.messages" 2>&1 || status=1
   works "$*" "$status"
 }
 
@@ -75,7 +71,7 @@ plain() {
   status=0
   # shellcheck disable=SC2086  # one word a warning
   "$@" -std=c++20 $warnings -O1 -I"$root/lib/include" -isystem "$eigen" -c "$work/plain.cpp" \
-    -o "$work/plain.o" >"$work/messages" 2>&1 || status=1
+    -o "$work/$lane.o" >"$work/$lane.messages" 2>&1 || status=1
   works "$*: a program without a warning" "$status"
 }
 
@@ -84,29 +80,39 @@ refused() {
   has "$@" || { report left-out "$* (a refusal)"; return; }
   status=0
   "$@" -std=c++20 -fno-exceptions -pthread -I"$root/lib/include" "$work/refused.cpp" \
-    -o "$work/refused" >"$work/messages" 2>&1 || status=1
+    -o "$work/refused" >"$work/$lane.messages" 2>&1 || status=1
   if [ "$status" = 0 ]; then
     # A shell of its own, whose word about the abort goes to the messages, too.
-    if sh -c '"$1"; exit $?' sh "$work/refused" >"$work/messages" 2>&1; then
+    if sh -c '"$1"; exit $?' sh "$work/refused" >"$work/$lane.messages" 2>&1; then
       status=1
-      echo 'it was not refused' >>"$work/messages"
+      echo 'it was not refused' >>"$work/$lane.messages"
     fi
-    grep -q 'tumble: the mass is -1' "$work/messages" || status=1
+    grep -q 'tumble: the mass is -1' "$work/$lane.messages" || status=1
   fi
   works "$* -fno-exceptions: a refusal aborts, with its message" "$status"
 }
 
-# C++20 with libstdc++ is what all other tests compile.
-plain g++
-plain clang++
-umbrella g++ -std=c++23
-umbrella g++ -std=c++20 -fno-exceptions
-refused g++
-umbrella clang++ -std=c++20 -stdlib=libc++
-umbrella clang++ -std=c++2b -stdlib=libc++
-umbrella clang++ -std=c++20 --target=wasm32-wasi
-umbrella clang++ -std=c++20 --target=wasm32-wasi -fno-exceptions
+# C++20 with libstdc++ is what all other tests compile. Two compilers, side by side.
+with_gcc() {
+  lane=gcc
+  plain g++
+  umbrella g++ -std=c++23
+  umbrella g++ -std=c++20 -fno-exceptions
+  refused g++
+}
+with_clang() {
+  lane=clang
+  plain clang++
+  umbrella clang++ -std=c++20 -stdlib=libc++
+  umbrella clang++ -std=c++2b -stdlib=libc++
+  umbrella clang++ -std=c++20 --target=wasm32-wasi
+  umbrella clang++ -std=c++20 --target=wasm32-wasi -fno-exceptions
+}
+with_gcc &
+with_clang
+wait
 
-echo "$checked checked, $failed failed"
-[ "$failed" = 0 ] || exit 1
-[ "$checked" != 0 ] || exit 77
+count() { grep -c "^$1" "$work/results" || :; }
+echo "$(count passed) passed, $(count FAILED) failed"
+[ "$(count FAILED)" = 0 ] || exit 1
+[ "$(count passed)" != 0 ] || exit 77

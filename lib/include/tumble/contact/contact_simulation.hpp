@@ -37,13 +37,6 @@ class ContactSimulation {
   }
 
  private:
-  /// Of the points of a contact, along its normal.
-  struct Speeds {
-    Vec3 normal;
-    double coming;   ///< the fastest before the impulses [m/s]
-    double parting;  ///< the slowest after them [m/s]
-  };
-
   Landings& landings(int i) { return landings_[static_cast<std::size_t>(i)]; }
   double& rest_since(int i) { return run_.rest_since[static_cast<std::size_t>(i)]; }
 
