@@ -40,7 +40,7 @@ TEST_CASE("mesh_mass_properties: refuses what has no mass, and says where, howev
     CHECK_REFUSED(door(nan, 1), "nan");
     CHECK_REFUSED(door(PolygonMesh{}, 1), "no faces");
     CHECK_REFUSED(door(test::mapped(cube, Vec3(1, 1, 0).asDiagonal().toDenseMatrix()), 1),
-                  "no volume");
+                  "rounding hides the volume");
   }
 }
 
@@ -86,8 +86,8 @@ TEST_CASE("require_volume: what the diagnosis may let through is refused after t
   const PolygonMesh cube = test::box_mesh(Vec3(1, 1, 1));
   CHECK_REFUSED(require_volume(test::tight(test::inside_out(cube), 1)), "inside out", "mass -1");
   const PolygonMesh sheet = test::mapped(cube, askew() * Vec3(1, 1, 0).asDiagonal());
-  CHECK_REFUSED(require_volume(test::textbook(sheet, 1)), "no volume");
-  CHECK_REFUSED(require_volume(test::tight(PolygonMesh{}, 1)), "no volume");
+  CHECK_REFUSED(require_volume(test::textbook(sheet, 1)), "rounding hides the volume");
+  CHECK_REFUSED(require_volume(test::tight(PolygonMesh{}, 1)), "rounding hides the volume");
   const PolygonMesh speck = test::mapped(cube, 1e-80 * Mat3::Identity());
   CHECK_REFUSED(require_volume(test::tight(speck, 1)), "too small or too large");
   for (const double size : {1e-64, 1e-62, 1e62, 1e70}) {

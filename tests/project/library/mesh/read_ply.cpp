@@ -149,7 +149,8 @@ TEST_CASE("parse_ply: refuses values, and says which element and where") {
 
 TEST_CASE("parse_ply: counts that lie take no memory") {
   const std::string many = "element vertex 1000000000000000000\nproperty float x\n";
-  ply_refused(ascii_ply(many, "0\n"), "names 1000000000000000000 times 'vertex', but only 2 bytes");
+  ply_refused(ascii_ply(many, "0\n"),
+              "announces 1000000000000000000 elements 'vertex', but only 2 bytes");
   ply_refused(ascii_ply("element vertex " + std::string(50, '9') + "\nproperty float x\n", "0\n"),
               "but only 2 bytes");
   std::string file = test::binary_ply(test::cube());

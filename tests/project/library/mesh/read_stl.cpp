@@ -78,7 +78,7 @@ TEST_CASE("parse_stl: refuses a binary file that is not as long as its facets") 
     stl_refused(file.substr(0, size), "byte 80: the header announces 12 facets");
   stl_refused(file + "x", "but the file has 685");
   stl_refused(with_bytes(file, 80, "\xFF\xFF\xFF\xFF"),
-              "names 4294967295 facets, which take 214748364834 bytes");
+              "announces 4294967295 facets, which take 214748364834 bytes");
   stl_refused(file.substr(0, 83), "a header of 84 bytes, and this has 83 bytes");
   stl_refused("", "this has 0 bytes");
   stl_refused(with_bytes(file.substr(0, 84), 80, std::string(4, '\0')), "no faces");
