@@ -49,7 +49,9 @@ Vector3<T> by_summing_points(const Task<T>& task, const std::vector<PointMass>& 
     I(1, 2) -= mr.y() * r.z();
     I(2, 0) -= mr.z() * r.x();
   }
-  I(1, 0) = I(0, 1), I(2, 1) = I(1, 2), I(0, 2) = I(2, 0);
+  I(1, 0) = I(0, 1);
+  I(2, 1) = I(1, 2);
+  I(0, 2) = I(2, 0);
   return I.inverse() * task.L;
 }
 

@@ -76,7 +76,10 @@ Table walk_table() {
                  of_ends = rise * (p.x() * p.x() + q.x() * q.x()) / 4;
     table.add({edge_text(p, q), number(rise), number(edge.one / 2), number(edge.a / 6, 4),
                number(of_middle + 0), number(of_ends + 0)});
-    area += edge.one / 2, first += edge.a / 6, by_middle += of_middle, by_ends += of_ends;
+    area += edge.one / 2;
+    first += edge.a / 6;
+    by_middle += of_middle;
+    by_ends += of_ends;
   }
   table.add({"once around", "0", number(area), number(first, 4), number(by_middle, 4),
              number(by_ends, 4)});

@@ -156,7 +156,11 @@ namespace {
 /// What no method can be faster than: every vertex and every index, once.
 double read_once(const PolygonMesh& mesh) {
   double x = 0, y = 0, z = 0;
-  for (const Vec3& v : mesh.vertices) x += v.x(), y += v.y(), z += v.z();
+  for (const Vec3& v : mesh.vertices) {
+    x += v.x();
+    y += v.y();
+    z += v.z();
+  }
   std::int64_t corners = 0;
   for (const int v : mesh.corners) corners += v;
   return x + y + z + static_cast<double>(corners);

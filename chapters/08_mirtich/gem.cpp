@@ -92,8 +92,10 @@ Table shadows_table() {
   };
   for (std::size_t i = 0; i < 4; ++i) {
     add(names[i], parts[i]);
-    all.faces += parts[i].faces, all.area += parts[i].area;
-    all.shadow += parts[i].shadow, all.volume += parts[i].volume;
+    all.faces += parts[i].faces;
+    all.area += parts[i].area;
+    all.shadow += parts[i].shadow;
+    all.volume += parts[i].volume;
   }
   add("all", all);
   return table;

@@ -172,7 +172,8 @@ Table stated_table() {
   Table table({"asked for", "stated", "true", "evaluations", "runs"});
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     SimulationTask task;
-    task.t1 = mug_time, task.tolerance = tolerance;
+    task.t1 = mug_time;
+    task.tolerance = tolerance;
     const Trajectory way = simulate(mug(), mug_start(), task, weight, spring, drag);
     const SimulationReport& report = way.report();
     const double true_error = turned_apart(way.end(), mug_end());

@@ -92,7 +92,8 @@ Table free_table() {
     table.add({std::to_string(rate), error_number(off1) + " rad", order(before1, off1),
                error_number(off10) + " rad", order(before10, off10),
                error_number(kinetic_energy(handle(), end(10)) / energy - 1)});
-    before1 = off1, before10 = off10;
+    before1 = off1;
+    before10 = off10;
   }
   return table;
 }

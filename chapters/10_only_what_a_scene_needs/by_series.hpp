@@ -11,7 +11,8 @@ inline Quat by_series(const KnownTurning& scene, double tolerance, int& order, i
   const steady::SteadyTorque torque(scene.body, scene.forces);
   const steady::TurningBySeries<1> turning(torque, torque.turning(scene.start.q, scene.start.L), 0,
                                            scene.duration, tolerance);
-  order = turning.order(), steps = turning.steps();
+  order = turning.order();
+  steps = turning.steps();
   return torque.orientation(turning.end());
 }
 

@@ -59,7 +59,8 @@ class FlipTimes {
   void operator()(double t, const PackedState<double>& y) {
     const double now = middle_spin(t, unpack<double>(y));
     if (now * before_ < 0) times_.push_back(t - (t - t_) * now / (now - before_));
-    t_ = t, before_ = now;
+    t_ = t;
+    before_ = now;
   }
   const std::vector<double>& times() const { return times_; }
 
@@ -138,7 +139,8 @@ double long_error(const Case& c, double t) {
 double pulled_error(const Case& c, double t) {
   const ForceAtBodyPoint pull{c.mass * Vec3(0, 0, -5), Vec3(0.6, 0, 0.8)};
   reference::Turning truth = c.turning();
-  truth.F = pull.force, truth.p = pull.p_body;
+  truth.F = pull.force;
+  truth.p = pull.p_body;
   return off(simulated(c, t, pull).q, reference::turned(truth, t).q);
 }
 

@@ -16,7 +16,7 @@ constexpr int bounces = 12;
 contact::ContactRun smooth_throw(double higher_by) {
   contact::ContactScene scene = scene_of_die(objects::thrown_die(), 0.6, 0);
   scene.bodies[0].start.x.z() += higher_by;
-  const contact::ContactSettings settings{.until = 2, .tolerance = 1e-15, .most_impacts = bounces};
+  const contact::ContactSettings settings{.until = 2, .tolerance = 1e-15, .max_impacts = bounces};
   return contact::detail::ContactSimulation<OneBodyEvents>(scene, settings).run();
 }
 

@@ -37,7 +37,10 @@ double main_direction(const std::vector<std::vector<Vec3>>& paths) {
   for (const std::vector<Vec3>& path : paths)
     for (const Vec3& point : path) {
       const Vec3 way(point.x() - path.front().x(), point.y() - path.front().y(), 0);
-      if (way.norm() > most) most = way.norm(), longest = way;
+      if (way.norm() > most) {
+        most = way.norm();
+        longest = way;
+      }
     }
   return std::atan2(longest.y(), longest.x());
 }

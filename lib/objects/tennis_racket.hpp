@@ -15,7 +15,8 @@ inline constexpr double frame_half_width = 0.0065, frame_half_height = 0.0105;
 inline void add_string(PolygonMesh& mesh, int k, double across, double half_length, double z) {
   constexpr double half = 0.00065;
   Vec3 low(-half, -half, z - half), high(half, half, z + half);
-  low[k] = -half_length, high[k] = half_length;
+  low[k] = -half_length;
+  high[k] = half_length;
   low[1 - k] += across, high[1 - k] += across;
   const std::vector<Vec3> foot = {{low.x(), low.y(), low.z()},
                                   {high.x(), low.y(), low.z()},

@@ -52,13 +52,19 @@ class FittedAxis {
 
   /// Rounds the range outwards; call once when all data is in.
   void finish() {
-    if (low_ > high_) low_ = 0, high_ = 1;
+    if (low_ > high_) {
+      low_ = 0;
+      high_ = 1;
+    }
     if (axis_.scale == Scale::log) {
       low_ = std::floor(low_ + 1e-9);
       high_ = std::max(std::ceil(high_ - 1e-9), low_ + 1);
       return;
     }
-    if (high_ - low_ < 1e-300) low_ -= 0.5, high_ += 0.5;
+    if (high_ - low_ < 1e-300) {
+      low_ -= 0.5;
+      high_ += 0.5;
+    }
     const double step = linear_step();
     low_ = std::floor(low_ / step + 1e-9) * step;
     high_ = std::ceil(high_ / step - 1e-9) * step;

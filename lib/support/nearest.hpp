@@ -32,8 +32,10 @@ inline std::optional<std::string> nearest(const std::string& written,
   std::optional<std::string> best;
   std::size_t least = std::min(std::max<std::size_t>(1, written.size() / 3) + 1, written.size());
   for (const std::string& name : known)
-    if (const std::size_t distance = edit_distance(written, name); distance < least)
-      best = name, least = distance;
+    if (const std::size_t distance = edit_distance(written, name); distance < least) {
+      best = name;
+      least = distance;
+    }
   if (best || written.size() < 3) return best;
   for (const std::string& name : known)
     if (name.find(written) != std::string::npos) return name;

@@ -49,7 +49,10 @@ class CsvReader {
   }
 
  private:
-  void open_quote() { quoted_ = true, opened_ = line_; }
+  void open_quote() {
+    quoted_ = true;
+    opened_ = line_;
+  }
   void take_quoted(std::size_t& i) {
     if (text_[i] != '"')
       field_ += text_[i];

@@ -38,7 +38,8 @@ int natural_order(const std::string& a, const std::string& b) {
       const std::string m = digits_at(a, i), n = digits_at(b, j);
       if (m.size() != n.size()) return m.size() < n.size() ? -1 : 1;
       if (m != n) return m < n ? -1 : 1;
-      i = end_of_digits(a, i), j = end_of_digits(b, j);
+      i = end_of_digits(a, i);
+      j = end_of_digits(b, j);
     } else {
       const auto x = static_cast<unsigned char>(a[i++]), y = static_cast<unsigned char>(b[j++]);
       if (x != y) return x < y ? -1 : 1;

@@ -18,8 +18,14 @@ using objects::die_edge;
 /// The throw of chapter 11's table.
 DieQuestion the_throw() {
   constexpr int impacts = 12;  // after more of them the table would say no more
-  return {objects::die().mass(),       die_edge, 9.81,   0.6, 1e-11, 0,
-          pack(objects::thrown_die()), 2,        impacts};
+  return {.mass = objects::die().mass(),
+          .edge = die_edge,
+          .gravity = 9.81,
+          .e = 0.6,
+          .tolerance = 1e-11,
+          .start = pack(objects::thrown_die()),
+          .duration = 2,
+          .max_impacts = impacts};
 }
 
 contact::ContactRun by_library(const DieQuestion& question, double higher) {
@@ -33,8 +39,7 @@ contact::ContactRun by_library(const DieQuestion& question, double higher) {
       0};
   constexpr double exact = 1e-15;  // [m]
   return contact::simulate_contacts(
-      scene,
-      {.until = question.duration, .tolerance = exact, .most_impacts = question.most_impacts});
+      scene, {.until = question.duration, .tolerance = exact, .max_impacts = question.max_impacts});
 }
 
 /// [J]; none by its height where it lies on the table.

@@ -177,7 +177,7 @@ Measurement measure(const OwnEngine& engine,
   std::set<Method> gave_up;  // each try of one that hung would cost seconds
   for (Problem& problem : problems()) {
     progress(problem.sentence);
-    ProblemResult result{std::move(problem), {}, {}, {}, {}, {}, {}, {}, {}};
+    ProblemResult result{.problem = std::move(problem)};
     const ProblemResult* before = all.problems.empty() ? nullptr : &all.problems.back();
     const bool same_mesh = before && before->problem.mesh.corners == result.problem.mesh.corners;
     result.mass = same_mesh ? before->mass : mass_of(engine, result.problem);

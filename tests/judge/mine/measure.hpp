@@ -43,14 +43,14 @@ struct Chosen {
 
 struct ProblemResult {
   Problem problem;
-  MassResult mass;
-  Chosen chosen;
-  std::vector<OwnCurve> own;
-  std::optional<Curve> closed_form;  ///< by 10.2, if that was chosen
-  std::string closed_form_failure;
-  std::vector<Curve> library;
-  std::optional<Invariants> laws;  ///< of the finest run of the best method
-  std::optional<Turning> turning;  ///< by the best method
+  MassResult mass = {};
+  Chosen chosen = {};
+  std::vector<OwnCurve> own = {};
+  std::optional<Curve> closed_form = {};  ///< by 10.2, if that was chosen
+  std::string closed_form_failure = {};
+  std::vector<Curve> library = {};
+  std::optional<Invariants> laws = {};  ///< of the finest run of the best method
+  std::optional<Turning> turning = {};  ///< by the best method
 
   /// The body as the student's mass properties have it, or as it is where they cannot be used.
   MassProperties body() const;

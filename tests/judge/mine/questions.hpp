@@ -57,7 +57,7 @@ struct DieQuestion {
                          ///< that contact which would last is a train of hops
   Numbers start;         ///< above the table
   double duration = 0;   ///< [s]
-  int most_impacts = 0;  ///< after so many it is over
+  int max_impacts = 0;   ///< after so many it is over
 };
 
 struct DieImpact {

@@ -189,7 +189,8 @@ std::string classroom50_result(const CourseSettings& settings, const StudentReco
   for (const Unit& unit : settings.units) {
     const long points = hundredths(points_of(settings, record, unit)),
                out_of = hundredths(settings.points(unit));
-    score += points, most += out_of;
+    score += points;
+    most += out_of;
     j["tests"].push_back({{"test-name", title(unit)},
                           {"passed", passed(record, unit)},
                           {"score", points},

@@ -42,7 +42,7 @@ void follow(const scenes::Scene& scene) {
       simulate_contacts(with_walls, {.until = until,
                                      .tolerance = scenes::contact_tolerance(scene),
                                      .hop = 1e-4,
-                                     .most_impacts = impacts});
+                                     .max_impacts = impacts});
   fuzz::demand(touch || run.impacts.empty(), "what cannot touch has no impacts");
   double scale = 0;
   for (std::size_t i = 0; i < with_walls.bodies.size(); ++i) {

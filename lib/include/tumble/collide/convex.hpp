@@ -83,7 +83,10 @@ class Convex {
     double most = points_[0].dot(direction);
     for (int i = 1; i < static_cast<int>(points_.size()); ++i) {
       const double along = point(i).dot(direction);
-      if (along > most) most = along, best = i;
+      if (along > most) {
+        most = along;
+        best = i;
+      }
     }
     return best;
   }

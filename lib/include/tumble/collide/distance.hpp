@@ -46,12 +46,14 @@ class Search {
   }
 
   void run() {
-    constexpr int most_rounds = 1000;
-    while (upper_ > rounding_ && rounds_ < most_rounds)
+    constexpr int max_rounds = 1000;
+    while (upper_ > rounding_ && rounds_ < max_rounds)
       if (!improve()) break;
     if (upper_ - lower_ > rounding_)
-      if (const auto gap = largest_gap(difference_); gap && gap->size > lower_)
-        lower_ = gap->size, normal_ = gap->normal;
+      if (const auto gap = largest_gap(difference_); gap && gap->size > lower_) {
+        lower_ = gap->size;
+        normal_ = gap->normal;
+      }
   }
 
   const Simplex& nearest() const { return nearest_; }
@@ -81,7 +83,10 @@ class Search {
   /// The corner nearest to the origin along n, and the gap that this certifies.
   Corner corner_along(const Vec3& n) {
     Corner corner = difference_.nearest_along(n);
-    if (const double gap = n.dot(corner.w); gap > lower_) lower_ = gap, normal_ = n;
+    if (const double gap = n.dot(corner.w); gap > lower_) {
+      lower_ = gap;
+      normal_ = n;
+    }
     return corner;
   }
 

@@ -59,7 +59,10 @@ inline Simplex nearest_in(const Simplex& all, double rounding) {
     if (!part) continue;
     const double distance = part->point().norm();
     if (part->size == 4 && distance > rounding) continue;
-    if (best.size == 0 || distance < least) best = *part, least = distance;
+    if (best.size == 0 || distance < least) {
+      best = *part;
+      least = distance;
+    }
   }
   return best;
 }

@@ -39,13 +39,16 @@ class Polytope {
   }
 
   Penetration grow() {
-    constexpr int most_rounds = 500;
+    constexpr int max_rounds = 500;
     Penetration best{{}, Vec3::UnitZ(), std::numeric_limits<double>::infinity(), 0, 0};
-    for (int round = 1; round <= most_rounds; ++round) {
+    for (int round = 1; round <= max_rounds; ++round) {
       const Face nearest = faces_[nearest_face()];
       const Corner next = difference_.nearest_along(-nearest.normal);
       const double depth = nearest.normal.dot(next.w);
-      if (depth < best.depth) best.outwards = nearest.normal, best.depth = depth;
+      if (depth < best.depth) {
+        best.outwards = nearest.normal;
+        best.depth = depth;
+      }
       best.uncertain = std::max(0., best.depth - nearest.distance);
       best.rounds = round;
       if (best.uncertain <= rounding_ || !add(next)) break;
@@ -78,7 +81,10 @@ class Polytope {
     double most = -1;
     for (const Vec3& direction : directions_off(simplex)) {
       const Corner corner = difference_.nearest_along(direction);
-      if (const double by = off(corner.w); by > most) most = by, best = corner;
+      if (const double by = off(corner.w); by > most) {
+        most = by;
+        best = corner;
+      }
     }
     return best;
   }

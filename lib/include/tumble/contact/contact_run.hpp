@@ -23,7 +23,7 @@ struct ContactSettings {
   /// Where contact of a body other than a ball lasts, it is a train of hops: so high, as a part of
   /// the body's reach.
   double hop = 1e-6;
-  int most_impacts = 100000;  ///< after so many contacts the run ends, and says so
+  int max_impacts = 100000;  ///< after so many contacts the run ends, and says so
 };
 
 /// One impulse between two bodies, or between a body and a wall.

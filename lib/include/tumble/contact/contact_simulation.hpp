@@ -74,7 +74,7 @@ class ContactSimulation {
     // Between several others its impacts can follow each other ever faster.
     if (run_.ending == Ending::time && landings(event.body).faint >= most_faint())
       end_undecided(event.body);
-    if (++handled_ >= settings_.most_impacts && run_.ending == Ending::time)
+    if (++handled_ >= settings_.max_impacts && run_.ending == Ending::time)
       run_.ending = Ending::too_many_events;
   }
 

@@ -118,12 +118,12 @@ namespace tumble::contact {
 inline std::vector<PointImpulse> collide_at_points(Colliding& a, Colliding* b,
                                                    const collide::ContactPoints& points,
                                                    const Surface& surface) {
-  constexpr int most_impulses = 100;
+  constexpr int max_impulses = 100;
   constexpr double nothing = 1e-12;  // of the speed at which the first point comes
   detail::Touching touching(a, b);
   std::vector<PointImpulse> impulses;
   double first = 0;
-  for (int i = 0; i < most_impulses; ++i) {
+  for (int i = 0; i < max_impulses; ++i) {
     const auto mean = detail::mean_of_coming(touching, points, surface.normal);
     if (mean.fastest <= nothing * first) break;
     first = std::max(first, mean.fastest);

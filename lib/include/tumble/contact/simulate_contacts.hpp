@@ -26,7 +26,7 @@ inline ContactRun simulate_contacts(const ContactScene& scene, const ContactSett
           "contacts: until = ", settings.until, " s is not finite and ≥ 0");
   require(settings.tolerance > 0, "contacts: the tolerance ", settings.tolerance,
           " m is not positive");
-  require(settings.most_impacts > 0, "contacts: most_impacts = ", settings.most_impacts,
+  require(settings.max_impacts > 0, "contacts: max_impacts = ", settings.max_impacts,
           " is not positive");
   scene.require_valid(settings.tolerance);
   return detail::ContactSimulation<detail::ContactEvents>(scene, settings).run();

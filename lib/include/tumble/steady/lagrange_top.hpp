@@ -24,6 +24,7 @@
 #include <optional>
 #include <variant>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/elliptic/complementary_theta_series.hpp"
 #include "tumble/elliptic/theta_series.hpp"
 #include "tumble/quaternion/between_directions.hpp"
@@ -146,7 +147,7 @@ inline std::optional<LagrangeTop> LagrangeTop::from(const SteadyTorque& torque, 
   if (!symmetric || J[0] == J[2] || torque.rank() != 1 || !torque.drag().isZero(0)) return {};
   const int z = oblate ? 2 : 0, x = (z + 1) % 3, y = (z + 2) % 3;
   const Vec3& arm = torque.arm(0);
-  if (std::hypot(arm[x], arm[y]) > 4 * 0x1p-53 * std::abs(arm[z])) return {};
+  if (std::hypot(arm[x], arm[y]) > 4 * detail::unit_roundoff * std::abs(arm[z])) return {};
 
   // Away from the force: the torque is −μ n × e.
   const Vec3 up = arm[z] > 0 ? Vec3(-torque.direction(0)) : torque.direction(0);

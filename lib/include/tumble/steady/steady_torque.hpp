@@ -11,6 +11,7 @@
 #include "tumble/body/rigid_body.hpp"
 #include "tumble/body/state.hpp"
 #include "tumble/body/steady_forces.hpp"
+#include "tumble/core/rounding.hpp"
 #include "tumble/free_body/polhode.hpp"
 #include "tumble/mass/principal_axes.hpp"
 
@@ -83,7 +84,7 @@ class SteadyTorque {
       arms_[index(r)] += share * p;
       rest -= share * directions_[index(r)];
     }
-    if (rank_ == 3 || rest.norm() <= 8 * 0x1p-53 * force.norm()) return;
+    if (rank_ == 3 || rest.norm() <= 8 * detail::unit_roundoff * force.norm()) return;
     directions_[index(rank_)] = rest.normalized();
     arms_[index(rank_++)] = rest.norm() * p;
   }

@@ -31,7 +31,7 @@ class DieOnTable {
   ///         it was asked for
   DieAnswer run() {
     DieAnswer answer;
-    while (static_cast<int>(answer.impacts.size()) < question_.most_impacts && comes_down()) {
+    while (static_cast<int>(answer.impacts.size()) < question_.max_impacts && comes_down()) {
       hit();
       answer.impacts.push_back({begin_, rigid_body::pack(start_)});
     }

@@ -19,7 +19,7 @@ inline AllNumbers die(Numbers numbers) {
   question.hop = numbers.number();
   question.start = numbers.matrix<mine::Numbers>();
   question.duration = numbers.number();
-  question.most_impacts = numbers.count();
+  question.max_impacts = numbers.count();
   AllNumbers all;
   for (const mine::DieImpact& impact : mine::DieOnTable(question).run().impacts) {
     all.push_back(impact.t);

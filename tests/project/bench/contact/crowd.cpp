@@ -46,7 +46,7 @@ struct Ours {
 
 Ours ours(const Scene& scene) {
   const int bodies = static_cast<int>(scene.bodies.size());
-  Ours made{contact_scene(scene), {.until = 1e3, .most_impacts = std::max(2000, 5 * bodies)}, {}};
+  Ours made{contact_scene(scene), {.until = 1e3, .max_impacts = std::max(2000, 5 * bodies)}, {}};
   made.run = simulate_contacts(made.scene, made.settings);
   return made;
 }

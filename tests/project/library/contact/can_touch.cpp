@@ -82,7 +82,7 @@ TEST_CASE("can_touch: where it says no, no impact is found, and where one is fou
                                    rod(Vec3(2.5, 0, 0), 4 * rng.vector(), 5 * rng.vector())});
     scene.walls = {{Vec3(0, 0, -3), Vec3::UnitZ()}};
     const double until = rng.uniform(0, 1.2);
-    const bool hit = !simulate_contacts(scene, {.until = until, .most_impacts = 1}).impacts.empty();
+    const bool hit = !simulate_contacts(scene, {.until = until, .max_impacts = 1}).impacts.empty();
     const bool can = can_touch(scene, until);
     CHECK((can || !hit));
     touching += hit;

@@ -92,7 +92,7 @@ TEST_CASE("simulate_contacts: bounces that add up end at rest at t0 (1 + e)/(1 â
     CHECK(run.ending == Ending::all_at_rest);
     CHECK(std::abs(run.rest_since[0] / (fall * (1 + e) / (1 - e)) - 1) < 1e-12);
     CHECK(run.state(scene, 0, run.t).P.isZero(0));
-    CHECK(std::abs(run.state(scene, 0, run.t).x.z() - 0.1) <= ContactSettings{}.tolerance);
+    CHECK(std::abs(run.state(scene, 0, run.t).x.z() - 0.1) <= contact::ContactSettings{}.tolerance);
     for (std::size_t k = 1; k < 5; ++k) {  // heights e^2k h
       const double top = (run.impacts[k - 1].t + run.impacts[k].t) / 2;
       const double height = run.state(scene, 0, top).x.z() - 0.1;
@@ -211,8 +211,7 @@ TEST_CASE("simulate_contacts: random throws: no NaN, no hang, no overlap, no ene
     };
     scene.bodies.push_back(body(Vec3(-0.6, 0, 0), rng.vector() + Vec3(two, 0, 0)));
     if (two) scene.bodies.push_back(body(Vec3(0.6, 0, 0), rng.vector(0.3) - Vec3(two, 0, 0)));
-    const ContactRun run =
-        simulate_contacts(scene, {.until = 3, .hop = 1e-3, .most_impacts = 2000});
+    const ContactRun run = simulate_contacts(scene, {.until = 3, .hop = 1e-3, .max_impacts = 2000});
     ++endings[static_cast<int>(run.ending)];
     impacts += run.impacts.size();
     double scale = 0;  // of the energies
@@ -259,7 +258,7 @@ TEST_CASE(
   CHECK_REFUSED(simulate_contacts(good, {.until = 1, .tolerance = 0}), "tolerance");
   const auto capped =
       simulate_contacts(over_floor(ball("ball", 0.1, Vec3(0, 0, 1), Vec3::Zero()), 0.9),
-                        {.until = 100, .most_impacts = 7});
+                        {.until = 100, .max_impacts = 7});
   CHECK(capped.ending == Ending::too_many_events);
   CHECK(capped.impacts.size() == 7);
 }
