@@ -73,10 +73,12 @@ export class Student {
 
   #imports() {
     const system = {...this.#system(), abort: () => this.#end({how: 'signal', detail: 'SIGABRT'})};
-    const imports = {};
+    // The names are the student's: "__proto__" and "constructor" name nothing here.
+    const imports = Object.create(null);
     for (const {module, name} of WebAssembly.Module.imports(this.#module)) {
-      const call = system[name] ?? (() => this.#end({how: 'refused', detail: name}));
-      (imports[module] ??= {})[name] = (...values) => {
+      const refuse = () => this.#end({how: 'refused', detail: name});
+      const call = Object.hasOwn(system, name) ? system[name] : refuse;
+      (imports[module] ??= Object.create(null))[name] = (...values) => {
         if (this.#ending) throw new Ended();
         return call(...values);
       };
