@@ -76,7 +76,8 @@ class DepthImage {
   double pixel_;
 };
 
-/// The picture as SVG: runs of pixels of the same shade, `size` px each.
+/// The picture as SVG: runs of pixels of the same shade, `size` px each. Its places are counted in
+/// pixels of the picture, a tenth wider than they are: no seam shows.
 inline std::string shaded(const DepthImage& image, int n, const Vec2& corner, double size) {
   const Vec3 light = Vec3(-0.4, 0.55, 0.73).normalized();
   std::array<std::string, 16> paths;
@@ -90,17 +91,18 @@ inline std::string shaded(const DepthImage& image, int n, const Vec2& corner, do
       for (end = column + 1; end < n && shade(end, row) == here; ++end) {
       }
       if (here < 0) continue;
-      paths[static_cast<std::size_t>(here)] +=
-          "M" + support::svg_number(corner.x() + size * column) + " " +
-          support::svg_number(corner.y() + size * (row + 0.5)) + "h" +
-          support::svg_number(size * (end - column) + 0.2);
+      paths[static_cast<std::size_t>(here)] += "M" + support::svg_number(column) + " " +
+                                               support::svg_number(row) + "h" +
+                                               support::svg_number(end - column + 0.1);
     }
-  std::string svg;
+  std::string svg = "<g transform=\"translate(" + support::svg_number(corner.x()) + " " +
+                    support::svg_number(corner.y() + size / 2) + ") scale(" +
+                    support::svg_number(size, 3) + ")\" stroke-width=\"1.1\">\n";
   for (int i = 0; i < 16; ++i)
     if (const std::string& path = paths[static_cast<std::size_t>(i)]; !path.empty())
-      svg += "<path d=\"" + path + "\" stroke=\"" + support::view_detail::shade_colour(i) +
-             "\" stroke-width=\"" + support::svg_number(size + 0.2) + "\"/>\n";
-  return svg;
+      svg +=
+          "<path d=\"" + path + "\" stroke=\"" + support::view_detail::shade_colour(i) + "\"/>\n";
+  return svg + "</g>\n";
 }
 
 }  // namespace point_sampling_chapter

@@ -8,6 +8,7 @@
 #include "11_when_bodies_meet/thrown_die.hpp"
 #include "support/facets.hpp"
 #include "support/sketch.hpp"
+#include "support/svg_path.hpp"
 #include "tumble/body/state.hpp"
 #include "tumble/quaternion/convert.hpp"
 
@@ -27,12 +28,12 @@ inline void draw_face(tumble::support::Sketch& sketch, const tumble::support::Wi
   const auto at = [&](double x, double y) -> Vec2 {
     return centre + die_edge / 2 * (normal + x * right + y * up).head<2>();
   };
-  std::string path;
+  tumble::support::SvgPath path;
   for (const Vec2& corner : {at(1, 1), at(-1, 1), at(-1, -1), at(1, -1)})
-    path += (path.empty() ? "M" : "L") +
-            tumble::support::svg_number(sheet.x + sheet.scale * corner.x()) + " " +
-            tumble::support::svg_number(sheet.y - sheet.scale * corner.y());
-  sketch.drawing(tumble::support::draw_facet(path + "Z", tumble::support::shade_of(normal), 6));
+    path.add(sheet.x + sheet.scale * corner.x(), sheet.y - sheet.scale * corner.y(),
+             path.text().empty());
+  sketch.drawing(
+      tumble::support::draw_facet(path.text() + "Z", tumble::support::shade_of(normal), 6));
   std::vector<Vec2> places;
   for (const Vec2& pip : pips(number_on(axis, side)))
     places.push_back(at(pip.x() / 2, pip.y() / 2));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/plot_curve.hpp"
+#include "support/svg_path.hpp"
 #include "support/view.hpp"
 #include "tour/motion.hpp"
 #include "tumble/quaternion.hpp"
@@ -77,18 +78,17 @@ std::string spin_curves(const Film& film, const std::vector<Moment>& motion) {
   std::string svg = spin_scale(film);
   svg += words(Film::strip + 10, Film::row + 4, "ω about the axis of", support::fill_of("ink"));
   for (int axis = 0; axis < 3; ++axis) {
-    std::string path;
+    support::SvgPath path;
     for (const Moment& m : motion)
       if (m.t >= film.begin && m.t <= film.end)
-        path +=
-            (path.empty() ? "M" : "L") + coordinates(film.x(m.t), film.y(m.omega_principal[axis]));
+        path.add(film.x(m.t), film.y(m.omega_principal[axis]), path.text().empty());
     const double row = Film::row + 24 + 18 * axis;
     std::vector<support::plot_detail::Pixel> marked{{Film::strip + 15, row - 4}};
     for (int i = 0; i < Film::pictures; ++i)
       marked.push_back(
           {film.x(film.time(i)), film.y(moment_at(motion, film.time(i)).omega_principal[axis])});
     const support::SeriesLook look{"c" + std::to_string(axis), axis};
-    svg += "<path d=\"" + path + "\" fill=\"none\" " + support::stroke_of(look.colour) +
+    svg += "<path d=\"" + path.text() + "\" fill=\"none\" " + support::stroke_of(look.colour) +
            " stroke-width=\"1.8\"/>\n" + support::plot_detail::draw_markers(marked, look);
     svg += words(Film::strip + 24, row, names[axis] + std::string(" inertia"),
                  support::fill_of(look.colour));

@@ -28,16 +28,15 @@ inline view_detail::PaintedFace painted(const PolygonMesh& mesh, int f, const Ma
                                         const Placement& at) {
   Vec3 normal = Vec3::Zero();  // twice the area, by Newell's sum over the edges
   double depth = 0;
-  std::string path;
+  SvgPath path;
   const std::span<const int> face = mesh.face(f);
   for (std::size_t k = 0; k < face.size(); ++k) {
     const Vec3 a = R * mesh.vertex(face[k]), b = R * mesh.vertex(face[(k + 1) % face.size()]);
     normal += a.cross(b);
     depth += a.z() / static_cast<double>(face.size());
-    path += (k == 0 ? "M" : "L") + svg_number(at.x + at.scale * a.x()) + " " +
-            svg_number(at.y - at.scale * a.y());
+    path.add(at.x + at.scale * a.x(), at.y - at.scale * a.y(), k == 0);
   }
-  return {depth, normal.z() > 0 ? shade_of(normal) : -1, path + "Z"};
+  return {depth, normal.z() > 0 ? shade_of(normal) : -1, path.text() + "Z"};
 }
 
 /// The faces that look towards the viewer, far ones first.

@@ -10,6 +10,7 @@
 
 #include "support/plot_frame.hpp"
 #include "support/series_looks.hpp"
+#include "support/svg_path.hpp"
 
 namespace tumble::support::plot_detail {
 
@@ -88,10 +89,10 @@ inline std::vector<Pixel> places_along(const std::vector<std::vector<Pixel>>& cu
 
 inline std::string draw_line(const std::vector<std::vector<Pixel>>& curve, const Series& series,
                              const std::string& colour) {
-  std::string path;
+  SvgPath path;
   for (const std::vector<Pixel>& piece : curve)
-    for (std::size_t i = 0; i < piece.size(); ++i) path += (i == 0 ? "M" : "L") + at(piece[i]);
-  return "<path d=\"" + path + "\" fill=\"none\" " + stroke_of(colour) + " stroke-width=\"" +
+    for (std::size_t i = 0; i < piece.size(); ++i) path.add(piece[i].x, piece[i].y, i == 0);
+  return "<path d=\"" + path.text() + "\" fill=\"none\" " + stroke_of(colour) + " stroke-width=\"" +
          svg_number(series.width) + "\"" +
          (series.look == Look::dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
 }

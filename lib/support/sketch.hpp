@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/svg.hpp"
+#include "support/svg_path.hpp"
 #include "tumble/core/types.hpp"
 
 namespace tumble::support {
@@ -42,10 +43,9 @@ class Sketch {
 
   /// Several lines of the same look.
   void curves(const std::vector<std::vector<Vec2>>& lines, const Pen& pen) {
-    svg_ += "<path d=\"";
-    for (const std::vector<Vec2>& line : lines)
-      for (std::size_t i = 0; i < line.size(); ++i) svg_ += (i == 0 ? "M" : "L") + at(line[i]);
-    svg_ += "\" stroke-linejoin=\"round\" " + look_of(pen) + "/>\n";
+    SvgPath path;
+    for (const std::vector<Vec2>& line : lines) add(path, line);
+    svg_ += "<path d=\"" + path.text() + "\" stroke-linejoin=\"round\" " + look_of(pen) + "/>\n";
   }
 
   /// The outline of a rectangle.
@@ -88,9 +88,9 @@ class Sketch {
   /// Where a reader takes hold of a figure that moves: unseen, around one point or along a line.
   /// @param reach [px] to each side: a finger is wide
   void grip(const std::vector<Vec2>& line, double reach = 24) {
-    svg_ += "<path class=\"grip\" d=\"";
-    for (std::size_t i = 0; i < line.size(); ++i) svg_ += (i == 0 ? "M" : "L") + at(line[i]);
-    svg_ += std::string(line.size() == 1 ? "h0" : "") +
+    SvgPath path;
+    add(path, line);
+    svg_ += "<path class=\"grip\" d=\"" + path.text() + (line.size() == 1 ? "h0" : "") +
             "\" fill=\"none\" stroke=\"transparent\" stroke-width=\"" + svg_number(2 * reach) +
             "\" stroke-linecap=\"round\"/>\n";
   }
@@ -115,6 +115,13 @@ class Sketch {
  private:
   Vec2 pixels(const Vec2& point) const {
     return {window_.x + window_.scale * point.x(), window_.y - window_.scale * point.y()};
+  }
+
+  void add(SvgPath& path, const std::vector<Vec2>& line) const {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Vec2 p = pixels(line[i]);
+      path.add(p.x(), p.y(), i == 0);
+    }
   }
 
   std::string at(const Vec2& point) const {

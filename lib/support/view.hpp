@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/svg.hpp"
+#include "support/svg_path.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble::support {
@@ -39,11 +40,10 @@ inline std::vector<PaintedFace> painted_faces(const PolygonMesh& mesh, const Mat
     const Vec3 normal = (b - a).cross(c - a);
     if (normal.z() <= 0) return;
     const double lambert = std::max(0.0, normal.normalized().dot(light));
-    std::string path;
+    SvgPath path;
     for (const Vec3& p : {a, b, c})
-      path += (path.empty() ? "M" : "L") + svg_number(at.x + at.scale * p.x()) + " " +
-              svg_number(at.y - at.scale * p.y());
-    faces.push_back({(a + b + c).z(), static_cast<int>(15 * lambert), path + "Z"});
+      path.add(at.x + at.scale * p.x(), at.y - at.scale * p.y(), path.text().empty());
+    faces.push_back({(a + b + c).z(), static_cast<int>(15 * lambert), path.text() + "Z"});
   });
   std::stable_sort(faces.begin(), faces.end(),
                    [](const PaintedFace& a, const PaintedFace& b) { return a.depth < b.depth; });

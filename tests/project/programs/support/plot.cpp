@@ -156,7 +156,7 @@ TEST_CASE("draw_mesh: shows the faces turned to the viewer, the near ones last")
   mesh.add_face({0, 1, 2});  // far, towards the viewer
   mesh.add_face({0, 2, 1});  // turned away
   const std::string svg = draw_mesh(mesh, Mat3::Identity(), {0, 0, 10});
-  CHECK(count(svg, "M0 0L10 0L0 -10Z") == 2);
+  CHECK(count(svg, "M0 0l10 0 -10 -10Z") == 2);
   const Mat3 flipped = Vec3(1, -1, -1).asDiagonal();
   CHECK(count(draw_mesh(mesh, flipped, {0, 0, 10}), "Z") == 1);
 }

@@ -11,15 +11,15 @@ TEST_CASE("sketch: a unit to the right and a unit up are as long, from where the
   Sketch sketch(100, 100, "a title");
   sketch.look({50, 60, 10});
   sketch.curve({{0, 0}, {1, 0}, {1, 2}}, {"c3"});
-  CHECK(mentions(sketch.svg(), "<title>a title</title>", "d=\"M50 60L60 60L60 40\"",
-                 stroke_of("c3"), "fill=\"none\"", "</svg>"));
+  CHECK(mentions(sketch.svg(), "<title>a title</title>", "d=\"M50 60l10 0 0 -20\"", stroke_of("c3"),
+                 "fill=\"none\"", "</svg>"));
 }
 
 TEST_CASE("sketch: a frame is closed, and filled only if asked") {
   Sketch sketch(100, 100, "");
   sketch.look({0, 10, 1});
   sketch.frame({1, 2}, {3, 5}, {"grid", 1, 1, 0.25});
-  CHECK(mentions(sketch.svg(), "M1 8L3 8L3 5L1 5L1 8", "fill-opacity=\"0.25\""));
+  CHECK(mentions(sketch.svg(), "M1 8l2 0 0 -3 -2 0 0 3\"", "fill-opacity=\"0.25\""));
 }
 
 TEST_CASE("sketch: discs grow with the window, dots do not") {
