@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include "project/browser/site.hpp"
+#include "project/harness/command.hpp"
+#include "project/harness/served_folder.hpp"
 
 using namespace tumble::test;
 
@@ -20,7 +22,42 @@ const char* const overflows = R"js((() => {
     .map((e) => e.tagName + "." + e.className + ": " + (e.textContent || "").slice(0, 60));
 })())js";
 
+/// What a page has loaded, below the site: but for the modules of figures, which come when a reader
+/// scrolls to them.
+const char* const loaded = R"js(
+  ["resource", "navigation"].flatMap((kind) => performance.getEntriesByType(kind))
+    .map((entry) => new URL(entry.name).pathname.slice(1))
+    .filter((path) => !/^moving\/[^/]*\.[^/]*\.js$/.test(path)))js";
+
+/// What a server sends of a file [bytes]: fonts are packed already.
+long over_the_wire(const std::filesystem::path& file) {
+  const bool font = file.extension() == ".woff2";
+  const std::string show = font ? "cat '" : "gzip -c '";
+  return std::stol(run_command(show + file.string() + "' | wc -c").output);
+}
+
 }  // namespace
+
+TEST_CASE("the site: from a server a page asks for nothing else, and is loaded soon") {
+  if (!can_look()) return;
+  if (server_program().empty()) return skip("the server is not built");
+  constexpr long most = 250'000;  // two seconds at 1 Mbit/s
+  const ServedFolder server(site_folder());
+  Chromium browser;
+  browser.resize(1280, 800);
+  for (const std::string& page : pages_of_the_book()) {
+    CAPTURE(page);
+    browser.open(server.address() + page);
+    CHECK(browser.complaints() == std::vector<std::string>{});
+    long bytes = 0;
+    for (const auto& path : browser.evaluate(loaded)) {
+      const std::filesystem::path file = site_folder() / path.get<std::string>();
+      REQUIRE(std::filesystem::exists(file));
+      bytes += over_the_wire(file);
+    }
+    CHECK(bytes < most);
+  }
+}
 
 TEST_CASE("the site: no page complains, asks the network, or reaches beyond the window") {
   if (!can_look()) return;

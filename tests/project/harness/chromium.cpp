@@ -143,8 +143,8 @@ void Chromium::take(const Json& event) {
     complaints_.push_back("console: " + what["args"].dump());
   if (method == "Network.requestWillBeSent") {
     const std::string address = what["request"]["url"];
-    if (!address.starts_with("file:") && !address.starts_with("data:") &&
-        !address.starts_with("blob:"))
+    const auto begins = [&](const std::string& place) { return address.starts_with(place); };
+    if (!begins("file:") && !begins("data:") && !begins("blob:") && !begins(home_))
       complaints_.push_back("request: " + address);
   }
 }
@@ -186,6 +186,8 @@ void Chromium::prefer_dark(bool dark) {
 }
 
 void Chromium::open(const std::string& address) {
+  const std::size_t path = address.find('/', address.find("://") + 3);
+  home_ = address.substr(0, path == std::string::npos ? path : path + 1);
   // By way of an empty page: to another place in the same one nothing would be loaded.
   for (const std::string& next : {std::string("about:blank"), address}) {
     seen_.clear();

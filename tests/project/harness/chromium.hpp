@@ -42,7 +42,8 @@ class Chromium {
   /// A picture of the window, as PNG.
   void screenshot(const std::filesystem::path& file);
 
-  /// Errors in the console, exceptions, and requests to the network, since the page was opened.
+  /// Errors in the console, exceptions, and requests to others than the page's own server, since
+  /// the page was opened.
   const std::vector<std::string>& complaints() const { return complaints_; }
 
  private:
@@ -56,7 +57,7 @@ class Chromium {
   pid_t process_ = -1;
   int to_ = -1, from_ = -1;
   int last_ = 0;
-  std::string session_, unread_;
+  std::string session_, unread_, home_ = "file:";
   std::vector<std::string> complaints_, seen_;
 };
 
