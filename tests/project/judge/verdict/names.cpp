@@ -84,10 +84,46 @@ TEST_CASE("names: whole-number division, in code and nowhere else") {
   const Finding finding = wrong(List{0., 0., 0.}, right);
   CHECK(name_of_source(finding, "double a = 1/2 * x;") == "whole-number division");
   CHECK(name_of_source(finding, "double a = (1 / 12) * x;") == "whole-number division");
-  for (const char* harmless :
-       {"double a = 1./2 * x;", "a = 1/2. * x;", "a = n/2;", "a = 4/2;", "// 1/2\n", "/* 1/2 */",
-        "\"1/2\"", "a = x1/2;", "a = 0x1/2;", "a = 1e3/7;", "a = '1' / 2;", "a = 1/0;"})
+  CHECK(name_of_source(finding, "a = x * y; b = x + 1/6 * k;") == "whole-number division");
+  CHECK(name_of_source(finding, "#if 0\n#else\na = 1/2;\n#endif\n") == "whole-number division");
+  CHECK(name_of_source(finding, "#if 1\n#if 0\n#endif\na = 1/2;\n#endif\n") ==
+        "whole-number division");
+  CHECK(name_of_source(finding, "f(R\"(a)\", 1/2);") == "whole-number division");
+  for (const char* harmless : {"double a = 1./2 * x;",
+                               "a = 1/2. * x;",
+                               "a = n/2;",
+                               "a = 4/2;",
+                               "// 1/2\n",
+                               "/* 1/2 */",
+                               "\"1/2\"",
+                               "a = x1/2;",
+                               "a = 0x1/2;",
+                               "a = 1e3/7;",
+                               "a = '1' / 2;",
+                               "a = 1/0;",
+                               "y + h * 1/6 * (k1 + k2)",  // all in double: the product comes first
+                               "x / 2 / 3",
+                               "h * 3 / 4",
+                               "h *\n  3 / 4",
+                               "n % 5 / 2",
+                               "a = 1'001/7;",
+                               "a = 7/1'000'000.;",
+                               "#if 0\na = 1/2;\n#endif\n",
+                               "# if 0 // old\n#ifdef A\n#endif\na = 1/2;\n#endif\n",
+                               "#if 1\n#if 0\na = 1/2;\n#endif\n#endif\n",
+                               "R\"(\" 1/2)\"",
+                               "u8R\"x()\" 1/2)x\"",
+                               "const int middle = 7 / 2;",
+                               "for (std::size_t i = 7 / 2; i < n; ++i) x += a[i];",
+                               "x = a[7 / 2];"})
     CHECK_MESSAGE(name_of_source(finding, harmless) == "", harmless);
+}
+
+TEST_CASE("names: a misconception stands unless two whole numbers are divided") {
+  Finding finding = wrong(List{0., 0., 0.}, right);
+  finding.misconceptions = {{"sum of the slopes", "The weights are missing.", ""}};
+  CHECK(name_of_source(finding, "return y + h * 1/6 * (k1 + k2);") == "sum of the slopes");
+  CHECK(name_of_source(finding, "return y + 1/6 * h * (k1 + k2);") == "whole-number division");
 }
 
 TEST_CASE("names: a float, where 7 digits are right and there is one") {
