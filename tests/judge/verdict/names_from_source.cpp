@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "judge/spec/demand.hpp"
@@ -185,18 +186,51 @@ std::string whole_quotient(const std::string& code) {
   return {};
 }
 
+/// Whether a word of the code is the name of what has 7 digits: a type of C++ or of Eigen, or a
+/// function of C for them.
+bool is_name_of_float(std::string_view word) {
+  constexpr std::array names = {"float",       "float_t",       "float32_t",   "_Float16",
+                                "_Float32",    "float16_t",     "Quaternionf", "AngleAxisf",
+                                "Rotation2Df", "QuaternionMapf"};
+  static const std::set<std::string_view> functions = {
+      "sqrt",  "cbrt",  "hypot",    "pow",       "exp",   "exp2",  "expm1",    "log",  "log2",
+      "log10", "log1p", "sin",      "cos",       "tan",   "asin",  "acos",     "atan", "atan2",
+      "sinh",  "cosh",  "tanh",     "asinh",     "acosh", "atanh", "fabs",     "fmod", "fmax",
+      "fmin",  "fdim",  "fma",      "floor",     "ceil",  "trunc", "round",    "rint", "ldexp",
+      "modf",  "frexp", "copysign", "remainder", "erf",   "erfc",  "nearbyint"};
+  if (std::find(names.begin(), names.end(), word) != names.end()) return true;
+  if (!word.ends_with('f')) return false;
+  word.remove_suffix(1);
+  if (functions.contains(word)) return true;
+  for (const std::string_view kind : {"Vector", "RowVector", "Matrix", "Array", "Affine",
+                                      "Isometry", "Projective", "Translation", "AlignedBox"})
+    if (word.size() > kind.size() && word.starts_with(kind))
+      return word.find_first_not_of("234X", kind.size()) == std::string_view::npos;  // 3, 23, X
+  return false;
+}
+
+/// Whether a word of the code is a number with the ending of a float: 0.5f, 1e-3F.
+bool is_float_literal(std::string_view word) {
+  const bool is_number = word.front() == '.' || (word.front() >= '0' && word.front() <= '9');
+  const bool is_hexadecimal = word.starts_with("0x") || word.starts_with("0X");
+  return word.size() > 1 && is_number && !is_hexadecimal &&
+         (word.ends_with('f') || word.ends_with('F'));
+}
+
 /// A float, 0.5f or sqrtf().
 bool uses_float(const std::string& source) {
   const std::string code = code_of(source);
-  if (mentions(source, "float") || mentions(source, "Vector3f") || mentions(source, "Matrix3f"))
-    return true;
-  for (std::size_t i = 1; i < code.size(); ++i) {
-    const bool ends = i + 1 == code.size() || !is_of_word(code[i + 1]);
-    if ((code[i] == 'f' || code[i] == 'F') && ends &&
-        (std::isdigit(static_cast<unsigned char>(code[i - 1])) || code[i - 1] == '.'))
-      return true;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    std::size_t end = i;
+    const bool is_number = std::isdigit(static_cast<unsigned char>(code[i])) || code[i] == '.';
+    while (end < code.size() && (is_of_word(code[end]) || (is_number && is_of_number(code[end]))))
+      ++end;
+    if (end == i) continue;
+    const std::string_view word = std::string_view(code).substr(i, end - i);
+    if (is_name_of_float(word) || is_float_literal(word)) return true;
+    i = end;
   }
-  return mentions(source, "sqrtf") || mentions(source, "sinf") || mentions(source, "cosf");
+  return false;
 }
 
 double largest_number(const Value& value) {

@@ -128,10 +128,33 @@ TEST_CASE("names: a misconception stands unless two whole numbers are divided") 
 
 TEST_CASE("names: a float, where 7 digits are right and there is one") {
   const Finding finding = wrong(List{1.0000001, 2., 3.}, right);
-  CHECK(name_of_source(finding, "float a = x;") == "float");
-  CHECK(name_of_source(finding, "a = 0.5f * x;") == "float");
-  CHECK(name_of_source(finding, "a = sqrtf(x);") == "float");
-  CHECK(name_of_source(finding, "double half = 0.5; // no float") == "");
+  for (const char* one : {"float a = x;",
+                          "a = 0.5f * x;",
+                          "a = x*.5F;",
+                          "a = 1e-3f;",
+                          "a = 1'000.f;",
+                          "a = sqrtf(x);",
+                          "a = std::acosf(x);",
+                          "a = fabsf(x);",
+                          "a = atan2f(y, x);",
+                          "Eigen::Vector4f a;",
+                          "VectorXf a(n);",
+                          "Eigen::Matrix4f a;",
+                          "MatrixXf a;",
+                          "Matrix23f a;",
+                          "RowVector3f a;",
+                          "Eigen::ArrayXXf a;",
+                          "Eigen::Quaternionf a;",
+                          "AngleAxisf a;",
+                          "std::vector<Vector2f> a;",
+                          "x = static_cast<float>(y);",
+                          "std::float_t a;"})
+    CHECK_MESSAGE(name_of_source(finding, one) == "float", one);
+  for (const char* none :
+       {"double half = 0.5; // no float", "Vector3d a;", "int a = 0x1f;", "double a = of(x);",
+        "double Vectorf = 1;", "a = self.f(x);", "#if 0\nfloat a;\n#endif\n", "double half = 1;",
+        "a = b1f;", "double a = 1e5;", "Eigen::VectorOf a;"})
+    CHECK_MESSAGE(name_of_source(finding, none) == "", none);
   CHECK(name_of_source(wrong(List{1.1, 2., 3.}, right), "float a = x;") == "");
 }
 
