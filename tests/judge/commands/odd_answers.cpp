@@ -159,8 +159,9 @@ class OddAnswerer : public Answerer {
   bool is_place(Place::Of of, std::size_t number) const {
     if (!distortion_ || place_.of != of) return false;
     if (place_.which == Place::Which::first) return number == 1;
-    const Counts& all = counts_[case_];
-    return number == (of == Place::Of::answers ? all.answers : all.evaluations);
+    const auto all = counts_.find(case_);
+    return all != counts_.end() &&
+           number == (of == Place::Of::answers ? all->second.answers : all->second.evaluations);
   }
   Value distorted(const Value& value) {
     Value other = distortion_->apply(value);

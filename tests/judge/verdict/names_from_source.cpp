@@ -117,13 +117,18 @@ void skip_what_is_switched_off(std::string& code) {
   }
 }
 
-/// The code without what the compiler skips: each character of a comment, of a text or behind
-/// #if 0 is a blank.
-std::string code_of(const std::string& source) {
-  std::string code = without_comments_and_texts(source);
-  skip_what_is_switched_off(code);
-  return code;
+/// Whether this text of code contains this word, not as a part of another.
+bool has_word(const std::string& code, const std::string& word) {
+  for (auto at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_of_word(code[at - 1])) && (end == code.size() || !is_of_word(code[end])))
+      return true;
+  }
+  return false;
 }
+
+/// Whether this character makes a number next to it longer, or a part of a name.
+bool is_of_number(char c) { return is_of_word(c) || c == '.' || c == '\''; }
 
 /// A whole number in the code, and whether nothing makes it a part of more: 1 in "1/2", not in
 /// "x1/2", "1./2" or "1e3/2".
@@ -250,6 +255,12 @@ bool is_right_as_float(const Finding& finding) {
 }
 
 }  // namespace
+
+std::string code_of(const std::string& source) {
+  std::string code = without_comments_and_texts(source);
+  skip_what_is_switched_off(code);
+  return code;
+}
 
 bool mentions(const std::string& source, const std::string& word) {
   return has_word(code_of(source), word);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "judge/protocol/convert.hpp"
 #include "judge/spec/general_misconceptions.hpp"
 #include "judge/verdict/names_from_source.hpp"
 
@@ -76,6 +77,20 @@ TEST_CASE("names: the marks of memory that was never set, of gcc and of clang") 
   const double nan = std::numeric_limits<double>::quiet_NaN();  // and 0/0, and its negative
   for (const double x : {nan, -nan})
     CHECK(name_of_numbers(wrong(List{1., x, 3.}, right)) == "not a number");
+  // A float and a bool on their way to a double and an int.
+  for (const std::uint32_t bits : {0xfefefefeu, 0xffffffffu, 0x7fffffffu}) {
+    float x = 0;
+    std::memcpy(&x, &bits, sizeof x);
+    CHECK(name_of_numbers(wrong(List{1., static_cast<double>(x), 3.}, right)) == "never set");
+  }
+  for (const unsigned char byte : {0xfe, 0xaa}) {
+    bool never_set = false;
+    std::memcpy(&never_set, &byte, 1);
+    CHECK(name_of_numbers(wrong(to_value(never_set), std::int64_t{1})) == "never set");
+  }
+  CHECK(std::get<std::int64_t>(to_value(true).data) == 1);
+  CHECK(std::get<std::int64_t>(to_value(false).data) == 0);
+  CHECK(name_of_numbers(wrong(List{1.5e38, 2.}, List{2e38, 2.}, {1e37})) == "");
   // Huge numbers that were asked with are no mark.
   CHECK(name_of_numbers(wrong(List{1e300, 2.}, List{2e300, 2.}, {1e300})) == "");
 }
