@@ -103,7 +103,7 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       "seconds long.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double) { return reference(f, t, y, 1); }},
-     {"only the change", "This is by how much y changes, without y itself. Return the new state.",
+     {"only the change", "This is only the change in y. Add y to it, and return the new state.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         const VectorXd slope = f(t, y);

@@ -222,7 +222,7 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step({}, f, t, y, h, 1);
       }},
-     {"only the change", "This is by how much y changes, without y itself. Return the new state.",
+     {"only the change", "This is only the change in y. Add y to it, and return the new state.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return reference(f, t, y, h) - y;

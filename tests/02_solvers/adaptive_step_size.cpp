@@ -168,7 +168,7 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       "numbers is a whole number: your exponent is 0.",
       "Adaptive steps", with_factor([](double, int) { return 0.9; })},
      {"safety forgotten",
-      "The next step would have an error of just 1, and half of all steps would fail by a hair. "
+      "The next step would have an error of exactly 1, and half of all steps would narrowly fail. "
       "The factor of 0.9 is missing.",
       "Adaptive steps",
       with_factor([](double error, int order) { return factor_of(error, order) / 0.9; })},

@@ -367,8 +367,8 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
                 return high ? Model::symmetric_top : Model::full_body;
               }})},
      {"a ball taken for a top",
-      "You called a body with three equal moments a top. So it is, but it needs less than that: "
-      "one number instead of two and an axis.",
+      "You called a body with three equal moments a top. It is one, but a ball is enough for it: "
+      "one moment instead of two and an axis.",
       "The ladder of models",
       as({.shape = [](bool low, bool high,
                       bool) { return low || high ? Model::symmetric_top : Model::full_body; }})},

@@ -2,6 +2,7 @@
 /// 11.1 overlapping_pairs: its laws, and what goes wrong.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <tuple>
@@ -101,7 +102,10 @@ Pairs stops_too_early(const Bodies& bounds, const Meet& meet) {
 // ── Questions ──
 
 /// Which of the pairs whose bounds overlap really meet: some two of three, as the numbers say.
-const Meet some_meet = [](int i, int j) { return (i * 7 + j * 13) % 3 != 0; };
+/// (A student may ask for any two numbers.)
+const Meet some_meet = [](int i, int j) {
+  return (std::int64_t{i} * 7 + std::int64_t{j} * 13) % 3 != 0;
+};
 const Meet all_meet = [](int, int) { return true; };
 
 /// Bodies of some size, scattered so that some ten pairs of a hundred bodies overlap.

@@ -80,6 +80,41 @@ bool has_error_in(const std::filesystem::path& source, const std::string& compil
 
 namespace {
 
+/// Whether a line is a driver's own: "c++: fatal error: …", and not one about a file or a quotation
+/// of it.
+bool is_drivers(std::string_view line) {
+  const std::size_t name = line.find(": ");
+  return name != 0 && name != std::string_view::npos &&
+         line.substr(0, name).find_first_of(" /\\|:\"'<>{}()") == std::string_view::npos;
+}
+
+/// Whether a driver says here that one of its programs was killed.
+bool tells_a_kill(std::string_view line) {
+  constexpr std::array words = {"fatal error: Killed signal terminated program",
+                                "internal compiler error: Killed",
+                                "fatal error: ld terminated with signal 9 [Killed]",
+                                "error: unable to execute command: Killed"};
+  if (!is_drivers(line)) return false;
+  line.remove_prefix(line.find(": ") + 2);
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* start) { return line.starts_with(start); });
+}
+
+}  // namespace
+
+bool says_that_it_was_killed(const std::string& compiler_output) {
+  std::istringstream in(compiler_output);
+  bool killed = false;
+  for (std::string line; std::getline(in, line);) {
+    // What still comes is the compiler's, which lives, or a quotation of a file.
+    if (line.starts_with(' ') || (starts_message(line) && !is_drivers(line))) killed = false;
+    if (tells_a_kill(line)) killed = true;
+  }
+  return killed;
+}
+
+namespace {
+
 /// The names that follow one of these texts, each once.
 std::vector<std::string> names_after(const std::vector<std::string>& texts,
                                      const std::string& linker_output) {

@@ -16,6 +16,10 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
 /// Whether the compiler complains about a place in `source`, and not that it cannot work here.
 bool has_error_in(const std::filesystem::path& source, const std::string& compiler_output);
 
+/// Whether the compiler's driver says, as its last word, that one of its programs was killed. What
+/// a file says of it does not count: not a #warning, and not a line that is quoted.
+bool says_that_it_was_killed(const std::string& compiler_output);
+
 /// The functions that a linker misses, by name: "quaternions::inverse".
 std::vector<std::string> undefined_functions(const std::string& linker_output);
 

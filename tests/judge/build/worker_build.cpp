@@ -54,6 +54,19 @@ class Builder {
     return result;
   }
 
+  /// gcc is silent about a variable that gets a mark.
+  std::string words_without_marks(const std::string& text) {
+    support::write_text(source(), text);
+    compiler_.hand_over({source()});
+    Arguments arguments = source_flags();
+    const bool is_gcc = tools_.compiler_id == "GNU";
+    if (is_gcc) std::erase(arguments, "-ftrivial-auto-var-init=pattern");
+    arguments.insert(arguments.end(),
+                     {is_gcc ? "-Wmaybe-uninitialized" : "-Wconditional-uninitialized", "-S",
+                      source().string(), "-o", assembly().string()});
+    return messages_about(source(), run(arguments).output, false);
+  }
+
  private:
   static std::vector<fs::path> contracts_of(const Course& course) {
     std::vector<fs::path> contracts = {course.root / "exercises" / "not_implemented.hpp"};
@@ -72,8 +85,9 @@ class Builder {
   /// @throws std::runtime_error if the step was ended by what is not the student's doing
   Finished run(const Arguments& arguments) const {
     Finished step = compiler_.run(arguments);
-    const bool part_was_killed = step.output.find("Killed signal") != std::string::npos ||
-                                 step.output.find("signal 9 [Killed]") != std::string::npos;
+    const bool part_was_killed = step.ending != Ending{false, 0} &&
+                                 says_that_it_was_killed(step.output) &&
+                                 !has_error_in(source(), step.output);
     if (step.killed_from_outside || part_was_killed)
       throw std::runtime_error("the compiler was killed: the memory of this machine is used up?");
     if (step.timed_out)
@@ -274,13 +288,22 @@ std::string known_to_compile(const Course& course, const Unit& unit) {
   return fs::exists(solution) ? support::read_text(solution) : stub_of(course, unit);
 }
 
+/// How the course's own file for a unit is built here.
+WorkerBuild build_known(const Job& job, Instrumentation instrumentation) {
+  const Job known{job.course, job.unit, job.source, job.folder / "known"};
+  return Builder(known, instrumentation).build(known_to_compile(job.course, job.unit), nullptr);
+}
+
 /// A build that failed without an error in the student's file: would one of ours succeed?
 /// @throws std::runtime_error if not: it is this machine that cannot build
 void require_machine_builds(const Job& job, Instrumentation instrumentation) {
-  const Job again{job.course, job.unit, job.source, job.folder / "known"};
-  const WorkerBuild known =
-      Builder(again, instrumentation).build(known_to_compile(job.course, job.unit), nullptr);
+  const bool sanitized = instrumentation == Instrumentation::sanitizers;
+  WorkerBuild known = build_known(job, instrumentation);
   if (known.outcome == BuildOutcome::built) return;
+  if (sanitized) {  // are they all that is missing?
+    known = build_known(job, Instrumentation::none);
+    if (known.outcome == BuildOutcome::built) throw NoSanitizers();
+  }
   throw std::runtime_error("this machine cannot build now: the course's own file for " +
                            job.unit.number + " is “" + name_of(known.outcome) + "” too" +
                            " (is the disk full, the memory used up, the compiler gone?) " +
@@ -296,6 +319,14 @@ WorkerBuild build_worker(const Job& job, Instrumentation instrumentation,
     if (!result.explained) require_machine_builds(job, instrumentation);
     return result;
   });
+}
+
+std::string words_about_unset(const Job& job) {
+  try {
+    return Builder(job, Instrumentation::none).words_without_marks(read_submission(job.source));
+  } catch (const std::runtime_error&) {  // the verdict is known already
+    return {};
+  }
 }
 
 WorkerBuild compile_unit(const Job& job) {

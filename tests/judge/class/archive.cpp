@@ -1,10 +1,16 @@
 #include "judge/class/archive.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
 
+#include <cerrno>
 #include <functional>
+#include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "judge/build/submission.hpp"
 #include "judge/class/file_names.hpp"
 #include "judge/sandbox/confined_process.hpp"
 #include "judge/sandbox/pipe.hpp"
@@ -55,15 +61,18 @@ std::string read_archive(const fs::path& archive, const char* what, std::size_t 
                          const Limits& limits,
                          const std::function<void(const nlohmann::json&)>& each) {
   const fs::path program = TUMBLE_UNPACK;
-  const Descriptor file(::open(archive.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
-  if (file.number() < 0) return "cannot be read";
+  // O_NONBLOCK: a pipe of that name would wait for its writer.
+  const Descriptor file(::open(archive.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (file.number() < 0) require_working_machine(archive, errno);
+  struct stat status = {};
+  if (file.number() < 0 || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
+    return "cannot be read";
   Walls walls = walls_of(program);
   walls.limits.cpu_seconds = limits.cpu_seconds;
   walls.limits.wall_seconds = limits.wall_seconds;
   const Finished finished =
       run_confined({program.string(), what}, {"LC_ALL=C.UTF-8"}, walls, most_output, file.number());
-  if (finished.timed_out) return "takes too long to unpack";
-  if (finished.ending != Ending{false, 0}) return "cannot be unpacked: its reader has crashed";
+  if (const std::string why = why_not_read(finished, archive); !why.empty()) return why;
   std::string refused = "cannot be unpacked: its reader has stopped";
   try {
     read_messages(finished.output, [&](const nlohmann::json& message) {
@@ -72,6 +81,8 @@ std::string read_archive(const fs::path& archive, const char* what, std::size_t 
       else
         each(message);
     });
+  } catch (const std::bad_alloc&) {
+    throw;  // here, not behind the walls
   } catch (const std::exception& error) {
     return std::string("cannot be unpacked: ") + error.what();
   }
@@ -88,6 +99,20 @@ void put(const nlohmann::json& entry, const fs::path& to, std::vector<std::strin
 #endif
 
 }  // namespace
+
+std::string why_not_read(const Finished& reader, const fs::path& archive) {
+  const auto machine_failed = [&](const std::string& how) {
+    throw std::runtime_error("cannot read " + archive.string() + ": " + how);
+  };
+  if (reader.killed_from_outside)
+    machine_failed("its reader was killed: the memory of this machine is used up?");
+  // It computes and never waits: who has not used up its time of the processor did not get it.
+  if (reader.timed_out) machine_failed("its reader did not get the processor: too much runs here");
+  if (reader.ending == Ending{false, disk_failed}) machine_failed("a disk that fails?");
+  if (reader.ending == Ending{true, SIGXCPU} || reader.ending == Ending{true, SIGKILL})
+    return "takes too long to unpack";
+  return reader.ending == Ending{false, 0} ? "" : "cannot be unpacked: its reader has crashed";
+}
 
 #ifdef TUMBLE_UNPACK
 

@@ -31,10 +31,21 @@ inline constexpr std::size_t largest_class = std::size_t{8} << 30, largest_class
 /// File systems take 255 bytes for a name; beside a file its next version is written.
 inline constexpr std::size_t longest_name = 250, longest_path = 2000;
 
+struct Finished;
+
+/// What is wrong with an archive whose reader has ended so; empty if nothing is.
+/// @throws std::runtime_error if it is this machine that has failed: then the archive may be right
+std::string why_not_read(const Finished& reader, const fs::path& archive);
+
+/// The status with which the reader ends if it could not read from the disk.
+inline constexpr int disk_failed = 3;
+
 /// Reads an archive's source files. Refused are archives with a path that leads out of them, a link
 /// or a device, a file and a folder of one name, a path that is too long, more than 20,000 entries,
 /// 256 MB of content or 32 MB packed, or that are damaged or encrypted.
-/// @throws std::runtime_error if the judge itself is broken
+/// @throws std::runtime_error if the judge itself is broken, or this machine: no memory, a disk
+/// that
+///         fails, too many open files
 Unpacked unpack(const fs::path& archive);
 
 /// Unpacks a platform's download of a class into a folder: source files and archives, and of all

@@ -251,6 +251,25 @@ fs::path unpacked_folder(const fs::path& given, const WorkFolder& work, std::siz
   return to;
 }
 
+/// Why the first entries of a folder are no submissions: "; product.cpp is …".
+std::string some_reasons(const ClassWork& all, std::size_t first) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  const std::size_t end = all.left_out.size();
+  for (std::size_t i = first; i < std::min(end, first + most); ++i)
+    text += "\n  " + escaped(file_of(all.left_out[i].what)) + ": " + all.left_out[i].why;
+  const auto is_canvas_name = [](const LeftOut& each) {
+    return canvas_entry(file_of(each.what)).has_value();
+  };
+  const auto canvas =
+      std::find_if(all.left_out.begin() + static_cast<std::ptrdiff_t>(std::min(end, first + most)),
+                   all.left_out.end(), is_canvas_name);
+  if (canvas != all.left_out.end())  // the reason that helps may come late
+    text += "\n  " + escaped(file_of(canvas->what)) + ": " + canvas->why;
+  if (end > first + most) text += "\n  … " + std::to_string(end - first) + " entries in all";
+  return text;
+}
+
 void collect_one(const Course& course, const fs::path& given, const std::optional<Lms>& from,
                  const WorkFolder& work, std::size_t number, ClassWork& all) {
   const fs::path unpacked = unpacked_folder(given, work, number, all);
@@ -265,7 +284,7 @@ void collect_one(const Course& course, const fs::path& given, const std::optiona
       all.left_out[i].what =
           (given / all.left_out[i].what.substr(unpacked.string().size() + 1)).string();
   require(all.submissions.size() > before, escaped(given.string()),
-          " holds no submissions: neither folders nor archives");
+          " holds no submissions: neither folders nor archives", some_reasons(all, left_before));
   if (lms != Lms::none) all.lms = lms;
 }
 

@@ -75,8 +75,13 @@ std::string hexadecimal(unsigned char byte) {
 std::string exercise_named(const std::string& file) {
   std::string name = lower_case(source_stem(file));
   // What browsers, platforms and file managers add to the second file of a name.
-  static const std::regex copy(R"((.*[^ -])(?: ?\(\d+\)|-\d+| ?- ?copy| copy| \d+))");
-  for (std::smatch match; std::regex_match(name, match, copy);) name = std::string(match[1]);
+  static const std::regex after(
+      R"((.*[^ _-])(?:[ _]?\((?:copy|kopie|copy \d+|\d+|\d+\. kopie)\)|-\d+|)"
+      R"([ _]?-[ _]?(?:copy|kopie|copie|copia)|[ _](?:copy|kopie)| \d+))");
+  static const std::regex before("(?:copy of|kopie von)[ _](.+)");
+  for (std::smatch match;
+       std::regex_match(name, match, after) || std::regex_match(name, match, before);)
+    name = std::string(match[1]);
   return name;
 }
 

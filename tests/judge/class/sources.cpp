@@ -8,6 +8,7 @@
 #include "judge/class/file_names.hpp"
 #include "judge/class/utf16.hpp"
 #include "judge/course/progress.hpp"
+#include "support/nearest.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge {
@@ -37,6 +38,22 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
     text.replace(at, what.size(), by);
   return text;
+}
+
+/// What is said to the student of a file whose name no exercise has, or more than one; empty if
+/// nothing is near.
+std::string probably_meant(const Course& course, const std::string& file) {
+  const std::string name = exercise_named(file);
+  std::vector<std::string> names, chapters;
+  for (const Unit& unit : course.units) {
+    names.push_back(unit.name);
+    if (unit.name == name) chapters.push_back(unit.chapter + "/");
+  }
+  if (chapters.size() > 1)
+    return "it may be in " + chapters[0] + " or in " + chapters[1] + ", and lies in neither";
+  if (chapters.size() == 1) return "it lies in a folder where no exercise of its name is";
+  const std::optional<std::string> near = support::nearest(name, names);
+  return near ? "it is not an exercise's name; did you mean " + *near + ".cpp?" : "";
 }
 
 /// A file that is read for being small and no link; else nothing.
@@ -121,6 +138,7 @@ void Sources::add_folder(const std::string& within, const fs::path& folder) {
   std::error_code unreadable;
   const fs::directory_iterator first(folder, unreadable);
   if (unreadable) {
+    require_working_machine(folder, unreadable.value());
     refused_ = "cannot be read: " + unreadable.message();
     return;
   }
@@ -186,7 +204,10 @@ void Sources::choose(const Course& course, const std::vector<Unit>& counted) {
   }
   if (any || refused_archives_.empty()) {
     for (const std::string& archive : refused_archives_) notes_.push_back("not read: " + archive);
-    if (!any) note_nothing_found();
+    if (any)
+      note_other_names(course, not_exercises(chosen, names));
+    else
+      note_nothing_found();
   } else {
     refused_ = "has " + refused_archives_.front();
   }
@@ -200,6 +221,23 @@ void Sources::note_ties(const Unit& unit, const ChosenFile& chosen) {
   if (differ)
     notes_.push_back(std::to_string(chosen.others.size() + 1) + " files for " + unit.number +
                      ": counted " + escaped(chosen.path.string()));
+}
+
+void Sources::note_other_names(const Course& course, const std::vector<fs::path>& others) {
+  constexpr std::size_t most_notes = 6;
+  std::size_t said = 0;
+  std::vector<std::string> strange;
+  for (const fs::path& path : others) {
+    const std::string meant = probably_meant(course, path.filename().string());
+    if (meant.empty() || said == most_notes) {
+      strange.push_back(path.string());
+      continue;
+    }
+    ++said;
+    notes_.push_back(escaped(path.string()) + " is not judged: " + meant);
+  }
+  if (!strange.empty())
+    notes_.push_back("not judged, as no exercise has such a name: " + some_of(strange));
 }
 
 void Sources::note_nothing_found() {

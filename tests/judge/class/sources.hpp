@@ -46,6 +46,8 @@ class Sources {
   void choose(const Course& course, const std::vector<Unit>& counted);
   void note_ties(const Unit& unit, const ChosenFile& chosen);
   void note_nothing_found();
+  /// A file that no exercise is called is not judged: does its student know?
+  void note_other_names(const Course& course, const std::vector<fs::path>& others);
   std::vector<std::string> spellings(const fs::path& path) const;
   /// Makes UTF-8 of a file that is UTF-16.
   void convert(const std::string& unit);

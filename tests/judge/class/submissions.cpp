@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
+#include "judge/build/submission.hpp"
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
 
@@ -17,13 +19,17 @@ bool has_part(const fs::path& path, const std::string& name) {
                      [&](const fs::path& part) { return lower_case(part.string()) == name; });
 }
 
+/// Is it a checkout of the course, not some files of it?
+bool is_whole_tree(const std::vector<fs::path>& paths) {
+  return std::any_of(paths.begin(), paths.end(),
+                     [](const fs::path& path) { return has_part(path, "exercises"); });
+}
+
 /// Which folders are the course's, not the student's. Where there is no exercises/, what lies in a
 /// folder solutions/ is what was handed in.
 std::vector<const char*> folders_of_the_course(const std::vector<fs::path>& paths) {
-  const bool whole = std::any_of(paths.begin(), paths.end(),
-                                 [](const fs::path& path) { return has_part(path, "exercises"); });
   std::vector<const char*> folders{"tests", "build", "__macosx"};
-  if (whole) folders.push_back("solutions");
+  if (is_whole_tree(paths)) folders.push_back("solutions");
   return folders;
 }
 
@@ -87,6 +93,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     if (is_folder && is_hidden(it->path().filename())) it.disable_recursion_pending();
     if (!is_folder) paths.push_back(it->path().lexically_relative(folder));
   }
+  require_working_machine(folder, unreadable.value());  // the files behind it may be all there
   std::sort(paths.begin(), paths.end(),
             [](const fs::path& a, const fs::path& b) { return natural_less(a, b); });
   return paths;
@@ -113,6 +120,26 @@ std::map<std::string, ChosenFile> choose_files(const Course& course,
     for (std::size_t i = 1; i < found.size(); ++i) file.others.push_back(found[i].path);
   }
   return chosen;
+}
+
+std::vector<fs::path> not_exercises(const std::map<std::string, ChosenFile>& chosen,
+                                    const std::vector<fs::path>& paths) {
+  std::set<fs::path> known;
+  for (const auto& [unit, file] : chosen) {
+    known.insert(file.path);
+    known.insert(file.others.begin(), file.others.end());
+  }
+  std::vector<const char*> not_theirs = folders_of_the_course(paths);
+  if (is_whole_tree(paths)) not_theirs.insert(not_theirs.end(), {"chapters", "lib"});
+  std::vector<fs::path> others;
+  for (const fs::path& path : paths) {
+    const bool of_course = std::any_of(not_theirs.begin(), not_theirs.end(),
+                                       [&](const char* folder) { return has_part(path, folder); });
+    const bool hidden =
+        std::any_of(path.begin(), path.end(), [](const fs::path& part) { return is_hidden(part); });
+    if (!of_course && !hidden && !known.contains(path)) others.push_back(path);
+  }
+  return others;
 }
 
 std::map<std::string, fs::path> files_of_units(const Course& course,

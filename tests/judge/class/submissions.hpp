@@ -62,6 +62,11 @@ std::map<std::string, ChosenFile> choose_files(const Course& course,
                                                const std::vector<Unit>& counted,
                                                const std::vector<fs::path>& paths);
 
+/// The source files among `paths` that are no exercise's by their names, and by their places could
+/// be: not in the folders of the course itself (tests/, lib/, …), and none of `chosen`.
+std::vector<fs::path> not_exercises(const std::map<std::string, ChosenFile>& chosen,
+                                    const std::vector<fs::path>& paths);
+
 /// The same without the others.
 std::map<std::string, fs::path> files_of_units(const Course& course,
                                                const std::vector<Unit>& counted,

@@ -9,6 +9,7 @@
 #include <archive_entry.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <clocale>
 #include <filesystem>
 #include <functional>
@@ -27,6 +28,9 @@ namespace tumble::judge {
 namespace {
 
 using nlohmann::json;
+
+/// What standard input comes from cannot be read.
+struct DiskFailed : std::exception {};
 
 /// More than is unpacked at all, in however many archives it stands.
 struct TooMuch : Refused {
@@ -114,6 +118,8 @@ class Reader {
 
   void require_ok(int status) const {
     if (status >= ARCHIVE_WARN) return;
+    const int error = archive_errno(archive_.get());
+    if (error == EIO || error == ESTALE || error == ETIMEDOUT) throw DiskFailed();
     const char* why = archive_error_string(archive_.get());
     throw Refused(std::string("cannot be unpacked: ") + (why ? why : "it is damaged"));
   }
@@ -270,6 +276,8 @@ int main(int argc, char** argv) {
     Unpacking(argc > 1 && std::string(argv[1]) == "class" ? whole_class : student).read();
   } catch (const Refused& why) {
     refused = why.what();
+  } catch (const DiskFailed&) {
+    return disk_failed;
   }
   write_message({{"refused", refused}});
   return std::cout.flush() ? 0 : 1;

@@ -93,14 +93,16 @@ int check_student(const Course& course, const CheckOptions& options) {
   Judgement judgement;
   judgement.seed = seen.record.seed;
   judgement.locate_crashes = false;  // as `grade` did
-  bool all_passed = kept.size() == units.size() && seen.record.refused.empty();
+  bool judge_failed = false,
+       all_passed = kept.size() == units.size() && seen.record.refused.empty();
   judge_all(
       course, kept, [&](const Unit& unit) { return seen.source_of(unit); }, judgement,
       [&](const UnitResult& result) {
         say_again(course, seen, result);
         all_passed = all_passed && result.passed();
+        judge_failed = judge_failed || !result.judge_failure.empty();
       });
-  return all_passed ? 0 : 1;
+  return judge_failed ? 2 : all_passed ? 0 : 1;
 }
 
 }  // namespace tumble::judge

@@ -80,6 +80,16 @@ Value with_lists(const Value& value, int depth, const std::function<void(List&)>
   return result;
 }
 
+/// Every integer replaced by one that is as usual: a flag turned over, an index that is in range.
+Value with_other_integers(const Value& value) {
+  if (const std::int64_t* n = value.as<std::int64_t>()) return std::int64_t{*n == 0 ? 1 : 0};
+  const List* list = value.as<List>();
+  if (!list) return value;
+  List result;
+  for (const Value& each : *list) result.push_back(with_other_integers(each));
+  return result;
+}
+
 std::vector<Distortion> distortions() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -97,6 +107,7 @@ std::vector<Distortion> distortions() {
   all.reserve(20);
   for (const auto& [name, x] : numbers)
     all.push_back({name, [x = x](const Value& v) { return with_numbers(v, x); }});
+  all.push_back({"other integers", with_other_integers});
   for (const double place : {0., 0.5, 1.})
     all.push_back({"NaN once", [=](const Value& v) { return with_number_at(v, nan, place); }});
   for (const auto& [name, change] : sizes)
@@ -116,8 +127,7 @@ struct Place {
 /// Answers as a worker does, but for what is put out of shape.
 class OddAnswerer : public Answerer {
  public:
-  OddAnswerer(StudentWorker& worker, std::map<std::size_t, std::size_t>& counts)
-      : worker_(worker), counts_(counts) {}
+  explicit OddAnswerer(StudentWorker& worker) : worker_(worker) {}
 
   void distort(const Distortion& distortion, Place place) {
     distortion_ = &distortion;
@@ -140,7 +150,7 @@ class OddAnswerer : public Answerer {
       return call_back(id, arguments);
     });
     ++asked_;
-    if (!distortion_) counts_[case_] = asked_;
+    if (!distortion_) counts_[case_] = {asked_, evaluated_};
     return is_place(Place::Of::answers, asked_) ? distorted(answer) : answer;
   }
   std::string printed() override { return {}; }
@@ -148,9 +158,10 @@ class OddAnswerer : public Answerer {
  private:
   bool is_place(Place::Of of, std::size_t number) const {
     if (!distortion_ || place_.of != of) return false;
-    if (place_.which == Place::Which::last)
-      return of == Place::Of::answers && number == counts_[case_];
-    return number == 1;
+    if (place_.which == Place::Which::first) return number == 1;
+    const auto all = counts_.find(case_);
+    return all != counts_.end() &&
+           number == (of == Place::Of::answers ? all->second.answers : all->second.evaluations);
   }
   Value distorted(const Value& value) {
     Value other = distortion_->apply(value);
@@ -159,8 +170,13 @@ class OddAnswerer : public Answerer {
     return other;
   }
 
+  /// How many there are in a case whose answers are all right.
+  struct Counts {
+    std::size_t answers = 0, evaluations = 0;
+  };
+
   StudentWorker& worker_;
-  std::map<std::size_t, std::size_t>& counts_;
+  std::map<std::size_t, Counts> counts_;
   const Distortion* distortion_ = nullptr;
   Place place_{};
   std::size_t case_ = 0, asked_ = 0, evaluated_ = 0;
@@ -177,14 +193,14 @@ void try_unit(const Job& job, std::uint64_t seed, const SendBytes& send) {
   const WorkerBuild build = build_worker(job);
   require(build.outcome == BuildOutcome::built, "the solution is ", name_of(build.outcome));
   StudentWorker worker(build.worker);
-  std::map<std::size_t, std::size_t> counts;
-  OddAnswerer answerer(worker, counts);
+  OddAnswerer answerer(worker);
   const SpecRun run{job.unit.id(), seed};
   run_spec(run, answerer);
   const std::vector<Distortion> all = distortions();
   using enum Place::Of;
   using enum Place::Which;
-  for (const Place place : {Place{answers, first}, Place{answers, last}, Place{evaluations, first}})
+  for (const Place place : {Place{answers, first}, Place{answers, last}, Place{evaluations, first},
+                            Place{evaluations, last}})
     for (const Distortion& distortion : all) {
       send(name_of(place) + ", " + distortion.name + "\n");
       answerer.distort(distortion, place);

@@ -50,6 +50,22 @@ void print_verdicts(const CourseSettings& settings, const StudentRecord& record)
   std::cout << earned(settings, record) << " of " << settings.most() << " points\n";
 }
 
+/// Says of each unit without a verdict that this machine has failed.
+void say_failed(const CourseSettings& settings, StudentRecord& record, const std::string& why) {
+  std::cerr << "tumble: " << why << "\n";
+  for (const Unit& unit : settings.units) {
+    if (record.find(unit)) continue;
+    UnitRecord failed;
+    failed.unit = unit.id();
+    failed.number = unit.number;
+    failed.summary = "judge failed";
+    failed.judge_failure = why;
+    failed.explanation = "The judge failed before it came to " + unit.number + " " + unit.name +
+                         ". This is not a verdict on your code.\n";
+    record.units.push_back(std::move(failed));
+  }
+}
+
 }  // namespace
 
 int platform_command(const Course& course, const PlatformOptions& options) {
@@ -68,18 +84,26 @@ int platform_command(const Course& course, const PlatformOptions& options) {
   grading.solutions = run.solutions;
   grading.deadline = deadline;
   StudentRecord record;
-  grade_student(grading, {run.identity, run.submission, false}, compiled.path() / "record.json",
-                [&](const StudentRecord& now) {
-                  record = now;
-                  write_files(run, record, "");
-                });
+  try {
+    grade_student(grading, {run.identity, run.submission, false}, compiled.path() / "record.json",
+                  [&](const StudentRecord& now) {
+                    record = now;
+                    write_files(run, record, "");
+                  });
+  } catch (const std::runtime_error& why) {
+    say_failed(settings, record, why.what());
+    write_files(run, record, "");
+  }
   if (settings.wants_curve(course) && Clock::now() < deadline)
     write_files(run, record, figure_of(grading, run, work.path() / "engine"));
   print_verdicts(settings, record);
   const bool all =
       !record.out_of_time && std::all_of(record.units.begin(), record.units.end(),
                                          [](const UnitRecord& unit) { return unit.passed; });
-  return run.status_tells && !all ? 1 : 0;
+  const bool failed =
+      std::any_of(record.units.begin(), record.units.end(),
+                  [](const UnitRecord& unit) { return !unit.judge_failure.empty(); });
+  return failed ? 2 : run.status_tells && !all ? 1 : 0;
 }
 
 int export_command(const Course& course, const PackageOrder& order) {

@@ -172,10 +172,33 @@ class Package {
         settings_.hidden.empty(), order_.platform,
         " hides nothing: students can read the package and all that it writes. Leave \"hidden\" "
         "out of the course.json of this package, or those exercises out of its \"units\"");
-    if (!settings_.seed) return;
-    json_["seed"] = std::random_device{}();
-    notes_.emplace_back(
-        "students can read this package: its course.json has a seed of its own; keep yours secret");
+    if (settings_.seed) {
+      json_["seed"] = std::random_device{}();
+      notes_.emplace_back(
+          "students can read this package: its course.json has a seed of its own; keep yours "
+          "secret");
+    }
+    leave_out_students();
+  }
+
+  /// Of course.json only what is about exercises: what else there is, or ever comes, may name
+  /// students.
+  void leave_out_students() {
+    static const std::set<std::string> about_exercises = {"$schema", "title",   "units", "weights",
+                                                          "credit",  "due",     "seed",  "curve",
+                                                          "late",    "several", "extra"};
+    ordered_json kept = ordered_json::object();
+    std::string left_out;
+    for (const auto& [key, value] : json_.items())
+      if (about_exercises.contains(key))
+        kept[key] = value;
+      else
+        left_out += (left_out.empty() ? "" : ", ") + ("\"" + key + "\"");
+    json_ = std::move(kept);
+    if (!left_out.empty())
+      notes_.push_back("students can read this package: " + left_out +
+                       " of your course.json are left out of it, because they name students; "
+                       "./tumble grade --course with yours applies them");
   }
 
   /// One question, with what its grader needs and students do not see.
@@ -196,6 +219,7 @@ class Package {
   /// A question for each unit, and a list of them for an assessment.
   void questions() {
     ordered_json list = ordered_json::array();
+    double extra = 0;
     for (const Unit& unit : settings_.units) {
       if (settings_.points(unit) == 0) continue;
       CourseSettings settings = settings_;
@@ -206,11 +230,18 @@ class Package {
       json["units"] = {unit.number};
       json["weights"] = {{unit.number, settings_.points(unit)}};
       json.erase("hidden");
+      json.erase("extra");  // of its own question it is all; extra is what the assessment makes it
+      settings.rules.extra.clear();
       if (settings_.hidden.contains(unit.id())) json["hidden"] = {unit.number};
       const std::string id = words_.at("QID") + "/" + slug_of(unit.number + " " + unit.name);
       question(settings, json, order_.to / "questions" / id);
       list.push_back({{"id", id}, {"points", settings_.points(unit)}});
+      if (settings_.rules.extra.contains(unit.id())) extra += settings_.points(unit);
     }
+    if (extra > 0)
+      notes_.push_back("extra points are PrairieLearn's to add: write \"maxPoints\": " +
+                       points_text(settings_.most()) + " and \"maxBonusPoints\": " +
+                       points_text(extra) + " into the assessment's infoAssessment.json");
     support::write_text(order_.to / "zones.json",
                         text_of({{"zones", {{{"questions", std::move(list)}}}}}));
   }

@@ -30,7 +30,7 @@ struct PackageOrder {
 /// | | github-actions | repository/, without solutions | students |
 ///
 /// All hold a course.json with a seed. What students can read never holds the seed that was given,
-/// but one that is drawn here.
+/// but one that is drawn here, and never the rules for single students.
 /// @return what the instructor should be told
 /// @throws std::invalid_argument if there is no such platform, or it cannot take these units, or
 ///         cannot keep hidden what is to be hidden

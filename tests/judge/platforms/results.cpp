@@ -1,5 +1,6 @@
 #include "judge/platforms/results.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <nlohmann/json.hpp>
@@ -102,6 +103,22 @@ std::vector<const UnitRecord*> not_gradable(const StudentRecord& record) {
   return units;
 }
 
+/// "The judge failed at 4.1 and 4.3 …", where it did; else empty.
+std::string words_about_failures(const StudentRecord& record) {
+  std::string units;
+  for (const UnitRecord& unit : record.units)
+    if (!unit.judge_failure.empty()) units += (units.empty() ? "" : ", ") + unit.number;
+  if (units.empty()) return "";
+  return "The judge failed at " + units +
+         ": these points are not a grade of your code. Hand in again; if it fails again, tell your "
+         "instructor.";
+}
+
+/// Of all points; more than 1 with extra ones, which no platform takes.
+double share(const CourseSettings& settings, const StudentRecord& record) {
+  return std::clamp(earned(settings, record) / settings.most(), 0., 1.);
+}
+
 /// Hundredths of a point.
 long hundredths(double points) { return std::lround(100 * points); }
 
@@ -114,10 +131,12 @@ std::string gradescope_results(const CourseSettings& settings, const StudentReco
                  {"visibility", "visible"},
                  {"stdout_visibility", "hidden"},
                  {"tests", ordered_json::array()}};
+  const std::string failures = words_about_failures(record);
   if (!record.refused.empty()) j["output"] = "The submission " + record.refused + ".";
+  if (!failures.empty()) j["output"] = failures;
   if (!figure.empty()) {
-    j["output"] = std::string("<p>") + about_the_figure + "</p><img src=\"" + data_url(figure) +
-                  "\" alt=\"" + about_the_figure + "\">";
+    j["output"] = (failures.empty() ? "" : "<p>" + failures + "</p>") + "<p>" + about_the_figure +
+                  "</p><img src=\"" + data_url(figure) + "\" alt=\"" + about_the_figure + "\">";
     j["output_format"] = "html";
   }
   for (const Unit& unit : settings.units)
@@ -153,7 +172,7 @@ std::string prairielearn_results(const CourseSettings& settings, const StudentRe
     j["output"] = reasons;
     return text_of(j);
   }
-  j["score"] = earned(settings, record) / settings.most();
+  j["score"] = share(settings, record);
   j["tests"] = ordered_json::array();
   for (const Unit& unit : settings.units)
     j["tests"].push_back({{"name", title(unit)},

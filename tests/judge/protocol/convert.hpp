@@ -37,9 +37,19 @@ concept StandardList = requires(T list) {
 
 // ── Writing ──
 
+/// 0 or 1. A truth value that was never set is neither: then its byte stands there four times,
+/// which is the mark of an int that was never set.
+inline std::int64_t number_of_truth(const bool& x) {
+  const unsigned byte = *reinterpret_cast<const volatile unsigned char*>(&x);
+  if (byte <= 1) return byte;
+  return static_cast<std::int32_t>(0x01010101u * byte);
+}
+
 template <class T>
 Value to_value(const T& x) {
-  if constexpr (std::is_floating_point_v<T>) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return number_of_truth(x);
+  } else if constexpr (std::is_floating_point_v<T>) {
     return static_cast<double>(x);
   } else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) {
     return static_cast<std::int64_t>(x);

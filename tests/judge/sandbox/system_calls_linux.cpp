@@ -18,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "judge/sandbox/system_calls.hpp"
 
@@ -82,7 +83,7 @@ void allow(const Context& context, std::initializer_list<int> calls) {
 }
 
 /// The call fails, and the program goes on.
-void deny(const Context& context, std::initializer_list<int> calls, int error) {
+void deny(const Context& context, const std::vector<int>& calls, int error) {
   for (const int call : calls)
     add_rule(context, SCMP_ACT_ERRNO(static_cast<std::uint32_t>(error)), call);
 }
@@ -139,75 +140,67 @@ CallFilter build_worker_filter() {
   return exported(context);
 }
 
-/// A sanitizer's runtime needs too much for an allow-list. What is left out: other processes, the
-/// network, and more rights.
+// What a run with sanitizers may not ask for. Its runtime needs too much for an allow-list.
+
+/// Other processes, and what is of theirs.
+const std::vector<int> others_processes = {SCMP_SYS(kill),
+                                           SCMP_SYS(tkill),
+                                           SCMP_SYS(tgkill),
+                                           SCMP_SYS(rt_sigqueueinfo),
+                                           SCMP_SYS(rt_tgsigqueueinfo),
+                                           SCMP_SYS(pidfd_open),
+                                           SCMP_SYS(pidfd_send_signal),
+                                           SCMP_SYS(setsid),
+                                           SCMP_SYS(setpgid),
+                                           SCMP_SYS(fork),
+                                           SCMP_SYS(vfork),
+                                           SCMP_SYS(ptrace),
+                                           SCMP_SYS(process_vm_readv),
+                                           SCMP_SYS(process_vm_writev),
+                                           SCMP_SYS(process_madvise),
+                                           SCMP_SYS(kcmp),
+                                           SCMP_SYS(migrate_pages),
+                                           SCMP_SYS(move_pages),
+                                           SCMP_SYS(setpriority),
+                                           SCMP_SYS(sched_setscheduler),
+                                           SCMP_SYS(sched_setattr),
+                                           SCMP_SYS(sched_setparam),
+                                           SCMP_SYS(ioprio_set)};
+/// What outlives a process, or belongs to several: to make it, and to use what is there.
+const std::vector<int> shared_objects = {
+    SCMP_SYS(shmget),          SCMP_SYS(shmat),         SCMP_SYS(shmctl),
+    SCMP_SYS(msgget),          SCMP_SYS(msgsnd),        SCMP_SYS(msgrcv),
+    SCMP_SYS(msgctl),          SCMP_SYS(semget),        SCMP_SYS(semop),
+    SCMP_SYS(semtimedop),      SCMP_SYS(semctl),        SCMP_SYS(mq_open),
+    SCMP_SYS(mq_unlink),       SCMP_SYS(mq_notify),     SCMP_SYS(mq_timedsend),
+    SCMP_SYS(mq_timedreceive), SCMP_SYS(mq_getsetattr), SCMP_SYS(keyctl),
+    SCMP_SYS(add_key),         SCMP_SYS(request_key),   SCMP_SYS(memfd_create)};
+/// The network, and messages of the kernel.
+const std::vector<int> network = {
+    SCMP_SYS(socket),          SCMP_SYS(socketpair),     SCMP_SYS(bind),
+    SCMP_SYS(connect),         SCMP_SYS(io_uring_setup), SCMP_SYS(io_setup),
+    SCMP_SYS(inotify_init),    SCMP_SYS(inotify_init1),  SCMP_SYS(fanotify_init),
+    SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd)};
+/// More rights, and other views of the system.
+const std::vector<int> rights = {
+    SCMP_SYS(mount),       SCMP_SYS(umount2),          SCMP_SYS(pivot_root),
+    SCMP_SYS(chroot),      SCMP_SYS(unshare),          SCMP_SYS(setns),
+    SCMP_SYS(bpf),         SCMP_SYS(execveat),         SCMP_SYS(quotactl),
+    SCMP_SYS(personality), SCMP_SYS(open_by_handle_at)};
+/// Files are read only, also where there is no Landlock.
+const std::vector<int> changes_of_files = {
+    SCMP_SYS(creat),     SCMP_SYS(openat2),  SCMP_SYS(unlink),    SCMP_SYS(unlinkat),
+    SCMP_SYS(rename),    SCMP_SYS(renameat), SCMP_SYS(renameat2), SCMP_SYS(truncate),
+    SCMP_SYS(ftruncate), SCMP_SYS(mkdir),    SCMP_SYS(mkdirat),   SCMP_SYS(rmdir),
+    SCMP_SYS(link),      SCMP_SYS(linkat),   SCMP_SYS(symlink),   SCMP_SYS(symlinkat),
+    SCMP_SYS(mknod),     SCMP_SYS(mknodat),  SCMP_SYS(chmod),     SCMP_SYS(fchmod),
+    SCMP_SYS(fchmodat),  SCMP_SYS(chown),    SCMP_SYS(fchownat),  SCMP_SYS(utimensat)};
+
 CallFilter build_sanitizer_filter() {
   const Context context = new_context(SCMP_ACT_ALLOW);
-  deny(context,
-       {SCMP_SYS(kill),
-        SCMP_SYS(tkill),
-        SCMP_SYS(tgkill),
-        SCMP_SYS(rt_sigqueueinfo),
-        SCMP_SYS(rt_tgsigqueueinfo),
-        SCMP_SYS(pidfd_open),
-        SCMP_SYS(pidfd_send_signal),
-        SCMP_SYS(setsid),
-        SCMP_SYS(setpgid),
-        SCMP_SYS(fork),
-        SCMP_SYS(vfork),
-        SCMP_SYS(ptrace),
-        SCMP_SYS(process_vm_readv),
-        SCMP_SYS(process_vm_writev),
-        SCMP_SYS(socket),
-        SCMP_SYS(socketpair),
-        SCMP_SYS(bind),
-        SCMP_SYS(connect),
-        SCMP_SYS(io_uring_setup),
-        SCMP_SYS(mount),
-        SCMP_SYS(unshare),
-        SCMP_SYS(setns),
-        SCMP_SYS(bpf),
-        SCMP_SYS(keyctl),
-        SCMP_SYS(add_key),
-        SCMP_SYS(request_key),
-        SCMP_SYS(execveat),
-        SCMP_SYS(setpriority),
-        SCMP_SYS(shmget),
-        SCMP_SYS(msgget),
-        SCMP_SYS(semget),
-        SCMP_SYS(mq_open),
-        SCMP_SYS(mq_unlink),
-        SCMP_SYS(mq_notify),
-        SCMP_SYS(inotify_init),
-        SCMP_SYS(inotify_init1),
-        SCMP_SYS(fanotify_init),
-        SCMP_SYS(perf_event_open),
-        SCMP_SYS(userfaultfd),
-        SCMP_SYS(memfd_create),
-        SCMP_SYS(io_setup),
-        SCMP_SYS(open_by_handle_at),
-        SCMP_SYS(umount2),
-        SCMP_SYS(pivot_root),
-        SCMP_SYS(chroot),
-        SCMP_SYS(quotactl),
-        SCMP_SYS(kcmp),
-        SCMP_SYS(process_madvise),
-        SCMP_SYS(migrate_pages),
-        SCMP_SYS(move_pages),
-        SCMP_SYS(sched_setscheduler),
-        SCMP_SYS(sched_setattr),
-        SCMP_SYS(sched_setparam),
-        SCMP_SYS(ioprio_set),
-        SCMP_SYS(personality)},
-       EPERM);
-  // Files are read only, also where there is no Landlock.
-  deny(context, {SCMP_SYS(creat),     SCMP_SYS(openat2),  SCMP_SYS(unlink),    SCMP_SYS(unlinkat),
-                 SCMP_SYS(rename),    SCMP_SYS(renameat), SCMP_SYS(renameat2), SCMP_SYS(truncate),
-                 SCMP_SYS(ftruncate), SCMP_SYS(mkdir),    SCMP_SYS(mkdirat),   SCMP_SYS(rmdir),
-                 SCMP_SYS(link),      SCMP_SYS(linkat),   SCMP_SYS(symlink),   SCMP_SYS(symlinkat),
-                 SCMP_SYS(mknod),     SCMP_SYS(mknodat),  SCMP_SYS(chmod),     SCMP_SYS(fchmod),
-                 SCMP_SYS(fchmodat),  SCMP_SYS(chown),    SCMP_SYS(fchownat),  SCMP_SYS(utimensat)},
-       EPERM);
+  for (const auto* calls :
+       {&others_processes, &shared_objects, &network, &rights, &changes_of_files})
+    deny(context, *calls, EPERM);
   for (const int change : {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC}) {
     const auto bit = static_cast<std::uint64_t>(change);
     add_rule(context, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(open), {has(1, bit)});

@@ -64,6 +64,15 @@ bool is_marked(double x) {
                           : (bits & without_sign) == without_sign;
 }
 
+/// The same of a float that was never set, as a double: 0xfefefefe is −1.7e38.
+bool is_marked_float(double x) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof bits);
+  constexpr std::uint64_t without_sign = ~std::uint64_t{0} >> 1, all_of_float = 0x7fffffffe0000000;
+  const bool is_near = std::abs(x) > 0.8e38 && std::abs(x) < 3.5e38;
+  return std::isfinite(x) ? is_near : (bits & without_sign) == all_of_float;
+}
+
 bool contains_mark(const Value& value) {
   if (const double* x = value.as<double>()) return is_marked(*x);
   if (const std::int64_t* n = value.as<std::int64_t>())
@@ -92,19 +101,21 @@ bool is_argument(const Finding& finding) {
 }
 
 bool is_huge(double x) { return std::abs(x) > 1e150; }
+bool is_large(double x) { return std::abs(x) > 1e30; }
 bool is_nan(double x) { return std::isnan(x); }
 bool is_infinite(double x) { return std::isinf(x); }
 
 /// Whether the numbers of the question or of the right answer are so large that a mark is none.
-bool is_about_huge_numbers(const Finding& finding) {
-  return (finding.demanded && contains(*finding.demanded, is_huge)) ||
-         (finding.question && contains(finding.question->arguments, is_huge));
+bool is_about(const Finding& finding, bool (*kind)(double)) {
+  return (finding.demanded && contains(*finding.demanded, kind)) ||
+         (finding.question && contains(finding.question->arguments, kind));
 }
 
 /// Names of the memory that an answer comes from, and of numbers that are none.
 std::vector<Misconception> names_of_content(const Finding& finding) {
   const Value& answer = *finding.answer;
-  if (contains_mark(answer) && !is_about_huge_numbers(finding))
+  if ((contains_mark(answer) && !is_about(finding, is_huge)) ||
+      (contains(answer, is_marked_float) && !is_about(finding, is_large)))
     return {
         {"never set",
          "Part of your answer comes from a variable that was never set, or that is gone: an auto "

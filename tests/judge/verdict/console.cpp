@@ -73,6 +73,8 @@ class Printer {
       explain_untouched();
     else if (!result_.passed())
       explain_cases();
+    if (!result_.why_no_place.empty())
+      out_ << "  The line could not be looked for: " << one_line(result_.why_no_place) << "\n\n";
     print_luck();
     print_warnings();
   }
@@ -311,6 +313,12 @@ class Printer {
   }
 
   void print_luck() {
+    if (!result_.lucky_variable.empty())
+      out_
+          << "\n  Your answers may be right by luck: the compiler sees that a variable may be used "
+             "before it is set.\n    "
+          << paint(one_line(result_.lucky_variable), Colour::yellow)
+          << "\n  Give it a value where it is declared.\n\n";
     if (result_.lucky_place.empty()) return;
     out_ << "\n  Your answers are right by luck: they come from memory that is gone.\n    "
          << paint(result_.lucky_place, Colour::yellow)

@@ -83,10 +83,15 @@ std::string place_in_report(const std::string& report, const std::string& file,
   return file + ":" + line + (name.empty() ? "" : ": " + name);
 }
 
-std::string crash_place(const Job& job, const SpecRun& run, int cpu_seconds) {
+CrashPlace crash_place(const Job& job, const SpecRun& run, int cpu_seconds) {
   Job again_with_sanitizers = job;
   again_with_sanitizers.folder /= "sanitized";
-  WorkerBuild build = build_worker(again_with_sanitizers, Instrumentation::sanitizers);
+  WorkerBuild build;
+  try {
+    build = build_worker(again_with_sanitizers, Instrumentation::sanitizers);
+  } catch (const std::runtime_error& why) {  // the verdict stands without the line
+    return {"", why.what()};
+  }
   if (build.outcome != BuildOutcome::built) return {};
   build.worker.walls.limits.cpu_seconds = cpu_seconds;
   StudentWorker worker(build.worker);
@@ -97,7 +102,7 @@ std::string crash_place(const Job& job, const SpecRun& run, int cpu_seconds) {
   const Finding& finding = *failed->finding;
   // A wrong answer is as wrong with sanitizers: then what was printed is the student's own.
   if (finding.outcome == Outcome::wrong) return {};
-  return place_in_report(finding.printed, job.source.filename().string(), build.worker);
+  return {place_in_report(finding.printed, job.source.filename().string(), build.worker), ""};
 }
 
 }  // namespace tumble::judge

@@ -12,10 +12,15 @@
 
 namespace tumble::judge {
 
-/// "product.cpp:7: division by zero" for the first case of `run` that fails with sanitizers, empty
+struct CrashPlace {
+  std::string place;    ///< "product.cpp:7: division by zero"; empty if it is not known
+  std::string why_not;  ///< what this machine fails at: it has no sanitizers, its disk is full
+};
+
+/// Where a case goes wrong: the place for the first case of `run` that fails with sanitizers, empty
 /// if these find nothing. For a loop without end, the line where its time was up.
 /// @param cpu_seconds how long it may compute
-std::string crash_place(const Job& job, const SpecRun& run, int cpu_seconds);
+CrashPlace crash_place(const Job& job, const SpecRun& run, int cpu_seconds);
 
 /// The same from what a worker with sanitizers has printed.
 /// @param file name of the student's file

@@ -2,6 +2,7 @@
 
 #include "judge/spec/run.hpp"
 #include "judge/verdict/names_from_source.hpp"
+#include "judge/verdict/never_set.hpp"
 
 namespace tumble::judge {
 
@@ -26,6 +27,9 @@ void judge_answers(UnitResult& result, const Trial& trial, Answerer& answerer) {
 void name_from_source(UnitResult& result, const std::string& source) {
   for (CaseResult& each : result.cases)
     if (each.finding) name_from_source(*each.finding, source);
+  if (const auto variable = never_set_in(result.warnings, result.source.filename().string()))
+    for (CaseResult& each : result.cases)
+      if (each.finding) name_variable(*each.finding, *variable);
 }
 
 }  // namespace tumble::judge

@@ -1,11 +1,13 @@
 #include "judge/verdict/judge_unit.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "judge/conversation/student_worker.hpp"
 #include "judge/verdict/crash_place.hpp"
 #include "judge/verdict/judge_answers.hpp"
 #include "judge/verdict/names_from_source.hpp"
+#include "judge/verdict/never_set.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge {
@@ -32,13 +34,24 @@ bool is_worth_another_run(const Finding& finding, const std::string& source) {
          (finding.misconceptions.empty() || mentions(source, "auto"));
 }
 
+/// A variable that the compiler, asked once more, sees used before it is set.
+std::optional<NeverSet> unset_variable(const Job& job, const std::string& source) {
+  if (!declares_without_value(source)) return std::nullopt;
+  const Job again{job.course, job.unit, job.source, job.folder / "unset"};
+  return never_set_in(words_about_unset(again), job.source.filename().string());
+}
+
 /// Looks whether right answers come from memory that is gone: an auto of Eigen's, whose operands
-/// nothing has overwritten yet. With other flags they would be wrong.
+/// nothing has overwritten yet, or a variable that was never set. With other flags they would be
+/// wrong.
 void look_for_luck(UnitResult& result, const Job& job, const Judgement& judgement) {
   if (!judgement.locate_crashes || !result.passed()) return;
-  if (!keeps_an_expression(support::read_text(job.source))) return;
+  const std::string source = support::read_text(job.source);
+  if (const auto unset = unset_variable(job, source))
+    result.lucky_variable = unset->place + ": " + unset->variable;
+  if (!keeps_an_expression(source)) return;
   constexpr int cpu_seconds = 10;  // sanitizers are slow
-  result.lucky_place = crash_place(job, {job.unit.id(), result.seed}, cpu_seconds);
+  result.lucky_place = crash_place(job, {job.unit.id(), result.seed}, cpu_seconds).place;
 }
 
 /// Says of the first case that fails where and why, as far as that can be found out.
@@ -49,9 +62,15 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
   Finding& finding = *failed->finding;
   const std::string source = support::read_text(job.source);
   name_from_source(result, source);
+  const std::string file = job.source.filename().string();
+  if (judgement.locate_crashes && !never_set_in(result.warnings, file))
+    if (const auto unset = unset_variable(job, source)) name_variable(finding, *unset);
   if (!judgement.locate_crashes || !is_worth_another_run(finding, source)) return;
   const int cpu_seconds = finding.outcome == Outcome::hung ? 3 : 10;  // sanitizers are slow
-  finding.place = crash_place(job, {job.unit.id(), result.seed, failed->number}, cpu_seconds);
+  const CrashPlace found =
+      crash_place(job, {job.unit.id(), result.seed, failed->number}, cpu_seconds);
+  finding.place = found.place;
+  result.why_no_place = found.why_not;
   if (!finding.place.empty() && finding.outcome == Outcome::wrong) finding.misconceptions.clear();
 }
 

@@ -85,6 +85,8 @@ std::string encode_result(const UnitResult& result) {
                {"build_detail", bytes_of(result.build_detail)},
                {"warnings", bytes_of(result.warnings)},
                {"lucky_place", bytes_of(result.lucky_place)},
+               {"lucky_variable", bytes_of(result.lucky_variable)},
+               {"why_no_place", bytes_of(result.why_no_place)},
                {"cases", cases},
                {"seconds", result.seconds}};
   std::string message;
@@ -102,6 +104,8 @@ UnitResult decode_result(const std::string& message, const Job& job) {
   result.build_detail = text_in(j.at("build_detail"));
   result.warnings = text_in(j.at("warnings"));
   result.lucky_place = text_in(j.at("lucky_place"));
+  result.lucky_variable = text_in(j.at("lucky_variable"));
+  result.why_no_place = text_in(j.at("why_no_place"));
   for (const json& each : j.at("cases")) result.cases.push_back(case_of(each));
   result.seconds = j.at("seconds");
   return result;

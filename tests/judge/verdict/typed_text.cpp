@@ -16,7 +16,8 @@ constexpr std::size_t most_elements = 4;  // of a list of structs that are shown
 std::string word_for(const Value& value, const ContractTypes& types, const std::string& type) {
   const std::int64_t* n = value.as<std::int64_t>();
   if (!n) return {};
-  if (ContractTypes::is_bool(type)) return *n == 0 ? "false" : "true";
+  if (ContractTypes::is_bool(type))
+    return *n == 0 ? "false" : *n == 1 ? "true" : "neither true nor false";
   const std::vector<std::string>& words = types.enumerators_of(type);
   return *n >= 0 && static_cast<std::size_t>(*n) < words.size()
              ? words[static_cast<std::size_t>(*n)]

@@ -24,6 +24,10 @@ struct UnitResult {
   std::string judge_failure;
   /// Where right answers come from memory that is gone, "torque.cpp:11: stack-use-after-scope".
   std::string lucky_place;
+  /// The variable that right answers may come from although it was never set, with its place.
+  std::string lucky_variable;
+  /// What this machine failed at when it looked for the line of a mistake. The verdict stands.
+  std::string why_no_place;
   double seconds = 0;  ///< from the file to the verdict
 
   std::size_t passed_cases() const;

@@ -56,3 +56,30 @@ TEST_CASE("the functions that a linker finds twice, whichever linker it is") {
   CHECK(duplicate_functions("mold: error: duplicate symbol: a.o: b.o: momentum::cross(int)\n") ==
         cross);
 }
+
+TEST_CASE("a compiler that was killed says so itself: nobody else's words count") {
+  using tumble::judge::says_that_it_was_killed;
+  CHECK(says_that_it_was_killed(
+      "c++: fatal error: Killed signal terminated program cc1plus\ncompilation terminated.\n"));
+  CHECK(says_that_it_was_killed(
+      "/tmp/w/a.cpp:3:2: warning: unused\n    3 | int x;\n      |     ^\n"
+      "g++-12: fatal error: Killed signal terminated program cc1plus\ncompilation terminated.\n"));
+  CHECK(says_that_it_was_killed("g++: internal compiler error: Killed (program cc1plus)\n"));
+  CHECK(says_that_it_was_killed(
+      "collect2: fatal error: ld terminated with signal 9 [Killed]\ncompilation terminated.\n"));
+  CHECK(says_that_it_was_killed(
+      "clang: error: unable to execute command: Killed\n"
+      "clang: error: clang frontend command failed due to signal (use -v to see invocation)\n"
+      "Debian clang version 14.0.6\nclang: note: diagnostic msg: Error generating\n"));
+  for (const char* forged :
+       {"", "/tmp/w/a.cpp:1:2: warning: #warning \"Killed signal\" [-Wcpp]\n",
+        "/tmp/w/a.cpp:1:2: error: #error c++: fatal error: Killed signal terminated program x\n",
+        "    1 | c++: fatal error: Killed signal terminated program cc1plus\n",
+        "/tmp/w/a.cpp:1:9: note: '#pragma message: \n"
+        "c++: fatal error: Killed signal terminated program cc1plus'\n    1 | #pragma message\n",
+        "c++: fatal error: Killed signal terminated program cc1plus\n"
+        "/tmp/w/a.cpp:9:1: error: expected '}'\n",
+        "/tmp/c++: fatal error: Killed signal terminated program cc1plus\n",
+        "collect2: error: ld returned 1 exit status: signal 9 [Killed]\n"})
+    CHECK_MESSAGE(!says_that_it_was_killed(forged), std::string(forged));
+}

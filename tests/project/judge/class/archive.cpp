@@ -3,14 +3,19 @@
 #include "judge/class/archive.hpp"
 
 #include <doctest/doctest.h>
+#include <signal.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
 #include "judge/build/work_folder.hpp"
+#include "judge/sandbox/confined_process.hpp"
 #include "project/judge/class/archives.hpp"
+#include "project/judge/class/without_files.hpp"
 
 using namespace tumble::judge;
 using tumble::test::Entry;
+using tumble::test::WithoutFiles;
 using tumble::test::write_archive;
 
 namespace {
@@ -63,6 +68,27 @@ TEST_CASE("archives: paths, links and devices that lead out of them") {
   CHECK(unpacked("a.zip", {{"../b.cpp", "x"}}).refused ==
         "has a path that leads out of it: ../b.cpp");
   CHECK(unpacked("a.zip", {{"b.cpp", "", AE_IFLNK, "/"}}).refused == "has a link in it: b.cpp");
+}
+
+TEST_CASE("archives: a machine that fails is not the archive's fault") {
+  const Finished killed{{true, SIGKILL}, "", false, true},
+      starved{{true, SIGKILL}, "", true, false}, no_disk{{false, disk_failed}, "", false, false};
+  for (const Finished& reader : {killed, starved, no_disk})
+    CHECK_THROWS_AS(why_not_read(reader, "ben.zip"), std::runtime_error);
+  CHECK(why_not_read({{true, SIGXCPU}, "", false, false}, "") == "takes too long to unpack");
+  CHECK(why_not_read({{true, SIGSEGV}, "", false, false}, "").find("crashed") != std::string::npos);
+  CHECK(why_not_read({{false, 0}, "", false, false}, "") == "");
+}
+
+TEST_CASE("archives: no file can be opened any more, and a pipe of an archive's name") {
+  const WorkFolder folder;
+  write_archive(folder.path() / "a.zip", {{"product.cpp", "int x;"}});
+  const WithoutFiles none;
+  CHECK_THROWS_AS(unpack(folder.path() / "a.zip"), std::runtime_error);
+  none.end();
+  CHECK(unpack(folder.path() / "a.zip").refused == "");
+  REQUIRE(mkfifo((folder.path() / "pipe.zip").c_str(), 0600) == 0);
+  CHECK(unpack(folder.path() / "pipe.zip").refused == "cannot be read");
 }
 
 TEST_CASE("archives: too many, too large, or none at all") {

@@ -173,6 +173,18 @@ TEST_CASE("shapes: anything but a class is refused") {
       says(place.grade(place.handed_in, "--from moodel").output, "there is no platform 'moodel'"));
 }
 
+TEST_CASE("shapes: a folder of loose files is refused with the reason, and what may help") {
+  const Place place;
+  for (const char* file : {"a.txt", "b.txt", "c.txt", "doejane_12345_67890_twice.cpp", "carry.cpp"})
+    test::write_files(place.handed_in, {{file, "x"}});
+  const std::string refused = place.grade(place.handed_in).output;
+  CHECK_MESSAGE(says(refused, "a.txt: neither a folder nor an archive"), refused);
+  CHECK(says(refused,
+             "doejane_12345_67890_twice.cpp: neither a folder nor an archive; if Canvas "
+             "has named it: --from canvas"));
+  CHECK(says(refused, "5 entries in all"));
+}
+
 TEST_CASE("feedback goes back under the platform's names") {
   const Place place;
   test::hand_in_moodle(place.handed_in);

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "judge/build/work_folder.hpp"
+#include "project/judge/class/without_files.hpp"
 
 using namespace tumble::judge;
 
@@ -61,8 +62,10 @@ TEST_CASE("a unit's file: in exercises/, in its chapter's folder, or by a name t
 TEST_CASE("a unit's file: however its student has spelt it") {
   for (const char* name :
        {"Product.cpp", "PRODUCT.CPP", "product (1).cpp", "product(2).cpp", "product-1.cpp",
-        "product.cpp.txt", "Product - Copy.cpp", "product copy.cpp", "product 2.cpp",
-        "Exercises/04_Quaternions/product.cpp"})
+        "product (copy).cpp", "product - Kopie.cpp", "product - Copy (2).cpp",
+        "product (copy 2).cpp", "product_-_Copy.cpp", "Copy of product.cpp",
+        "Kopie von product.cpp", "product (1) (1).cpp", "product.cpp.txt", "Product - Copy.cpp",
+        "product copy.cpp", "product 2.cpp", "Exercises/04_Quaternions/product.cpp"})
     CHECK_MESSAGE(file_of("04_quaternions/product", {name}) == name, name);
   for (const char* other : {"my_product.cpp", "product.hpp", "product.txt", "._product.cpp",
                             "__MACOSX/product.cpp", "product.cpp~", "-1.cpp"})
@@ -88,6 +91,13 @@ TEST_CASE("a unit's file: of several, by a rule that is the same everywhere") {
   const auto chosen = choose_files(course_with_two_dydt(), course_with_two_dydt().units,
                                    {"v1/product.cpp", "v2/product.cpp"});
   CHECK(chosen.at("04_quaternions/product").others == std::vector<fs::path>{"v1/product.cpp"});
+}
+
+TEST_CASE("files below a folder: a machine that cannot read is no empty folder") {
+  const WorkFolder work;
+  touch(work.path() / "a" / "b.cpp");
+  const tumble::test::WithoutFiles none;
+  CHECK_THROWS_AS(files_below(work.path()), std::runtime_error);
 }
 
 TEST_CASE("files below a folder: links are named and not followed, hidden folders left out") {

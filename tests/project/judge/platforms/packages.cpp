@@ -121,6 +121,17 @@ TEST_CASE("export: what is public for PrairieLearn has no solutions, what is not
   CHECK(two.output.find("1.2 and 9.4 dydt cannot be in one question") != std::string::npos);
 }
 
+TEST_CASE("export: an exercise that is extra is a question like the others") {
+  const Packages packages(R"({"title": "HW 1", "units": ["1.1", "1.2"], "extra": ["1.2"]})");
+  const CommandResult made = packages.make("prairielearn", "--each");
+  REQUIRE_MESSAGE(made.status == 0, made.output);
+  CHECK(test::contains(made.output, R"("maxPoints": 1 and "maxBonusPoints": 1)"));
+  for (const char* name : {"1-1-flatten", "1-2-dydt"})
+    CHECK_FALSE(
+        test::json_in(packages["prairielearn"] / "questions/hw-1" / name / "tests/course.json")
+            .contains("extra"));
+}
+
 TEST_CASE("export: a question for each exercise, each with its points and its deadline") {
   const Packages packages(R"({"title": "HW 1", "units": ["1.1", "1.2", "9.4"], "seed": 7,
       "weights": {"1.2": 3}, "hidden": ["9.4"]})");
@@ -187,6 +198,25 @@ TEST_CASE("export: Classroom 50's bundle is public and small, its template a han
   for (const std::string& file : files_in(folder / "bundle"))
     bytes += fs::file_size(folder / "bundle" / file);
   CHECK(bytes < (10 << 20));  // what the runner fetches at most, packed
+}
+
+TEST_CASE("export: what students can read names no student") {
+  const Packages packages(R"({"title": "HW 1", "units": ["1"], "due": "2026-12-01T23:59:00Z",
+      "late": {"per_day": 10}, "extensions": {"doe, jane": "2026-12-08T23:59:00Z"},
+      "overrides": {"ben": {"points": 3, "reason": "was ill"}}})");
+  for (const auto& [platform, settings] : std::map<std::string, std::string>{
+           {"classroom50", "bundle/course.json"}, {"github-actions", "repository/course.json"}}) {
+    const CommandResult made = packages.make(platform);
+    REQUIRE_MESSAGE(made.status == 0, made.output);
+    CHECK(test::contains(made.output, R"("extensions", "overrides" of your course.json are left)"));
+    for (const std::string& file : files_in(packages[platform]))
+      for (const char* secret : {"doe, jane", "was ill", "\"ben\""})
+        CHECK_MESSAGE(!test::contains(test::text_of(packages[platform] / file), secret), file);
+    const json public_json = test::json_in(packages[platform] / settings);
+    CHECK(public_json.at("late") == json{{"per_day", 10}});
+    CHECK(public_json.at("due") == "2026-12-01T23:59:00Z");
+  }
+  REQUIRE(packages.make("gradescope").status == 0);  // which only instructors read
 }
 
 TEST_CASE("export: a repository for GitHub, and refusals that say what is wrong") {

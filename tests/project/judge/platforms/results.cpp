@@ -98,6 +98,32 @@ TEST_CASE("PrairieLearn: a share, hidden words, and no attempt lost by what cann
   CHECK(json::parse(none).at("format_errors")[0] == "The submission has a link in it.");
 }
 
+TEST_CASE("a judge that failed says so above all, and no platform takes it for a zero") {
+  StudentRecord failed = some;
+  failed.units[1].judge_failure = "the memory is used up";
+  failed.units[1].summary = "judge failed";
+  const json gradescope = json::parse(gradescope_results(settings(), failed, ""));
+  tumble::test::check_gradescope(gradescope);
+  CHECK(contains(gradescope.at("output"), "The judge failed at 4.2: these points are not"));
+  CHECK(contains(json::parse(gradescope_results(settings(), failed, figure)).at("output"),
+                 "<p>The judge failed at 4.2"));
+  CHECK(json::parse(prairielearn_results(settings(), failed, "")).at("gradable") == false);
+}
+
+TEST_CASE("PrairieLearn: extra points make no more than all") {
+  CourseSettings bonus = settings();
+  bonus.rules.extra = {"04_quaternions/product"};
+  const StudentRecord all{"ann",
+                          1,
+                          0,
+                          "",
+                          {product, verdict("4.2", "04_quaternions/inverse", 3),
+                           verdict("4.3", "04_quaternions/rotate", 3)}};
+  const std::string text = prairielearn_results(bonus, all, "");
+  tumble::test::check_prairielearn(text);
+  CHECK(json::parse(text).at("score") == 1);
+}
+
 TEST_CASE("Classroom 50: whole points, a hundred to one, and who is meant") {
   std::map<std::string, std::string> environment{
       {"CLASSROOM", "dynamics"},    {"ASSIGNMENT", "hw4"},

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "judge/protocol/convert.hpp"
 #include "judge/spec/general_misconceptions.hpp"
 #include "judge/verdict/names_from_source.hpp"
 
@@ -76,6 +77,20 @@ TEST_CASE("names: the marks of memory that was never set, of gcc and of clang") 
   const double nan = std::numeric_limits<double>::quiet_NaN();  // and 0/0, and its negative
   for (const double x : {nan, -nan})
     CHECK(name_of_numbers(wrong(List{1., x, 3.}, right)) == "not a number");
+  // A float and a bool on their way to a double and an int.
+  for (const std::uint32_t bits : {0xfefefefeu, 0xffffffffu, 0x7fffffffu}) {
+    float x = 0;
+    std::memcpy(&x, &bits, sizeof x);
+    CHECK(name_of_numbers(wrong(List{1., static_cast<double>(x), 3.}, right)) == "never set");
+  }
+  for (const unsigned char byte : {0xfe, 0xaa}) {
+    bool never_set = false;
+    std::memcpy(&never_set, &byte, 1);
+    CHECK(name_of_numbers(wrong(to_value(never_set), std::int64_t{1})) == "never set");
+  }
+  CHECK(std::get<std::int64_t>(to_value(true).data) == 1);
+  CHECK(std::get<std::int64_t>(to_value(false).data) == 0);
+  CHECK(name_of_numbers(wrong(List{1.5e38, 2.}, List{2e38, 2.}, {1e37})) == "");
   // Huge numbers that were asked with are no mark.
   CHECK(name_of_numbers(wrong(List{1e300, 2.}, List{2e300, 2.}, {1e300})) == "");
 }
@@ -84,18 +99,77 @@ TEST_CASE("names: whole-number division, in code and nowhere else") {
   const Finding finding = wrong(List{0., 0., 0.}, right);
   CHECK(name_of_source(finding, "double a = 1/2 * x;") == "whole-number division");
   CHECK(name_of_source(finding, "double a = (1 / 12) * x;") == "whole-number division");
-  for (const char* harmless :
-       {"double a = 1./2 * x;", "a = 1/2. * x;", "a = n/2;", "a = 4/2;", "// 1/2\n", "/* 1/2 */",
-        "\"1/2\"", "a = x1/2;", "a = 0x1/2;", "a = 1e3/7;", "a = '1' / 2;", "a = 1/0;"})
+  CHECK(name_of_source(finding, "a = x * y; b = x + 1/6 * k;") == "whole-number division");
+  CHECK(name_of_source(finding, "#if 0\n#else\na = 1/2;\n#endif\n") == "whole-number division");
+  CHECK(name_of_source(finding, "#if 1\n#if 0\n#endif\na = 1/2;\n#endif\n") ==
+        "whole-number division");
+  CHECK(name_of_source(finding, "f(R\"(a)\", 1/2);") == "whole-number division");
+  for (const char* harmless : {"double a = 1./2 * x;",
+                               "a = 1/2. * x;",
+                               "a = n/2;",
+                               "a = 4/2;",
+                               "// 1/2\n",
+                               "/* 1/2 */",
+                               "\"1/2\"",
+                               "a = x1/2;",
+                               "a = 0x1/2;",
+                               "a = 1e3/7;",
+                               "a = '1' / 2;",
+                               "a = 1/0;",
+                               "y + h * 1/6 * (k1 + k2)",  // all in double: the product comes first
+                               "x / 2 / 3",
+                               "h * 3 / 4",
+                               "h *\n  3 / 4",
+                               "n % 5 / 2",
+                               "a = 1'001/7;",
+                               "a = 7/1'000'000.;",
+                               "#if 0\na = 1/2;\n#endif\n",
+                               "# if 0 // old\n#ifdef A\n#endif\na = 1/2;\n#endif\n",
+                               "#if 1\n#if 0\na = 1/2;\n#endif\n#endif\n",
+                               "R\"(\" 1/2)\"",
+                               "u8R\"x()\" 1/2)x\"",
+                               "const int middle = 7 / 2;",
+                               "for (std::size_t i = 7 / 2; i < n; ++i) x += a[i];",
+                               "x = a[7 / 2];"})
     CHECK_MESSAGE(name_of_source(finding, harmless) == "", harmless);
+}
+
+TEST_CASE("names: a misconception stands unless two whole numbers are divided") {
+  Finding finding = wrong(List{0., 0., 0.}, right);
+  finding.misconceptions = {{"sum of the slopes", "The weights are missing.", ""}};
+  CHECK(name_of_source(finding, "return y + h * 1/6 * (k1 + k2);") == "sum of the slopes");
+  CHECK(name_of_source(finding, "return y + 1/6 * h * (k1 + k2);") == "whole-number division");
 }
 
 TEST_CASE("names: a float, where 7 digits are right and there is one") {
   const Finding finding = wrong(List{1.0000001, 2., 3.}, right);
-  CHECK(name_of_source(finding, "float a = x;") == "float");
-  CHECK(name_of_source(finding, "a = 0.5f * x;") == "float");
-  CHECK(name_of_source(finding, "a = sqrtf(x);") == "float");
-  CHECK(name_of_source(finding, "double half = 0.5; // no float") == "");
+  for (const char* one : {"float a = x;",
+                          "a = 0.5f * x;",
+                          "a = x*.5F;",
+                          "a = 1e-3f;",
+                          "a = 1'000.f;",
+                          "a = sqrtf(x);",
+                          "a = std::acosf(x);",
+                          "a = fabsf(x);",
+                          "a = atan2f(y, x);",
+                          "Eigen::Vector4f a;",
+                          "VectorXf a(n);",
+                          "Eigen::Matrix4f a;",
+                          "MatrixXf a;",
+                          "Matrix23f a;",
+                          "RowVector3f a;",
+                          "Eigen::ArrayXXf a;",
+                          "Eigen::Quaternionf a;",
+                          "AngleAxisf a;",
+                          "std::vector<Vector2f> a;",
+                          "x = static_cast<float>(y);",
+                          "std::float_t a;"})
+    CHECK_MESSAGE(name_of_source(finding, one) == "float", one);
+  for (const char* none :
+       {"double half = 0.5; // no float", "Vector3d a;", "int a = 0x1f;", "double a = of(x);",
+        "double Vectorf = 1;", "a = self.f(x);", "#if 0\nfloat a;\n#endif\n", "double half = 1;",
+        "a = b1f;", "double a = 1e5;", "Eigen::VectorOf a;"})
+    CHECK_MESSAGE(name_of_source(finding, none) == "", none);
   CHECK(name_of_source(wrong(List{1.1, 2., 3.}, right), "float a = x;") == "");
 }
 

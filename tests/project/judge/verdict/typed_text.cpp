@@ -51,6 +51,7 @@ TEST_CASE(
   const std::string text = TypedText{types, "MassProperties", 9, 2, "centre"}.of(a);
   CHECK(text.find("mass    = 2\n  centre  = (1, 2, 3)   ← furthest off\n  inertia = [") == 0);
   CHECK(TypedText{types, "bool", 9, 0, {}}.of(std::int64_t{1}) == "true");
+  CHECK(TypedText{types, "bool", 9, 0, {}}.of(std::int64_t{254}) == "neither true nor false");
   const ContractTypes scenes = types_of("10_only_what_a_scene_needs");
   CHECK(TypedText{scenes, "Model", 9, 0, {}}.of(std::int64_t{2}) == "symmetric_top");
   CHECK(TypedText{scenes, "Model", 9, 0, {}}.of(std::int64_t{7}) == "7");

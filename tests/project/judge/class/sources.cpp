@@ -1,0 +1,69 @@
+/// @file
+/// What is said of files that are no exercise's, beside others that are.
+#include "judge/class/sources.hpp"
+
+#include <doctest/doctest.h>
+
+#include "project/harness/command.hpp"
+#include "project/judge/class/without_files.hpp"
+#include "support/text_file.hpp"
+
+using namespace tumble::judge;
+namespace support = tumble::support;
+
+namespace {
+
+Course course() {
+  Course course;
+  course.units = {{"1.2", "01_particles", "dydt", "", {}, {}},
+                  {"4.1", "04_quaternions", "product", "", {}, {}},
+                  {"4.2", "04_quaternions", "inverse", "", {}, {}},
+                  {"9.4", "09_rigid_body", "dydt", "", {}, {}}};
+  return course;
+}
+
+/// The notes on a submission of these files, a line each.
+std::string notes_on(const std::vector<std::string>& files) {
+  const Course all = course();
+  const WorkFolder work;
+  for (const std::string& file : files)
+    support::write_text_and_folders(work.path() / file, "// " + file + "\n");
+  std::string notes;
+  for (const std::string& note : Sources(all, all.units, {"ben", work.path()}).notes())
+    notes += note + "\n";
+  return notes;
+}
+
+}  // namespace
+
+TEST_CASE("sources: a misspelt file beside a right one is said, with what was meant") {
+  CHECK(notes_on({"inverse.cpp", "prodcut.cpp"}) ==
+        "prodcut.cpp is not judged: it is not an exercise's name; did you mean product.cpp?\n");
+  CHECK(notes_on({"inverse.cpp", "main.cpp", "x/plot.cpp"}) ==
+        "not judged, as no exercise has such a name: main.cpp, x/plot.cpp\n");
+  CHECK(notes_on({"product.cpp", "dydt.cpp"}) ==
+        "dydt.cpp is not judged: it may be in 01_particles/ or in 09_rigid_body/, and lies in "
+        "neither\n");
+}
+
+TEST_CASE("sources: copies are known by their names, and nothing is said of the course's files") {
+  CHECK(notes_on({"product (copy).cpp", "inverse - Kopie.cpp", "01_particles/dydt-1.cpp"}) == "");
+  CHECK(notes_on({"exercises/04_quaternions/product.cpp", "tests/a.cpp", "lib/b.cpp",
+                  "chapters/c/d.cpp", "build/e.cpp", "solutions/f.cpp", ".git/g.cpp"}) == "");
+  CHECK(notes_on({"exercises/04_quaternions/product.cpp", "exercises/04_quaternions/invers.cpp"}) ==
+        "exercises/04_quaternions/invers.cpp is not judged: it is not an exercise's name; did you "
+        "mean inverse.cpp?\n");
+}
+
+TEST_CASE("sources: a folder that this machine cannot open is no refusal of the student's work") {
+  const Course all = course();
+  const WorkFolder work;
+  support::write_text_and_folders(work.path() / "ben" / "product.cpp", "x");
+  const Submission submission{"ben", work.path() / "ben"};
+  CHECK_THROWS_AS(
+      [&] {
+        const tumble::test::WithoutFiles none;
+        const Sources sources(all, all.units, submission);
+      }(),
+      std::runtime_error);
+}
