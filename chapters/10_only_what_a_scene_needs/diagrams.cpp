@@ -57,16 +57,26 @@ void draw_torques(Sketch& sketch) {
                  "middle");
 }
 
+/// On every rung: whether a flight has an end.
+void draw_contacts(Sketch& sketch) {
+  ask(sketch, {20, -94}, {310, -38}, "Can anything touch", "while you look?");
+  flow(sketch, {312, -56}, {428, -38}, {0, -10}, "no");
+  box(sketch, {430, -58}, {740, -2}, "one flight", "all of this holds to its end", "c1");
+  flow(sketch, {312, -76}, {428, -96}, {0, 22}, "yes");
+  box(sketch, {430, -134}, {740, -78}, "chapter 11", "flights from contact to contact", "c1");
+}
+
 }  // namespace
 
 std::string tree_figure() {
-  Sketch sketch(760, 616, "Which model a scene needs: four questions and five models", 15);
+  Sketch sketch(760, 766, "Which model a scene needs: five questions and five models", 15);
   sketch.look({0, 616, 1});
   ask(sketch, {20, 544}, {310, 600}, "Do you want its orientation,",
       "or does a force depend on it?");
   draw_paths(sketch);
   draw_moments(sketch);
   draw_torques(sketch);
+  draw_contacts(sketch);
   return sketch.svg();
 }
 

@@ -68,6 +68,24 @@ Json impact_json(const Scene& scene, const Motions& motions, const contact::Impa
           {"jammed", impact.jammed}};
 }
 
+Json growth_json(const Scene& scene, const Motions& motions) {
+  const ErrorGrowth growth = error_growth(*motions.contacts);
+  Json json = {{"start_differs_by", growth.start},
+               {"end_differs_by", growth.distance},
+               {"end_turned_by", growth.angle},
+               {"bodies", Json::array()}};
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const BodyGrowth& of = growth.bodies[i];
+    json["bodies"].push_back(
+        {{"name", scene.bodies[i].name},
+         {"bounces", of.bounces},
+         {"factor_per_bounce", of.factor ? Json(*of.factor) : Json()},
+         {"means_nothing_after",
+          of.means_nothing_after ? Json(motions.start + *of.means_nothing_after) : Json()}});
+  }
+  return json;
+}
+
 Json run_json(const Scene& scene, const Motions& motions) {
   const contact::ContactRun& run = motions.contacts->run;
   Json json = {{"can_touch", true},
@@ -88,10 +106,7 @@ Json run_json(const Scene& scene, const Motions& motions) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     json["rest_since"][scene.bodies[i].name] =
         std::isfinite(run.rest_since[i]) ? Json(motions.start + run.rest_since[i]) : Json();
-  const ErrorGrowth growth = error_growth(*motions.contacts);
-  json["error_growth"] = {{"start_differs_by", growth.start},
-                          {"end_differs_by", growth.distance},
-                          {"end_turned_by", growth.angle}};
+  json["error_growth"] = growth_json(scene, motions);
   return json;
 }
 

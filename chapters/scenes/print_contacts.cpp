@@ -47,8 +47,8 @@ void print_energy(const contact::EnergyLedger& energy) {
   std::cout << support::fitted(table) << '\n';
 }
 
-void print_growth(const Contacts& contacts) {
-  const ErrorGrowth growth = error_growth(contacts);
+void print_growth(const Scene& scene, const Motions& motions) {
+  const ErrorGrowth growth = error_growth(*motions.contacts);
   std::cout << support::fitted(
                    "Each flight is exact, but each impact makes earlier errors larger. We have "
                    "followed a second start, with speeds that differ by " +
@@ -56,8 +56,21 @@ void print_growth(const Contacts& contacts) {
                    " of themselves: at the end the two motions are up to " +
                    support::error_number(growth.distance) +
                    " m apart, and turned against each other by up to " +
-                   support::error_number(growth.angle) + " rad.")
+                   support::error_number(growth.angle) +
+                   " rad. Once they are farther apart than the body reaches, its motion means "
+                   "nothing.")
             << '\n';
+  support::Table table(
+      {"body", "bounces", "an error grows per bounce", "its motion means nothing after"});
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const BodyGrowth& of = growth.bodies[i];
+    table.add({scene.bodies[i].name, std::to_string(of.bounces),
+               of.factor ? support::number(*of.factor, 3) + " times" : "too few to say",
+               of.means_nothing_after
+                   ? support::number(motions.start + *of.means_nothing_after, 4) + " s"
+                   : "not before the end"});
+  }
+  std::cout << support::fitted(table) << '\n';
 }
 
 }  // namespace
@@ -65,7 +78,7 @@ void print_growth(const Contacts& contacts) {
 void print_contacts(const Scene& scene, const Motions& motions) {
   print_impacts(scene, motions);
   print_energy(motions.contacts->run.energy);
-  print_growth(*motions.contacts);
+  print_growth(scene, motions);
 }
 
 }  // namespace tumble::scenes

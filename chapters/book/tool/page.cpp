@@ -103,7 +103,7 @@ std::vector<Fence> fences_of(const Page& page) {
     if (comment) ++i;
     const bool opens = i < lines.size() && lines[i].starts_with("```");
     if (comment && !lines[i - 1].ends_with("-->")) fail(page, i - 1, "a comment ends in its line");
-    if (announced && !opens) fail(page, i - 1, "this comment wants a fence in the line below");
+    if (announced && !opens) fail(page, i - 1, "this comment expects a ``` fence in the next line");
     if (comment && !opens) --i;  // an announcement may follow
     if (comment && opens && !announced)
       fail(page, i - 1,

@@ -91,7 +91,7 @@ class Formula {
     const int wanted = with_two_arguments.contains(command)  ? 2
                        : with_one_argument.contains(command) ? 1
                                                              : 0;
-    if (!has_arguments(wanted)) return "\\" + command + " without what it is of";
+    if (!has_arguments(wanted)) return "\\" + command + " lacks its argument";
     if (command == "left") ++lefts_;
     if (command == "right" && --lefts_ < 0) return "a \\right without a \\left";
     if (command == "begin" || command == "end") return take_border(command == "begin");

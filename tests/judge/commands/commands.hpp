@@ -36,8 +36,8 @@ struct MineOptions {
 };
 
 struct GradeOptions {
-  std::vector<fs::path> folders;  ///< of submissions
-  fs::path out = "grades";        ///< folder for the results; what is there already is gone on with
+  std::vector<fs::path> folders;       ///< of submissions
+  fs::path out = "grades";             ///< folder for the results; those that are there are resumed
   std::optional<fs::path> settings;    ///< course.json
   std::optional<std::size_t> at_once;  ///< submissions; as many as there are cores if not given
   std::optional<std::string> from;     ///< the platform of the download

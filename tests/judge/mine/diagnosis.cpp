@@ -188,7 +188,7 @@ std::vector<std::string> diagnose(const Measurement& measurement) {
     std::vector<std::string> here;
     look_at_mass(result, here);
     look_at_choice(result, here);
-    // Who cannot do the first problem, cannot do the others for the same reason.
+    // Code that fails the first problem fails the others for the same reason.
     if (right_so_far)
       right_so_far = look_at_curves(result, &result == &measurement.problems.front(), here);
     look_at_closed_form(result, here);

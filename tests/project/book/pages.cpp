@@ -109,7 +109,7 @@ TEST_CASE("code and output that nothing keeps true") {
   CHECK(contains(book.mistakes("```text\n3\n```\n"), "nothing says where"));
   CHECK(contains(book.mistakes(fence("outptu: 01_one#drift", "text", "drift  1.5\n")),
                  ":3: a fence is announced by"));
-  CHECK(contains(book.mistakes("<!-- output: 01_one#drift -->\ntext\n"), "wants a fence"));
+  CHECK(contains(book.mistakes("<!-- output: 01_one#drift -->\ntext\n"), "expects a ``` fence"));
   CHECK(contains(book.mistakes("```sh\nls\n"), "not closed"));
   CHECK(contains(book.mistakes("```c++\nint x;\n```\n"), "nothing says where"));
   CHECK(contains(book.mistakes("   ```cpp\n   int x;\n   ```\n"), "in the first column"));

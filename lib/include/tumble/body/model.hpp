@@ -3,7 +3,7 @@
 /// The least that a body's turning needs. How many of its moments are equal decides what has to be
 /// computed when nothing turns it:
 ///
-///   particle       nobody asks for the turning: position and momentum are enough
+///   particle       the turning is not wanted: position and momentum are enough
 ///   ball           ω = L/A for ever: no tensor, no orientation needed to know ω
 ///   symmetric top  turns about L and about its own axis at constant rates: sines only
 ///   full body      the equation of motion, or elliptic functions
@@ -40,7 +40,7 @@ struct ModelChoice {
 /// A body's moments sorted for its model: the odd one out and the mean of the two that are equal.
 struct SymmetricMoments {
   double axial;       ///< C, about the axis of symmetry [kg m²]
-  double transverse;  ///< A, about any axis across it [kg m²]
+  double transverse;  ///< A, about any axis perpendicular to it [kg m²]
   Vec3 axis;          ///< unit vector of the axis of symmetry, body coordinates
   double asymmetry;   ///< difference of the two nearly equal moments, by the larger: 0 for a top
 };

@@ -68,7 +68,7 @@ struct ForceKernel {
                 "also as PerBody, and any PackForce");
 };
 
-/// Falls, and does not turn.
+/// Uniform gravity: no torque.
 template <class P>
 struct ForceKernel<Weight, P> : SilentKernel<P> {
   Point<P> g;
@@ -80,7 +80,7 @@ struct ForceKernel<Weight, P> : SilentKernel<P> {
   TUMBLE_INLINE void add_push(Push<P>& push) const { push.acceleration = push.acceleration + g; }
 };
 
-/// Slows down v and ω.
+/// Linear and angular drag.
 template <class P>
 struct ForceKernel<BodyDrag, P> : SilentKernel<P> {
   static constexpr bool drags = true;
@@ -154,7 +154,7 @@ struct ForceKernel<ForceAtBodyPoint, P> : SilentKernel<P> {
   };
 };
 
-/// A user's own.
+/// A force that the user has defined.
 template <ensemble::PackForce Force, class P>
 struct ForceKernel<Force, P> : SilentKernel<P> {
   static constexpr bool steady = false;

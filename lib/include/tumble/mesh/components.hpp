@@ -1,7 +1,6 @@
 #pragma once
 /// @file
-/// The parts of a surface: faces that hang together by shared vertices, and what
-/// each part encloses.
+/// The parts of a surface, faces connected through shared vertices, and what each part encloses.
 ///
 /// Source: for the parts Tarjan, "Efficiency of a good but not linear set union algorithm", J. ACM
 /// 22 (1975); for their volumes see enclosed_volume.hpp.

@@ -2,9 +2,9 @@
 /// @file
 /// Everything that is wrong with a mesh, in words; and the door at which such a mesh is refused.
 ///
-/// The questions go from cheap to dear, and later ones are only asked when the earlier ones have
-/// good answers: do the vertices exist, is the surface closed (one pass, edge_balance.hpp), and
-/// only if not, where; what do its parts enclose (components.hpp); do they bound a body
+/// The questions go from cheap to expensive, and later ones are only asked when the earlier ones
+/// have good answers: do the vertices exist, is the surface closed (one pass, edge_balance.hpp),
+/// and only if not, where; what do its parts enclose (components.hpp); do they bound a body
 /// (check_parts.hpp). No threshold has a unit: a body of a micrometre, or 10⁸ m away, is judged
 /// like any other.
 
@@ -101,9 +101,9 @@ enum class Policy {
   accept,  ///< integrals as they come, and the findings beside them
 };
 
-/// Lets findings pass with which the integrals over a mesh are right, or with Policy::accept at
-/// least possible. Real meshes have faces without area; they add nothing to an integral and alone
-/// are no reason to refuse here: require_faultless() does.
+/// Accepts findings that leave the integrals over a mesh right; with Policy::accept, also those
+/// that leave them computable. Real meshes have faces without area; they add nothing to an integral
+/// and alone are no reason to refuse here: require_faultless() does.
 /// @param tolerance the share of the volume that may count wrongly because the surface crosses
 ///                  itself
 /// @throws std::invalid_argument with all findings, one a line

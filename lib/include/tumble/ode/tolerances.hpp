@@ -18,7 +18,7 @@ namespace tumble {
 /// @addtogroup ode
 /// @{
 
-/// The error allowed in one step: of a large component a fraction, of a small one an amount.
+/// The error allowed in one step: relative for large components, absolute for small ones.
 struct Tolerances {
   double relative = 1e-6;
   double absolute = 1e-9;  ///< in the unit of the state's components

@@ -11,7 +11,7 @@ namespace tumble::rotation {
 /// @addtogroup rotation
 /// @{
 
-/// A rotation near M: x = m₁/|m₁|, y = the part of m₂ across x, normalised, z = x × y.
+/// A rotation near M: x = m₁/|m₁|, y = the part of m₂ perpendicular to x, normalised, z = x × y.
 /// @param M 3×3 with columns m₁, m₂, m₃ that have drifted from a rotation's
 /// @throws std::invalid_argument if M is not finite, its columns are dependent or left-handed
 /// Source: Golub & Van Loan, "Matrix Computations" (2013), §5.2.

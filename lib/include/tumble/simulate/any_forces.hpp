@@ -41,7 +41,7 @@ class AnyForces {
         span_(task.t1 - task.t0),
         breaks_(breaks_within(task)) {}
 
-  /// The fine run that keeps the tolerance, or the best that there is.
+  /// The fine run; it meets the tolerance unless rounding forbids.
   TrajectoryOf<typename Rhs::State> trajectory() {
     while (true) {
       const double fine_tolerance = 0.1 * epsilon_;

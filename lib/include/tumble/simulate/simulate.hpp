@@ -2,7 +2,7 @@
 /// @file
 /// Says where a body goes, with an error that is stated and kept, in the cheapest way there is.
 ///
-///   nobody asks for the turning    a particle: its path, in closed form under steady forces
+///   the turning is not wanted      a particle: its path, in closed form under steady forces
 ///   nothing turns the body         closed forms, exact to rounding at any time (so too where
 ///                                  forces pull along the axis that it spins about)
 ///   a symmetric top is pulled at   a closed form too, unless its axis passes next to the vertical

@@ -84,7 +84,7 @@ class SteadyTrajectory {
   steady::TurningBySeries<rank> turning_;
 };
 
-/// The turning that keeps the tolerance, or the best that there is.
+/// The turning; it meets the tolerance unless rounding forbids.
 template <int rank>
 Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::SteadyPath& path,
                               const RigidBody<>& body, const RigidBodyState<>& start,

@@ -99,6 +99,64 @@ TEST_CASE("simulate: tables of impacts and energies, the first and the last of m
   CHECK(mentions(content("film.svg"), "<svg ", "</svg>", "ball", "a picture every"));
 }
 
+TEST_CASE("simulate: by how much an error grows per bounce, and when the motion means nothing") {
+  // A ball goes to and fro between a floor and a ball of 10¹² times its mass. Where it meets the
+  // other ball both centres are 1 m apart, and the way down is 1 m as well. An offset x and a slope
+  // s become x + 2 s on the way to the floor and back, and s + 2 (x + 2 s) at the ball: two bounces
+  // multiply the error by 3 + √8 = (1 + √2)².
+  const auto ball = [](const char* name, double radius, double mass, double z) {
+    return json{
+        {"name", name}, {"shape", {{"ball", radius}}}, {"mass", mass}, {"position", {0, 0, z}}};
+  };
+  json scene = {{"bodies", {ball("small", 0.1, 1, 0.6), ball("large", 0.9, 1e12, 2.1)}},
+                {"gravity", {0, 0, 0}},
+                {"floor", 0},
+                {"restitution", 1},
+                {"friction", 0},
+                {"duration", 50}};
+  scene["bodies"][0]["velocity"] = {0, 0, -1};
+  const json growth = simulated(scene)["error_growth"];
+  const json& small = growth["bodies"][0];
+  CHECK(growth["start_differs_by"] == 1e-9);
+  CHECK(small["name"] == "small");
+  CHECK(std::abs(small["factor_per_bounce"].get<double>() / (1 + std::sqrt(2)) - 1) < 0.05);
+  // From 10⁻⁹ to 0.1 it takes some 20 bounces, one per second.
+  CHECK(small["means_nothing_after"].get<double>() > 15);
+  CHECK(small["means_nothing_after"].get<double>() < 30);
+  CHECK(growth["bodies"][1]["means_nothing_after"].is_null());
+  const CommandResult text = scenes("simulate scene.json");
+  CHECK(mentions(text.output, "an error grows per bounce", " times", "means nothing after",
+                 "not before the end"));
+}
+
+TEST_CASE("simulate: each body of a scene is disturbed, and so its error is known") {
+  const CommandResult table = scenes("simulate " + example("on_the_table.json") + " --json");
+  REQUIRE(table.status == 0);
+  const json result = json::parse(table.output);
+  const json& bodies = result["error_growth"]["bodies"];
+  REQUIRE(bodies.size() == 3);
+  for (const json& body : bodies) {
+    CHECK(body["bounces"].get<std::size_t>() >= 3);
+    CHECK(body["bounces"].get<std::size_t>() <= result["impacts"].size());
+    CHECK(body["factor_per_bounce"].get<double>() > 1);
+    CHECK(body["factor_per_bounce"].get<double>() < 10);
+  }
+}
+
+TEST_CASE("simulate: without enough bounces no factor is told, and a dropped ball stays foretold") {
+  json scene = dropped_ball(0.5);
+  scene["duration"] = 0.6;  // one bounce
+  json small = simulated(scene)["error_growth"]["bodies"][0];
+  CHECK(small["bounces"] == 1);
+  CHECK(small["factor_per_bounce"].is_null());
+  CHECK(small["means_nothing_after"].is_null());
+  scene["duration"] = 10;
+  small = simulated(scene)["error_growth"]["bodies"][0];
+  CHECK(small["bounces"].get<int>() >= 3);
+  CHECK(small["factor_per_bounce"].get<double>() < 2);
+  CHECK(small["means_nothing_after"].is_null());
+}
+
 TEST_CASE("simulate: the thrown things come to rest, and the ball rolls away from the wall") {
   const CommandResult table =
       scenes("simulate " + example("on_the_table.json") + " --json --svg table.svg");

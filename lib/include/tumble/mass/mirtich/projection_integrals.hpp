@@ -35,7 +35,7 @@ inline double power_sum(double x, double y, int n) {
   return sum;
 }
 
-/// Adds what the edge from p to q brings, without the common factors.
+/// Adds the contribution of the edge from p to q, without the common factors.
 inline void add_edge(ProjectionIntegrals& sum, const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
   const double a0 = p.x(), b0 = p.y(), a1 = q.x(), b1 = q.y();
   const double da = a1 - a0, db = b1 - b0;
