@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -96,6 +97,7 @@ struct CrossingQuestion {
   const LineLattices& lattices;
   const TrianglesNearLines& near;  ///< triangles that may meet a line of the lattices
   bool also_touching;              ///< whether places where triangles only touch are looked at
+  std::optional<double> rounding;  ///< of the coordinates, as they were written [m], if it is known
 
   LineBundle hits(double blur) const {
     return hits_of_bundle(mesh, surface, box, lattices, near, blur);
@@ -105,6 +107,7 @@ struct CrossingQuestion {
     for (const Component& part : surface.parts) sum += part.volume;
     return std::abs(sum);
   }
+  double written() const { return rounding ? *rounding : coordinate_rounding(mesh); }
 };
 
 /// The finding of a crossing that is there: what it looks like, and its share.
@@ -134,7 +137,7 @@ inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
   std::vector<WrongDepth> wrong = all_wrong_depths(evidence.bundle);
   const auto& [through, touching] = evidence.meetings;
   const bool suspicious = !wrong.empty() || !through.empty() || of.also_touching;
-  if (const double written = suspicious ? coordinate_rounding(of.mesh) : 0; written > blur) {
+  if (const double written = suspicious ? of.written() : 0; written > blur) {
     blur = written;
     evidence.meetings.forgive(blur);
     evidence.bundle = of.hits(blur);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "tumble/mesh/polygon_mesh.hpp"
 
@@ -56,10 +57,10 @@ struct WrittenDigits {
 /// How far a coordinate may be from what it was before it was written: half a unit of the last
 /// decimal [m]; 0 if the coordinates are doubles like any others, or were chosen with so few digits
 /// (less than six) that they may well be exact.
-inline double coordinate_rounding(const PolygonMesh& mesh) {
+inline double coordinate_rounding(std::span<const Vec3> vertices) {
   constexpr int fewest = 6;
   WrittenDigits digits;
-  for (const Vec3& p : mesh.vertices)
+  for (const Vec3& p : vertices)
     for (const double x : {p.x(), p.y(), p.z()}) digits.add(x);
   if (digits.significant < fewest || digits.significant >= WrittenDigits::most) return 0;
   // A fixed number of places, as in `%.6f`, or of digits, as in `%g`? Then small coordinates have
@@ -67,6 +68,10 @@ inline double coordinate_rounding(const PolygonMesh& mesh) {
   const int places_of_largest = digits.significant - 1 - digits.largest_place;
   const bool is_fixed = digits.places <= places_of_largest + 1;
   return power_of_ten(-(is_fixed ? digits.places : places_of_largest)) / 2;
+}
+
+inline double coordinate_rounding(const PolygonMesh& mesh) {
+  return coordinate_rounding(mesh.vertices);
 }
 
 }  // namespace tumble::detail

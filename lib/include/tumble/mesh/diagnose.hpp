@@ -9,6 +9,7 @@
 /// like any other.
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,9 +49,13 @@ inline TriangleMeetings meetings_for(const PolygonMesh& mesh, crossings::Search 
 /// Everything that is wrong with the mesh; empty when it bounds a body. A crossing comes with the
 /// share of the volume that counts wrongly: spoils_integrals() says whether it is too much. At most
 /// a few findings of each kind are listed, and the last one says how many more there are.
+/// @param rounding how far a coordinate may be from what it was before it was written [m]. Without
+///                 it we count the coordinates' digits; those of a file in inches are only known
+///                 to those who have read it
 inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh,
                                         const simd::LoopOptions& options = {},
-                                        crossings::Search search = crossings::Search::usual) {
+                                        crossings::Search search = crossings::Search::usual,
+                                        std::optional<double> rounding = {}) {
   std::vector<MeshDefect> findings = detail::find_bad_indices(mesh);
   if (!findings.empty()) return findings;
   if (mesh.face_count() == 0)
@@ -77,9 +82,9 @@ inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh,
   if (all.balance != 0) return findings;
   const detail::Components surface = detail::components(mesh, all.enclosed);
   add(detail::find_flat_parts(mesh, surface));
-  add(detail::find_wrong_depth(
-      {mesh, surface, bounds.box, lattices, all.near_lines, search == crossings::Search::thorough},
-      detail::meetings_for(mesh, search)));
+  add(detail::find_wrong_depth({mesh, surface, bounds.box, lattices, all.near_lines,
+                                search == crossings::Search::thorough, rounding},
+                               detail::meetings_for(mesh, search)));
   return findings;
 }
 
