@@ -438,7 +438,8 @@ TEST_CASE("mass: touching parts are accepted whatever the unit of the file is") 
   add_box({10, 4, 3}, {15, 7, 6});
   write("touching.obj", obj);
   for (const char* unit : {"m", "cm", "mm", "in"}) {
-    const CommandResult result = scenes(std::string("mass touching.obj --unit ") + unit);
+    const CommandResult result =
+        scenes(std::string("mass touching.obj --tolerance 1e-12 --unit ") + unit);
     CAPTURE(result.output);
     CHECK_MESSAGE(result.status == 0, unit);
   }
