@@ -14,10 +14,13 @@ struct MassCommand {
   std::vector<std::string> density;  ///< "7850" [kg/m³], or "steel=7850" for each part; else 1
   std::optional<double> mass;        ///< as it was weighed [kg]
   std::optional<double> shell;       ///< of a unit of area [kg/m²]: the mass lies in the surface
+  std::optional<double> thickness;   ///< the same of a material, `unit`: times its density
   std::vector<double> about;         ///< a point that the inertia is also given about [m]
   double tolerance = 1e-6;  ///< the share of the volume that may count wrongly at a crossing
   std::string block;        ///< "urdf", "sdf" or "mjcf": print only this
   bool json = false, accept = false, thorough = false;
+
+  bool is_shell() const { return shell || thickness; }
 };
 
 struct SimulateCommand {

@@ -14,9 +14,14 @@ void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
                      "for each material, group or object of the OBJ file")
           ->allow_extra_args(false);
   app.add_option("--mass", mass.mass, "of the whole, as you have weighed it [kg]");
-  app.add_option("--shell", mass.shell,
-                 "the mass lies in the surface, which may be open: density times thickness [kg/m²]")
-      ->excludes(density);
+  CLI::Option* const shell =
+      app.add_option("--shell", mass.shell,
+                     "the mass lies in the surface, which may be open: density times thickness "
+                     "[kg/m²]")
+          ->excludes(density);
+  app.add_option("--thickness", mass.thickness,
+                 "of a shell of the material of --density, in the unit of the file")
+      ->excludes(shell);
   app.add_option("--unit", mass.unit, "of the lengths in the file: mm, cm, m or in")
       ->capture_default_str()
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));

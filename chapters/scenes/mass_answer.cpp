@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "scenes/given_density.hpp"
+#include "scenes/mass_output.hpp"
+#include "tumble/mass/parallel_axis.hpp"
 #include "tumble/mass/shell.hpp"
 #include "tumble/mesh/read_mesh.hpp"
 
@@ -17,15 +19,39 @@ Accuracy accuracy_of(const std::string& name) {
   return name == "textbook" ? Accuracy::textbook : Accuracy::tight;
 }
 
-/// The mesh with lengths in metres. A quotient by 1000 is the double nearest to what was written.
-parts::LabelledMesh in_metres(parts::LabelledMesh mesh, const std::string& unit) {
-  if (unit == "m") return mesh;
-  for (Vec3& p : mesh.vertices) {
-    if (unit == "mm") p /= 1000;
-    if (unit == "cm") p /= 100;
-    if (unit == "in") p *= 0.0254;
+/// A length in metres. A quotient by 1000 is the double nearest to what was written.
+template <class Length>
+Length in_metres(const Length& x, const std::string& unit) {
+  if (unit == "mm") return x / 1000;
+  if (unit == "cm") return x / 100;
+  if (unit == "in") return x * 0.0254;
+  return x;
+}
+
+/// A mesh with lengths in metres, which knows how they were written.
+struct ReadMesh {
+  parts::LabelledMesh mesh;
+  std::vector<Vec3> as_written;  ///< the vertices in the unit of the file, if it is not the metre
+
+  ReadMesh(const std::string& file, const std::string& unit) : mesh(read_mesh(file)) {
+    if (unit == "m") return;
+    as_written = mesh.vertices;
+    for (Vec3& p : mesh.vertices) p = in_metres<Vec3>(p, unit);
   }
-  return mesh;
+};
+
+/// What `diagnosed` finds if it is told how far coordinates were rounded when they were written. In
+/// metres they have more digits than in the file: where something crosses, the file is asked.
+template <class Diagnosed>
+std::vector<MeshDefect> findings_of(const ReadMesh& read, const std::string& unit,
+                                    const Diagnosed& diagnosed) {
+  std::vector<MeshDefect> findings = diagnosed(std::optional<double>{});
+  const bool crosses = std::any_of(findings.begin(), findings.end(), [](const MeshDefect& finding) {
+    return finding.kind == MeshDefectKind::self_crossing ||
+           finding.kind == MeshDefectKind::nested_wrong;
+  });
+  if (!crosses || read.as_written.empty()) return findings;
+  return diagnosed(std::optional(in_metres(detail::coordinate_rounding(read.as_written), unit)));
 }
 
 void require_positive(const std::optional<double>& value, const char* what, const char* unit) {
@@ -55,10 +81,17 @@ void weigh(MassAnswer& answer, double mass) {
   make_heavier(answer.body, factor, error);
   answer.body.mass = mass;
   answer.body.mass_error_bound = 0;
+  detail::require_normal(answer.body, "weighed body");
 }
 
-void integrate_shell(const MassCommand& command, const PolygonMesh& mesh, MassAnswer& answer) {
-  answer.density = command.shell.value_or(1);
+/// The mass of a unit of area [kg/m²].
+double surface_density(const MassCommand& command, const std::optional<double>& density) {
+  if (command.shell) return *command.shell;
+  return density.value_or(1) * in_metres(*command.thickness, command.unit);
+}
+
+void integrate_shell(double surface_density, const PolygonMesh& mesh, MassAnswer& answer) {
+  answer.density = surface_density;
   static_cast<MassProperties&>(answer.body) = shells::mass_properties(mesh, answer.density);
   answer.area = shells::area(mesh);
 }
@@ -75,9 +108,13 @@ void note(const MassCommand& command, std::vector<MeshDefect> findings, MassAnsw
                                     : !spoils_integrals(finding, command.tolerance);
 }
 
-void integrate(const MassCommand& command, double density, const PolygonMesh& mesh,
+void integrate(const MassCommand& command, double density, const ReadMesh& read,
                MassAnswer& answer) {
-  note(command, diagnose(mesh, {}, search_of(command)), answer);
+  const PolygonMesh& mesh = read.mesh;
+  const auto diagnosed = [&](std::optional<double> rounding) {
+    return diagnose(mesh, {}, search_of(command), rounding);
+  };
+  note(command, findings_of(read, command.unit, diagnosed), answer);
   if (!answer.usable) return;
   answer.density = density;
   answer.body = unchecked_mass_properties(mesh, density, accuracy_of(command.accuracy));
@@ -87,9 +124,12 @@ void integrate(const MassCommand& command, double density, const PolygonMesh& me
 }
 
 void integrate_parts(const MassCommand& command, const parts::Densities& densities,
-                     const parts::LabelledMesh& mesh, MassAnswer& answer) {
-  const std::vector<parts::Part> all = parts::split(mesh, densities);
-  note(command, parts::diagnose(all, {}, search_of(command)), answer);
+                     const ReadMesh& read, MassAnswer& answer) {
+  const std::vector<parts::Part> all = parts::split(read.mesh, densities);
+  const auto diagnosed = [&](std::optional<double> rounding) {
+    return parts::diagnose(all, {}, search_of(command), rounding);
+  };
+  note(command, findings_of(read, command.unit, diagnosed), answer);
   if (!answer.usable) return;
   const parts::Assembly body = parts::unchecked_mass_properties(all, accuracy_of(command.accuracy));
   if (!command.accept) parts::require_volumes(body);
@@ -106,26 +146,48 @@ void integrate_parts(const MassCommand& command, const parts::Densities& densiti
   answer.volume_bound = error / std::abs(answer.volume) + additions * detail::unit_roundoff;
 }
 
+/// @throws std::invalid_argument if a number that was given means nothing, or numbers contradict
+///         each other
+void require_meaning(const MassCommand& command, const GivenDensity& density) {
+  require_positive(density.of_all, "density", "kg/m³");
+  require_positive(command.mass, "mass", "kg");
+  require_positive(command.shell, "surface density", "kg/m²");
+  require_positive(command.thickness, "thickness", command.unit.c_str());
+  require(command.tolerance >= 0, "the tolerance ", command.tolerance,
+          " is negative, or no number");
+  for (const double x : command.about)
+    require(std::isfinite(x), "--about: ", x, " m is not finite");
+  require(!command.mass || !density.of_all,
+          "there are a mass and a density: give one of them, and the other follows from it");
+  require(density.of_parts.empty() || !command.thickness,
+          "--thickness is for one material: give one density, without a name");
+  require(!command.thickness || command.mass || density.of_all,
+          "--thickness needs a --density in kg/m³, or the --mass that you have weighed");
+}
+
+/// @throws std::invalid_argument if a double can't hold the tensor about the point of --about
+void require_about(const MassCommand& command, const MassAnswer& answer) {
+  if (!answer.usable || command.about.empty()) return;
+  require(inertia_about(answer.body, point_of(command.about)).allFinite(),
+          "--about: the inertia about this point is too large for double");
+}
+
 }  // namespace
 
 MassAnswer mass_answer(const MassCommand& command, const std::string& file) {
   const GivenDensity density = given_density(command.density);
-  require_positive(density.of_all, "density", "kg/m³");
-  require_positive(command.mass, "mass", "kg");
-  require_positive(command.shell, "surface density", "kg/m²");
-  require(command.tolerance >= 0, "the tolerance ", command.tolerance, " is negative");
-  require(!command.mass || !density.of_all,
-          "there are a mass and a density: give one of them, and the other follows from it");
-  const parts::LabelledMesh mesh = in_metres(read_mesh(file), command.unit);
+  require_meaning(command, density);
+  const ReadMesh read(file, command.unit);
   MassAnswer answer{.file = file, .findings = {}};
-  if (command.shell)
-    integrate_shell(command, mesh, answer);
+  if (command.is_shell())
+    integrate_shell(surface_density(command, density.of_all), read.mesh, answer);
   else if (density.of_parts.empty())
-    integrate(command, density.of_all.value_or(1), mesh, answer);
+    integrate(command, density.of_all.value_or(1), read, answer);
   else
-    detail::require_at([&] { integrate_parts(command, density.of_parts, mesh, answer); }, file,
+    detail::require_at([&] { integrate_parts(command, density.of_parts, read, answer); }, file,
                        ": ");
   if (answer.usable && command.mass) weigh(answer, *command.mass);
+  require_about(command, answer);
   return answer;
 }
 

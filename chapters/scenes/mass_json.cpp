@@ -39,7 +39,7 @@ Json part_json(const parts::PartMass& part) {
 
 void add_body(Json& json, const MassAnswer& found, const MassCommand& command) {
   const BoundedMassProperties& body = found.body;
-  if (command.shell)
+  if (command.is_shell())
     json["area"] = found.area;
   else
     json["volume"] = found.volume;
@@ -56,7 +56,7 @@ void add_body(Json& json, const MassAnswer& found, const MassCommand& command) {
 
 Json answer_json(const MassAnswer& found, const MassCommand& command) {
   Json json = {{"file", found.file},
-               {command.shell ? "surface_density" : "density", found.density},
+               {command.is_shell() ? "surface_density" : "density", found.density},
                {"accuracy", command.accuracy},
                {"unit", command.unit}};
   for (const char* key : {"volume", "mass", "centre", "centre_rest", "inertia", "bounds"})

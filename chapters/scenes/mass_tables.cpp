@@ -80,12 +80,12 @@ void print(const MassAnswer& found, const MassCommand& command) {
   print_parts(found);
   const BoundedMassProperties& body = found.body;
   support::Table table({"quantity", "value", "unit", "error below"});
-  if (command.shell)
+  if (command.is_shell())
     table.add({"area", numbers({found.area}), "m²", "-"});
   else
     table.add(
         {"volume", numbers({found.volume}), "m³", bound_text(found.volume_bound, found.volume)});
-  if (command.mass && !command.shell && found.parts.empty())
+  if (command.mass && !command.is_shell() && found.parts.empty())
     table.add({"density", numbers({found.density}), "kg/m³", "-"});
   table.add({"mass", numbers({body.mass}), "kg", bound_text(body.mass_error_bound, body.mass)});
   table.add({"centre of mass", numbers(body.centre), "m", bound_text(body.centre_error_bound, 1)});

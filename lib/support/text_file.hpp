@@ -11,8 +11,11 @@
 
 namespace tumble::support {
 
-/// @throws std::runtime_error naming the file if it cannot be read
+/// @throws std::runtime_error naming the file if it cannot be read, or is a folder
 inline std::string read_text(const std::filesystem::path& file) {
+  std::error_code missing;
+  if (std::filesystem::is_directory(file, missing))
+    throw std::runtime_error("cannot read " + file.string() + ": it is a folder");
   std::ifstream in(file, std::ios::binary);
   if (!in) throw std::runtime_error("cannot read " + file.string());
   return {std::istreambuf_iterator<char>(in), {}};

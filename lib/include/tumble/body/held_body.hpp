@@ -10,9 +10,12 @@
 /// point fixed.
 
 #include "tumble/body/derived.hpp"
+#include "tumble/body/exact_omega.hpp"
 #include "tumble/body/forces.hpp"
 #include "tumble/core/require.hpp"
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/parallel_axis.hpp"
+#include "tumble/quaternion/normalize.hpp"
 
 namespace tumble {
 
@@ -35,22 +38,28 @@ class HeldBody {
 
   /// The state of the held body while its point is at `point` [m]: x and P are those of its centre
   /// of mass, L is about the centre of mass.
+  /// @param q any length but zero
   RigidBodyState<> state(const Vec3& point, const Quat& q, const Vec3& omega) const {
-    const Mat3 R = to_matrix(q);
+    const Mat3 R = to_matrix(detail::of_moderate_length(q));
     const Vec3 from_point = -R * held_;
-    return state_of_motion<double>(body_, point + from_point, q, omega.cross(from_point), omega);
+    return {point + from_point, q, body_.mass() * omega.cross(from_point),
+            angular_momentum(body_, R, omega)};
   }
 
   /// The same motion as a turning about the point: x is the point's place, P is 0.
   /// @throws std::invalid_argument if the point moves
   RigidBodyState<> turning_of(const RigidBodyState<>& state) const {
-    const Derived<> now = derived(body_, state);
+    const Quat q = detail::of_moderate_length(state.q);
+    const Mat3 R = to_matrix(q);
+    const Vec3 omega_body = detail::exact_omega(body_, q, state.L);
+    const Derived<> now{state.x, R, state.P / body_.mass(), R * omega_body};
     const Vec3 v = point_velocity(now, held_);
     constexpr double slack = 1e-12;  // of the speeds that cancel
-    require(v.norm() <= slack * (now.v.norm() + now.omega.norm() * held_.norm()),
+    require(v.norm() <= slack * (now.v.norm() + now.omega.norm() * held_.norm()) +
+                            rounding_of_omega(now, state.L) * held_.norm(),
             "held body: the point that is held moves at (", v.transpose(), ") m/s");
     return {point_position(now, held_), state.q, Vec3::Zero(),
-            angular_momentum(about_point_, now.R, now.omega)};
+            R * (about_point_.I_body() * omega_body)};
   }
 
   /// The state whose turning about the point this is.
@@ -59,6 +68,15 @@ class HeldBody {
   }
 
  private:
+  /// How far rounding leaves ω uncertain [rad/s]: a needle's spin about itself is what remains of
+  /// L, and its tensor in turned axes has lost digits of the smallest moment.
+  double rounding_of_omega(const Derived<>& now, const Vec3& L) const {
+    constexpr double roundings = 16;
+    const Mat3& I = body_.I_body();
+    const double largest_L = I.isDiagonal(0) ? L.norm() : I.trace() * now.omega.norm();
+    return roundings * detail::unit_roundoff * body_.I_body_inv().norm() * largest_L;
+  }
+
   static Mat3 tensor_about(const RigidBody<>& body, const Vec3& held) {
     require(held.allFinite(), "held body: the point (", held.transpose(), ") is not finite");
     return parallel_axis(body.I_body(), body.mass(), held);

@@ -15,13 +15,13 @@
 #include <optional>
 #include <utility>
 
+#include "tumble/body/exact_omega.hpp"
 #include "tumble/body/rigid_body.hpp"
 #include "tumble/body/state.hpp"
 #include "tumble/elliptic/integrals.hpp"
 #include "tumble/elliptic/modulus.hpp"
 #include "tumble/mass/principal_axes.hpp"
 #include "tumble/quaternion/convert.hpp"
-#include "tumble/simd/double_double.hpp"
 
 namespace tumble::elliptic {
 
@@ -47,24 +47,6 @@ struct Polhode {
 }  // namespace tumble::elliptic
 
 namespace tumble::detail {
-
-using Vec3dd = Vector3<simd::DoubleDouble>;
-
-/// Rᵀ(q) L with twice the digits, q of any length but zero.
-inline Vec3dd into_body(const Quat& q, const Vec3& L) {
-  using T = simd::DoubleDouble;
-  const T w = q.w();
-  const Vec3dd v = q.vec().cast<T>(), l = L.cast<T>();
-  const T vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  const T vl = v[0] * l[0] + v[1] * l[1] + v[2] * l[2];
-  const Vec3dd cross(v[1] * l[2] - v[2] * l[1], v[2] * l[0] - v[0] * l[2],
-                     v[0] * l[1] - v[1] * l[0]);
-  const T scale = T(1) / (w * w + vv);
-  Vec3dd turned;
-  for (int i = 0; i < 3; ++i)
-    turned[i] = ((w * w - vv) * l[i] + (v[i] * vl - w * cross[i]) * 2) * scale;
-  return turned;
-}
 
 /// L in principal axes, for an L of about 1.
 inline Vec3dd principal_momentum(const PrincipalAxes& p, const Quat& q, const Vec3& L) {

@@ -72,7 +72,10 @@ inline BoundedMassProperties bounded(const Moments<simd::DoubleDouble>& m, const
   // a C without negative eigenvalues.
   const double second = errors.second + 2 * c * errors.first + c * c * errors.volume +
                         (errors.first + c * errors.volume) * shift;
-  const double tensor = relative_to_true(std::sqrt(3.0) * second, std::abs(inertia_size(m)));
+  const double size = std::abs(inertia_size(m));
+  // What has lost digits next to the smallest double has lost them at any density.
+  const double tensor = size < 0x1p-960 ? std::numeric_limits<double>::infinity()
+                                        : relative_to_true(std::sqrt(3.0) * second, size);
   body.inertia_error_bound = 2 * unit_roundoff * (1 + tensor) + tensor;
   return body;
 }

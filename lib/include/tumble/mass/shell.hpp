@@ -10,6 +10,7 @@
 
 #include "tumble/core/require.hpp"
 #include "tumble/mass/moments.hpp"
+#include "tumble/mass/require_volume.hpp"
 #include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/reference_point.hpp"
 
@@ -34,7 +35,8 @@ inline double area(const PolygonMesh& mesh) {
 /// @param mesh            faces [m]
 /// @param surface_density mass of a unit of area [kg/m²]: density times thickness
 /// @throws std::invalid_argument if the surface density is not positive and finite, or the mesh has
-///         an index out of range, a position that is not finite, or no area
+///         an index out of range, a position that is not finite, no area, or one that is too small
+///         or too large for its inertia to be a double
 inline MassProperties mass_properties(const PolygonMesh& mesh, double surface_density) {
   require(surface_density > 0 && std::isfinite(surface_density), "the surface density ",
           surface_density, " kg/m² is not positive and finite");
@@ -57,7 +59,11 @@ inline MassProperties mass_properties(const PolygonMesh& mesh, double surface_de
   const Moments<simd::DoubleDouble> total = sum.total();
   require(double(total.one) > 0 && std::isfinite(double(total.one)),
           "the surface has no area: there is no shell");
-  return tumble::mass_properties(total, p, surface_density);
+  // Digits that the integrals don't have come with no density.
+  detail::require_normal(tumble::mass_properties(total, p, 1), "shell");
+  const MassProperties shell = tumble::mass_properties(total, p, surface_density);
+  detail::require_normal(shell, "shell");
+  return shell;
 }
 
 /// @}

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -96,6 +97,7 @@ struct CrossingQuestion {
   const LineLattices& lattices;
   const TrianglesNearLines& near;  ///< triangles that may meet a line of the lattices
   bool also_touching;              ///< whether places where triangles only touch are looked at
+  std::optional<double> rounding;  ///< of the coordinates, as they were written [m], if it is known
 
   LineBundle hits(double blur) const {
     return hits_of_bundle(mesh, surface, box, lattices, near, blur);
@@ -105,6 +107,7 @@ struct CrossingQuestion {
     for (const Component& part : surface.parts) sum += part.volume;
     return std::abs(sum);
   }
+  double written() const { return rounding ? *rounding : coordinate_rounding(mesh); }
 };
 
 /// The finding of a crossing that is there: what it looks like, and its share.
@@ -124,22 +127,16 @@ inline MeshDefect crossing_defect(const CrossingQuestion& of, const CrossingEvid
   return crossing;
 }
 
-/// Says which parts are inside out or nested wrongly, and how much counts wrongly because the
-/// surface crosses itself. What rounding of the file's last decimal may have done is no crossing.
+/// Which parts are inside out or nested wrongly, and how much counts wrongly because the surface
+/// crosses itself.
+/// @param blur what is no deeper than rounding by so much makes it is no crossing [m]
 inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
-                                                TriangleMeetings meetings) {
-  double blur = double_blur(of.box);
+                                                TriangleMeetings meetings, double blur) {
   meetings.forgive(blur);
   CrossingEvidence evidence{of.hits(blur), false, std::move(meetings)};
-  std::vector<WrongDepth> wrong = all_wrong_depths(evidence.bundle);
+  const std::vector<WrongDepth> wrong = all_wrong_depths(evidence.bundle);
   const auto& [through, touching] = evidence.meetings;
   const bool suspicious = !wrong.empty() || !through.empty() || of.also_touching;
-  if (const double written = suspicious ? coordinate_rounding(of.mesh) : 0; written > blur) {
-    blur = written;
-    evidence.meetings.forgive(blur);
-    evidence.bundle = of.hits(blur);
-    wrong = all_wrong_depths(evidence.bundle);
-  }
   if (!of.also_touching) evidence.meetings.touching.clear();
   evidence.is_seen = !wrong.empty();
   const bool one_looks_inwards = std::any_of(of.surface.parts.begin(), of.surface.parts.end(),
@@ -161,6 +158,24 @@ inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
   if (longest != nullptr || found.volume > 0)
     findings.push_back(crossing_defect(of, evidence, longest, found));
   return findings;
+}
+
+/// Whether a surface crosses itself by more than what may pass as rounding without a word.
+inline bool counts_too_much(const std::vector<MeshDefect>& findings) {
+  constexpr double silent = 5 * crossing_tolerance;
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const MeshDefect& finding) { return finding.share > silent; });
+}
+
+/// The same; what rounding of the file's last decimal may have done is no crossing, as long as it
+/// counts little. A body far away, or one that was written with few digits, may lose much by it.
+inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
+                                                const TriangleMeetings& meetings) {
+  const double blur = double_blur(of.box);
+  std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, blur);
+  if (findings.empty() || counts_too_much(findings)) return findings;
+  const double written = of.written();
+  return written > blur ? find_wrong_depth(of, meetings, written) : findings;
 }
 
 }  // namespace tumble::detail

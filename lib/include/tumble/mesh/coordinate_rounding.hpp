@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <span>
 
 #include "tumble/mesh/polygon_mesh.hpp"
 
@@ -51,22 +54,60 @@ struct WrittenDigits {
     while (last > places && is_decimal(x, last - 1)) --last;
     places = std::max(places, last);
   }
+
+  /// Whether there may be so many places, as in `%.6f`. If there are so many digits, as in `%g`,
+  /// small coordinates have more places.
+  bool may_be_fixed() const { return places <= significant - largest_place; }
+
+  /// Where the last digit stands of a number that begins at 10^first.
+  int last_place(int first, bool fixed) const { return fixed ? places : significant - 1 - first; }
 };
 
+/// Whether many different numbers need the last digit: one may have been chosen so, and of many
+/// numbers that were rounded nine in ten do.
+inline bool many_need_last(const WrittenDigits& digits, bool fixed,
+                           std::span<const Vec3> vertices) {
+  constexpr std::size_t many = 12;
+  std::set<double> numbers;
+  for (const Vec3& p : vertices)
+    for (const double x : p) {
+      if (x != 0 && !is_decimal(x, digits.last_place(first_place(x), fixed) - 1))
+        numbers.insert(std::abs(x));
+      if (numbers.size() >= many) return true;
+    }
+  return false;
+}
+
+/// Half of what lies between floats at the largest coordinate, if all are floats; else 0.
+inline double rounding_of_floats(std::span<const Vec3> vertices) {
+  constexpr int digits = std::numeric_limits<float>::digits;
+  double largest = 0;
+  for (const Vec3& p : vertices)
+    for (const double x : p) {
+      if (static_cast<double>(static_cast<float>(x)) != x) return 0;
+      largest = std::max(largest, std::abs(x));
+    }
+  return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - digits) : 0;
+}
+
 /// How far a coordinate may be from what it was before it was written: half a unit of the last
-/// decimal [m]; 0 if the coordinates are doubles like any others, or were chosen with so few digits
-/// (less than six) that they may well be exact.
-inline double coordinate_rounding(const PolygonMesh& mesh) {
-  constexpr int fewest = 6;
+/// decimal, or of the last bit of a float [m]; 0 if the coordinates are doubles like any others, or
+/// were chosen with so few digits (less than six, and not many with the last) that they may well be
+/// exact.
+inline double coordinate_rounding(std::span<const Vec3> vertices) {
+  constexpr int fewest = 6, least = 3;
   WrittenDigits digits;
-  for (const Vec3& p : mesh.vertices)
-    for (const double x : {p.x(), p.y(), p.z()}) digits.add(x);
-  if (digits.significant < fewest || digits.significant >= WrittenDigits::most) return 0;
-  // A fixed number of places, as in `%.6f`, or of digits, as in `%g`? Then small coordinates have
-  // more places.
-  const int places_of_largest = digits.significant - 1 - digits.largest_place;
-  const bool is_fixed = digits.places <= places_of_largest + 1;
-  return power_of_ten(-(is_fixed ? digits.places : places_of_largest)) / 2;
+  for (const Vec3& p : vertices)
+    for (const double x : p) digits.add(x);
+  if (digits.significant >= WrittenDigits::most) return rounding_of_floats(vertices);
+  const auto many = [&](bool fixed) { return many_need_last(digits, fixed, vertices); };
+  const bool fixed = digits.may_be_fixed() && (many(true) || !many(false));
+  const bool rounded = digits.significant >= fewest || (digits.significant >= least && many(fixed));
+  return rounded ? power_of_ten(-digits.last_place(digits.largest_place, fixed)) / 2 : 0;
+}
+
+inline double coordinate_rounding(const PolygonMesh& mesh) {
+  return coordinate_rounding(mesh.vertices);
 }
 
 }  // namespace tumble::detail

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -91,11 +92,20 @@ struct TriangleMeetings {
 };
 
 /// Finds them.
-inline TriangleMeetings find_meetings(const PolygonMesh& mesh) {
+/// @param most_pairs that a triangle may have on average with those in its cells: where there are
+///                   more, as in a fan of thousands of triangles, nothing is looked for
+inline TriangleMeetings find_meetings(const PolygonMesh& mesh,
+                                      double most_pairs = std::numeric_limits<double>::infinity()) {
   TriangleMeetings found;
   const std::vector<BoxedTriangle> triangles = boxed_triangles(mesh);
   if (triangles.empty()) return found;
   const SpaceGrid grid(triangles);
+  double pairs = 0;
+  grid.for_each_cell([&](const SpaceGrid::Cell&, std::span<const int> items) {
+    const auto n = static_cast<double>(items.size());
+    pairs += n * (n - 1) / 2;
+  });
+  if (pairs > most_pairs * static_cast<double>(triangles.size())) return found;
   grid.for_each_cell([&](const SpaceGrid::Cell& cell, std::span<const int> items) {
     for (std::size_t i = 0; i < items.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {

@@ -9,7 +9,8 @@ namespace tumble::crossings {
 
 /// How places are looked for where a surface passes through itself.
 enum class Search {
-  usual,     ///< by some thousand lines along each axis; in meshes of few faces also pair by pair
+  usual,  ///< by some thousand lines along each axis; in meshes of up to 30,000 faces also pair by
+          ///< pair
   thorough,  ///< pair by pair, exactly, in every mesh, where triangles only touch too
 };
 

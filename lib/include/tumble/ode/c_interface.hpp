@@ -100,7 +100,11 @@ void ode(double Y[], Length len, double h, F dydt, double t = 0) {
   require(std::isfinite(t), "ode: the time t = ", t, " is not finite");
   Eigen::Map<Eigen::VectorXd> y(Y, static_cast<Eigen::Index>(len));
   require(y.allFinite(), "ode: Y = (", y.transpose(), ") is not finite");
-  y = runge_kutta::rk4_step(rhs_from_c(dydt), t, Eigen::VectorXd(y), h);
+  const detail::CRhs<F> f = rhs_from_c(dydt);
+  if (y.size() <= detail::ShortState::MaxSizeAtCompileTime)
+    y = runge_kutta::rk4_step(f, t, detail::ShortState(y), h);
+  else
+    y = runge_kutta::rk4_step(f, t, Eigen::VectorXd(y), h);
 }
 
 /// The state at t1 in xEnd, from x0 at t0 (Baraff's form).

@@ -30,7 +30,7 @@ Quaternion<T> from_coefficients(const Eigen::Matrix<T, 4, 1>& wxyz) {
 }
 
 /// The rotation matrix of q/|q|, body → world: orthonormal to rounding however far |q| has drifted.
-/// @param q any quaternion but zero
+/// @param q any quaternion whose squared length is a double: from 1e-150 to 1e150
 template <class T>
 Matrix3<T> to_matrix(const Quaternion<T>& q) {
   const T s = T(2) / q.squaredNorm();

@@ -30,3 +30,15 @@ inline Quat normalize(const Quat& q) {
 /// @}
 
 }  // namespace tumble::rotation
+
+namespace tumble::detail {
+
+/// The same orientation by numbers of about 1, to the last digit.
+inline Quat of_moderate_length(const Quat& q) {
+  const int exponent = std::ilogb(q.coeffs().cwiseAbs().maxCoeff());
+  Quat scaled;
+  for (int i = 0; i < 4; ++i) scaled.coeffs()[i] = std::scalbn(q.coeffs()[i], -exponent);
+  return scaled;
+}
+
+}  // namespace tumble::detail

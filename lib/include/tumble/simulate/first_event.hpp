@@ -7,6 +7,7 @@
 /// II.6 "Event Location".
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <optional>
@@ -60,6 +61,45 @@ double change_of_sign(const Value& value, double a, double b, double value_a, do
   return b;
 }
 
+/// A moment, and what a function is then.
+struct Look {
+  double t, g;
+};
+
+/// Where the parabola through three looks at one side of 0 comes nearest to it, if that is between
+/// them, and near enough that the function may be beyond 0 there.
+inline std::optional<double> nearest_to_zero(const std::array<Look, 3>& looks) {
+  const auto& [a, b, c] = looks;
+  const double side = std::signbit(a.g) ? -1 : 1, span = c.t - a.t;
+  const double rise = side * (b.g - a.g) / (b.t - a.t),
+               next_rise = side * (c.g - b.g) / (c.t - b.t);
+  const double curve = (next_rise - rise) / span;
+  const double t = (a.t + b.t - rise / curve) / 2;
+  if (!(curve > 0 && t > std::min(a.t, c.t) && t < std::max(a.t, c.t))) return {};
+  constexpr double doubt = 0.25;  // of how far the parabola bends
+  const double least = side * a.g + (t - a.t) * (rise + curve * (t - b.t));
+  return least <= doubt * curve * span * span ? std::optional(t) : std::nullopt;
+}
+
+/// Whether a function is beyond 0 somewhere between three looks at one side of it, and where.
+template <class Value>
+std::optional<Look> beyond_zero(const Value& value, std::array<Look, 3> looks) {
+  constexpr int tries = 8;
+  for (int i = 0; i < tries; ++i) {
+    const auto& [a, b, c] = looks;
+    const std::optional<double> t = nearest_to_zero(looks);
+    if (!t || *t == b.t) return {};
+    const Look found{*t, value(*t)};
+    if (found.g == 0 || std::signbit(found.g) != std::signbit(b.g)) return found;
+    const bool before_b = std::abs(*t - a.t) < std::abs(b.t - a.t);
+    if (std::abs(found.g) < std::abs(b.g))
+      looks = before_b ? std::array{a, found, b} : std::array{b, found, c};
+    else
+      looks = before_b ? std::array{found, b, c} : std::array{a, b, found};
+  }
+  return {};
+}
+
 /// Shows `visit` each event, in turn, until it has seen enough.
 /// @param visit visit(event) → whether to look for more
 template <class State, class G, class Visit>
@@ -67,18 +107,32 @@ void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit
   constexpr int parts = 8;
   const auto value = [&](double t) { return static_cast<double>(g(t, trajectory.at(t))); };
   const std::vector<double>& times = trajectory.times();
-  double before = times.front(), g_before = value(before);
+  const auto changes = [](const Look& a, const Look& b) {
+    return a.g != 0 && (b.g == 0 || std::signbit(a.g) != std::signbit(b.g));
+  };
+  const auto goes_on = [&](const Look& a, const Look& b) {
+    const double root = change_of_sign(value, a.t, b.t, a.g, b.g);
+    return visit(EventOf<State>{root, trajectory.at(root)});
+  };
+  std::array<Look, 3> looks{};  // the last ones
+  looks[2] = {times.front(), value(times.front())};
+  int at_one_side = 1;  // how many of them
   for (std::size_t i = 1; i < times.size(); ++i)
     for (int part = 1; part <= parts; ++part) {
       const double t =
           part == parts ? times[i] : times[i - 1] + part * (times[i] - times[i - 1]) / parts;
-      const double g_now = value(t);
-      if (g_before != 0 && (g_now == 0 || std::signbit(g_now) != std::signbit(g_before))) {
-        const double root = change_of_sign(value, before, t, g_before, g_now);
-        if (!visit(EventOf<State>{root, trajectory.at(root)})) return;
+      looks = {looks[1], looks[2], Look{t, value(t)}};
+      const auto& [a, b, c] = looks;
+      const bool changed = changes(b, c);
+      if (changed && !goes_on(b, c)) return;
+      at_one_side = changed || b.g == 0 ? 1 : at_one_side + 1;
+      if (at_one_side < 3) continue;
+      if (const std::optional<Look> there = beyond_zero(value, looks)) {
+        const bool before_b = std::abs(there->t - a.t) < std::abs(b.t - a.t);
+        const Look &from = before_b ? a : b, &to = before_b ? b : c;
+        if (!goes_on(from, *there) || (changes(*there, to) && !goes_on(*there, to))) return;
+        at_one_side = 1;  // or the next three looks would find it once more
       }
-      before = t;
-      g_before = g_now;
     }
 }
 
@@ -86,8 +140,9 @@ void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit
 
 /// The first moment at which g is no longer of the sign it had at the start, to the last digits of
 /// t. A g that is 0 at the start counts from where it leaves 0. Looked for at eight moments in each
-/// step: what changes sign and back in between is not seen. In a motion backwards in time the first
-/// is the latest.
+/// step, and where g comes nearest to 0 between them, as at the top of a path: what changes sign
+/// and back so fast that three looks don't show it is not seen. In a motion backwards in time the
+/// first is the latest.
 template <class State, detail::EventFunction<State> G>
 std::optional<detail::EventOf<State>> first_event(const TrajectoryOf<State>& trajectory,
                                                   const G& g) {

@@ -9,6 +9,7 @@
 
 #include "tumble/body/held_body.hpp"
 #include "tumble/simulate/simulate.hpp"
+#include "tumble/simulate/valid_start.hpp"
 
 namespace tumble {
 
@@ -50,7 +51,7 @@ Trajectory simulate(const HeldBody& held, const RigidBodyState<>& start, Simulat
                     const Forces&... forces) {
   (detail::require_valid_force(forces), ...);
   task.wanted = Wanted::trajectory;  // the path of the centre follows from the turning
-  const RigidBodyState<> from = held.turning_of(start);
+  const RigidBodyState<> from = held.turning_of(detail::valid_start(start));
   const auto turned_by = [&](const auto&... torques) {
     return detail::held_trajectory(held, simulate(held.about_point(), from, task, torques...));
   };

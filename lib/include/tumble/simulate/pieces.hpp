@@ -65,9 +65,9 @@ struct Sizes {
   double x = 0, P = 0, L = 0;
 
   void grow(const RigidBodyState<>& state) {
-    x = std::max(x, state.x.norm());
-    P = std::max(P, state.P.norm());
-    L = std::max(L, state.L.norm());
+    x = largest({x, state.x.norm()});
+    P = largest({P, state.P.norm()});
+    L = largest({L, state.L.norm()});
   }
 };
 

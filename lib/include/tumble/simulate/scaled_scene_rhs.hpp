@@ -3,10 +3,10 @@
 /// Several bodies and any forces on and between them, each body in the units and axes of
 /// ScaledBody.
 
-#include <algorithm>
 #include <vector>
 
 #include "tumble/body/many_bodies.hpp"
+#include "tumble/core/largest.hpp"
 #include "tumble/simulate/scaled_body.hpp"
 
 namespace tumble::detail {
@@ -104,9 +104,9 @@ class ScaledSceneRhs {
   /// @param number number(body, i)
   template <class Number>
   double largest_of(const Number& number) const {
-    double largest = 0;
-    for (Eigen::Index i = 0; i < count(); ++i) largest = std::max(largest, number(body(i), i));
-    return largest;
+    double most = 0;
+    for (Eigen::Index i = 0; i < count(); ++i) most = largest({most, number(body(i), i)});
+    return most;
   }
 
   Rhs rhs_;

@@ -2,20 +2,11 @@
 /// @file
 /// The start of a simulation: refused if it means nothing, with a quaternion of moderate length.
 
-#include <cmath>
-
 #include "tumble/body/state.hpp"
 #include "tumble/core/require.hpp"
+#include "tumble/quaternion/normalize.hpp"
 
 namespace tumble::detail {
-
-/// The same orientation by numbers of about 1, to the last digit.
-inline Quat of_moderate_length(const Quat& q) {
-  const int exponent = std::ilogb(q.coeffs().cwiseAbs().maxCoeff());
-  Quat scaled;
-  for (int i = 0; i < 4; ++i) scaled.coeffs()[i] = std::scalbn(q.coeffs()[i], -exponent);
-  return scaled;
-}
 
 /// The start, its quaternion with numbers of about 1.
 /// @throws std::invalid_argument if a number is not finite, or the quaternion zero

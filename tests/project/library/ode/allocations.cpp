@@ -111,6 +111,20 @@ TEST_CASE("ode: on arrays of up to sixteen numbers, the answer alone is allocate
   CHECK(heap_uses_of([&] { ode(longer, 0.0, 3.0, decay(17)); }) > 10);
 }
 
+TEST_CASE("ode: one step in place of up to sixteen numbers does not allocate") {
+  const auto uses = [](std::size_t n) {
+    std::vector<double> Y(n, 1.0);
+    const auto decay = [n](double, const double y[], double ydot[]) {
+      for (std::size_t i = 0; i < n; ++i) ydot[i] = -y[i];
+    };
+    return heap_uses_of([&] { ode(Y.data(), n, 0.1, decay); });
+  };
+  CHECK(uses(1) == 0);
+  CHECK(uses(13) == 0);
+  CHECK(uses(16) == 0);
+  CHECK(uses(17) > 0);
+}
+
 TEST_CASE("the counter sees what does not come from Eigen, too") {
   CHECK(heap_uses_of([] { ::operator delete(::operator new(8)); }) == 1);
 }

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tumble/simulate/simulate.hpp"
 
 using namespace tumble;
@@ -51,4 +54,45 @@ TEST_CASE("first_event: none, at once, and from zero on") {
   REQUIRE(jump);
   CHECK(jump->t == 3.3);
   CHECK_FALSE(first_event(still, [](double t, const RigidBodyState<>&) { return t; }));
+}
+
+TEST_CASE("first_event: a short crossing at the top of a flight, between the moments looked at") {
+  const Weight weight;
+  const double g = -weight.g.z();
+  for (const double speed : {2.9, 3.3, 3.7, 4.1})
+    for (const double above : {1e-3, 1e-6, 1e-9}) {
+      RigidBodyState<> start;
+      start.P = Vec3(1, 0, speed);
+      const double top = speed * speed / (2 * g), level = top - above;
+      const auto height = [=](double, const RigidBodyState<>& s) { return s.x.z() - level; };
+      CAPTURE(speed);
+      CAPTURE(above);
+      const Trajectory flight = simulate(body, start, {.t1 = 1.3}, weight);
+      const auto passes = every_event(flight, height);
+      REQUIRE(passes.size() == 2);
+      const double half = std::sqrt(2 * above / g);
+      CHECK(std::abs(passes[0].t - (speed / g - half)) < 1e-15 / half);
+      CHECK(std::abs(passes[1].t - (speed / g + half)) < 1e-15 / half);
+      CHECK(first_event(flight, height)->t == passes[0].t);
+      const Trajectory back = simulate(body, flight.end(), {.t0 = 1.3, .t1 = 0}, weight);
+      CHECK(every_event(back, height).size() == 2);
+      CHECK(every_event(flight, [=](double, const RigidBodyState<>& s) {
+              return s.x.z() - (top + above);
+            }).empty());
+    }
+}
+
+TEST_CASE("every_event: tops that are reached again and again, each crossing once") {
+  const Trajectory still = simulate(body, {}, {0, 4, 1e-9});
+  for (const double level : {0.0, 0.5, 0.9, 0.9999, 0.999999}) {
+    const auto wave = [=](double t, const RigidBodyState<>&) { return std::sin(5 * t) - level; };
+    std::size_t truth = 0;
+    for (int k = 0; k < 4; ++k)
+      for (const double phase : {std::asin(level), std::numbers::pi - std::asin(level)})
+        truth += (phase + 2 * std::numbers::pi * k) / 5 < 4 && phase + 2 * std::numbers::pi * k > 0;
+    CAPTURE(level);
+    const auto found = every_event(still, wave);
+    CHECK(found.size() == truth);
+    for (std::size_t i = 1; i < found.size(); ++i) CHECK(found[i].t > found[i - 1].t);
+  }
 }

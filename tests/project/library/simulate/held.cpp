@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "project/harness/extended_motion.hpp"
 #include "project/harness/inputs.hpp"
 #include "project/harness/refusal.hpp"
 #include "reference/double_double_motion.hpp"
@@ -130,4 +131,61 @@ TEST_CASE("simulate a held body: a point that moves, or is none, is refused") {
   pendulum.start.P = Vec3(1, 0, 0);
   CHECK_REFUSED(simulate(pendulum.held, pendulum.start, {}, Weight{}), "held body", "moves");
   CHECK_REFUSED(HeldBody(pendulum.rod, Vec3(NAN, 0, 0)), "held body", "not finite");
+  pendulum = Pendulum(1);
+  pendulum.start.q.coeffs().setZero();
+  CHECK_REFUSED(simulate(pendulum.held, pendulum.start, {}, Weight{}), "the quaternion is zero");
+  pendulum.start.q.coeffs().setConstant(NAN);
+  CHECK_REFUSED(simulate(pendulum.held, pendulum.start, {}, Weight{}), "the state", "not finite");
+}
+
+TEST_CASE("simulate a held body: the quaternion may have any length") {
+  const RigidBody<> body(1, Mat3(Vec3(1, 2, 2.5).asDiagonal()));
+  const HeldBody held(body, Vec3(0.1, 0.2, 0.3));
+  const Quat q = exp_quaternion<double>(Vec3(1, 0.3, 0.2));
+  const Vec3 omega(0.3, 1, 2);
+  const RigidBodyState<> start = held.state(Vec3::Zero(), q, omega);
+  const RigidBodyState<> right = simulate(held, start, {}, Weight{}).end();
+  for (const double length : {1e-300, 1e-160, 1e155, 1e300}) {
+    CAPTURE(length);
+    const Quat long_q(Eigen::Vector4d(length * q.coeffs()));
+    const RigidBodyState<> from = held.state(Vec3::Zero(), long_q, omega);
+    CHECK((from.x - start.x).norm() <= 1e-15);
+    CHECK((from.L - start.L).norm() <= 1e-14);
+    CHECK(angle_between(simulate(held, from, {}, Weight{}).end().q, right.q) <= 1e-14);
+  }
+}
+
+TEST_CASE("simulate a held body: a needle in turned axes, held beside its axis, says its error") {
+  test::Random rng(813);
+  for (int i = 0; i < 40; ++i) {
+    const double thin = std::pow(10, rng.uniform(-9, -4));
+    const Mat3 axes = to_matrix(rng.rotation());
+    const Mat3 I =
+        axes * Vec3(thin, 1 + thin * rng.uniform(-0.9, 0.9), 1).asDiagonal() * axes.transpose();
+    const RigidBody<> needle(1, Mat3((I + I.transpose()) / 2));
+    const HeldBody held(needle, 0.3 * rng.vector());
+    const Quat q = rng.rotation();
+    const Vec3 omega = axes * Vec3(rng.uniform(3, 10), rng.uniform(-0.01, 0.01), 0);
+    const RigidBodyState<> start = held.state(Vec3::Zero(), q, q * omega);
+    // ω of these very numbers, with more digits; and from there on nothing of the library's.
+    const auto [R, moments] = test::exact_axes(needle.I_body());
+    const Vector3<test::DD> L = test::into_body(q, start.L);
+    test::LongVec spin = test::LongVec::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const test::DD along = R(0, k) * L[0] + R(1, k) * L[1] + R(2, k) * L[2];
+      for (int c = 0; c < 3; ++c) spin[c] += test::as_long(R(c, k) * (along / moments[k]));
+    }
+    test::MotionScene scene{};
+    scene.mass = 1;
+    scene.I_body = held.about_point().I_body();
+    scene.t1 = 10;
+    scene.start = {Vec3::Zero(), q, Vec3::Zero(),
+                   q * Vec3((scene.I_body.cast<test::Long>() * spin).cast<double>())};
+    test::ExtendedMotion truth(scene);
+    REQUIRE(truth.advance_to(10));
+    const Trajectory found = simulate(held, start, {.t1 = 10, .tolerance = 1e-12});
+    const double error = angle_between(found.end().q, Quat(truth.state().q.cast<double>()));
+    CAPTURE(thin);
+    CHECK(error <= 2 * found.report().error_estimate);
+  }
 }

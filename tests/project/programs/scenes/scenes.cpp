@@ -1,7 +1,9 @@
 // ./tumble mass and ./tumble simulate from outside: results, and what they say to bad input.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +15,7 @@
 #include "project/harness/scanned_meshes.hpp"
 #include "project/programs/scenes/run_scenes.hpp"
 #include "support/wrapped.hpp"
+#include "tumble/quaternion/exp_log.hpp"
 
 using namespace tumble::test;
 using nlohmann::json;
@@ -373,12 +376,82 @@ TEST_CASE("mass: a shell has area and mass, open or not") {
   CHECK(distance(sheet["inertia"], {6 / 12.0, 6 * 4 / 12.0, 6 * 5 / 12.0, 0, 0, 0}) < 1e-15);
 }
 
+TEST_CASE("mass: a shell of a material has a thickness, in the unit of the file") {
+  write("sheet.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  const auto answer = [](const std::string& options) {
+    return json::parse(scenes("mass sheet.obj --json " + options).output);
+  };
+  const json steel = answer("--density 8000 --thickness 2 --unit mm");
+  CHECK(std::abs(steel["surface_density"].get<double>() - 16) < 1e-14);
+  CHECK(std::abs(steel["mass"].get<double>() - 32e-6) < 1e-20);
+  CHECK(answer("--density 4 --thickness 0.5")["mass"] == 4);
+  const json weighed = answer("--mass 3 --thickness 0.5");
+  CHECK(weighed["mass"] == 3);
+  CHECK(std::abs(weighed["surface_density"].get<double>() - 1.5) < 1e-15);
+  const auto said = [](const std::string& options) {
+    return scenes("mass sheet.obj " + options).output;
+  };
+  CHECK(mentions(said("--thickness 1"), "--thickness needs a --density"));
+  CHECK(mentions(said("--thickness 0 --density 1"), "the thickness 0 m is not positive"));
+  CHECK(mentions(said("--thickness 1 --shell 1"), "excludes"));
+  CHECK(mentions(said("--thickness 1 --density a=1"), "without a name"));
+}
+
+TEST_CASE("mass: what no double holds is refused, and so is a point that is none") {
+  write("tetrahedron.obj", tetrahedron);
+  write("speck.obj", "v 0 0 0\nv 1e-78 0 0\nv 0 1e-78 0\nf 1 2 3\n");
+  const auto refused = [](const std::string& arguments) {
+    const CommandResult result = scenes("mass " + arguments);
+    CHECK_MESSAGE(result.status == 2, arguments);
+    return result.output;
+  };
+  CHECK(mentions(refused("tetrahedron.obj --mass 1e-310"), "too small or too large for double"));
+  CHECK(mentions(refused("tetrahedron.obj --mass 1e-300"), "too small or too large for double"));
+  CHECK(mentions(refused("tetrahedron.obj --density 1e-310"), "the mass of the mesh"));
+  CHECK(mentions(refused("tetrahedron.obj --density 1e308 --unit m --about 1e3 0 0"), "too large"));
+  CHECK(mentions(refused("speck.obj --shell 1"), "shell is too small or too large"));
+  CHECK(mentions(refused("speck.obj --shell 1e300"), "shell is too small or too large"));
+  CHECK(mentions(refused("tetrahedron.obj --about nan 0 0"), "--about", "nan"));
+  CHECK(mentions(refused("tetrahedron.obj --about 0 inf 0"), "--about", "inf"));
+  CHECK(mentions(refused("tetrahedron.obj --about 0 0 1e300"), "--about", "too large"));
+  CHECK(mentions(refused("tetrahedron.obj --tolerance nan"), "the tolerance nan"));
+}
+
+TEST_CASE("mass: touching parts are accepted whatever the unit of the file is") {
+  // A peg on the side of a block, turned and written with six decimals: 7 digits.
+  const tumble::Quat q = tumble::exp_quaternion<double>(tumble::Vec3(0.3, -0.5, 0.7));
+  std::string obj;
+  const auto add_box = [&](const tumble::Vec3& low, const tumble::Vec3& high) {
+    for (int i = 0; i < 8; ++i) {
+      const tumble::Vec3 p =
+          q * tumble::Vec3(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(),
+                           i & 4 ? high.z() : low.z());
+      std::array<char, 100> line{};
+      std::snprintf(line.data(), line.size(), "v %.6f %.6f %.6f\n", p.x(), p.y(), p.z());
+      obj += line.data();
+    }
+    obj +=
+        "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 "
+        "-3\n";
+  };
+  add_box({0, 0, 0}, {10, 10, 10});
+  add_box({10, 4, 3}, {15, 7, 6});
+  write("touching.obj", obj);
+  for (const char* unit : {"m", "cm", "mm", "in"}) {
+    const CommandResult result =
+        scenes(std::string("mass touching.obj --tolerance 1e-12 --unit ") + unit);
+    CAPTURE(result.output);
+    CHECK_MESSAGE(result.status == 0, unit);
+  }
+}
+
 TEST_CASE("mass and simulate: wrong usage, a missing file and a full disk are status 2") {
   for (const char* arguments : {"mass", "mass nowhere.obj", "mass --densty 1 x.obj", "weigh x.obj"})
     CHECK_MESSAGE(scenes(arguments).status == 2, arguments);
   CHECK(mentions(scenes("mass --densty 1 x.obj").output, "did you mean --density?"));
   CHECK(mentions(scenes("mass --help").output, "Usage: ./tumble mass"));
   write("scene.json", thrown_ball().dump());
+  CHECK(mentions(scenes("simulate .").output, "cannot read .: it is a folder"));
   CHECK(scenes("simulate scene.json --csv /dev/full").status == 2);
   CHECK(scenes("simulate scene.json --svg no/such/folder/a.svg").status == 2);
   const std::string program = std::getenv("TUMBLE_SCENES");

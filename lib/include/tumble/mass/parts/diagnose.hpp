@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -110,10 +111,11 @@ inline void weigh_share(MeshDefect& crossing, double factor) {
 /// Where parts pass through each other, or one lies in the inside of another.
 inline std::vector<MeshDefect> find_overlaps(std::span<const parts::Part> parts,
                                              const simd::LoopOptions& options,
-                                             crossings::Search search) {
+                                             crossings::Search search,
+                                             std::optional<double> rounding) {
   const SideBySide all(parts);
   std::vector<MeshDefect> findings;
-  for (const MeshDefect& finding : tumble::diagnose(all.mesh, options, search))
+  for (const MeshDefect& finding : tumble::diagnose(all.mesh, options, search, rounding))
     if (finding.kind == MeshDefectKind::self_crossing ||
         finding.kind == MeshDefectKind::nested_wrong)
       findings.push_back(all.in_the_whole(finding));
@@ -134,19 +136,21 @@ namespace tumble::parts {
 /// whole mesh, and the names of the parts. Whether parts overlap is only asked if each one is
 /// closed, and as closely as whether one mesh crosses itself; the share of such a finding is the
 /// largest share of the mass that may count wrongly.
+/// @param rounding of the coordinates, as tumble::diagnose() takes it
 inline std::vector<MeshDefect> diagnose(std::span<const Part> parts,
                                         const simd::LoopOptions& options = {},
-                                        crossings::Search search = crossings::Search::usual) {
+                                        crossings::Search search = crossings::Search::usual,
+                                        std::optional<double> rounding = {}) {
   std::vector<MeshDefect> findings;
   for (const Part& part : parts)
-    for (const MeshDefect& finding : tumble::diagnose(part.mesh, options, search))
+    for (const MeshDefect& finding : tumble::diagnose(part.mesh, options, search, rounding))
       findings.push_back(detail::in_the_whole(finding, part));
   const bool all_closed =
       std::none_of(findings.begin(), findings.end(), [](const MeshDefect& finding) {
         return spoils_integrals(finding.kind) && finding.kind != MeshDefectKind::self_crossing;
       });
   if (parts.size() < 2 || !all_closed) return findings;
-  for (const MeshDefect& overlap : detail::find_overlaps(parts, options, search))
+  for (const MeshDefect& overlap : detail::find_overlaps(parts, options, search, rounding))
     findings.push_back(overlap);
   return findings;
 }
