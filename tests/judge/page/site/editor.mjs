@@ -42,12 +42,13 @@ function nameForReaders(editor, label, describedBy) {
 function markLine(editor, { line, column, kind, text }) {
   const at = Math.min(line, editor.lineCount()) - 1;
   const note = element("div", { className: `compiler-note ${kind}` }, `${kind}: ${text}`);
-  editor.addLineClass(at, "background", `compiler-line-${kind}`);
+  const marked = editor.getLineHandle(at); // a line's number changes when others come before it
+  editor.addLineClass(marked, "background", `compiler-line-${kind}`);
   const widget = editor.addLineWidget(at, note, { coverGutter: false });
   const end = { line: at, ch: Math.max(column, editor.findWordAt({ line: at, ch: column - 1 }).head.ch) };
   const mark = editor.markText({ line: at, ch: column - 1 }, end, { className: `compiler-mark-${kind}` });
   return () => {
-    editor.removeLineClass(at, "background", `compiler-line-${kind}`);
+    editor.removeLineClass(marked, "background", `compiler-line-${kind}`);
     widget.clear();
     mark.clear();
   };

@@ -46,6 +46,7 @@ export class Judging {
     const text = await box.text();
     const bar = progressBar(parts.progress);
     this.say("Checking …");
+    this.reveal();
     this.setRunning(new AbortController());
     try {
       const listeners = { onProgress: (at) => bar.show(at), onHung: (count) => this.sayHung(count), signal: this.running.signal };
@@ -53,6 +54,7 @@ export class Judging {
       await saveVerdict(unit.id, text, verdict); // what is shown is kept
       document.dispatchEvent(new Event("exercise-judged"));
       this.show(verdict);
+      this.reveal();
       box.judged();
     } finally {
       this.setRunning(null);
@@ -76,6 +78,11 @@ export class Judging {
 
   sayHung(count) {
     this.say(`Checking … ${count === 1 ? "One call has" : `${count} calls have`} not come back in 2 s. Is there a loop without an end?`);
+  }
+
+  /** Ctrl-Enter is pressed in the editor, and the verdict may be below the window. */
+  reveal() {
+    this.parts.line.scrollIntoView({ block: "nearest" });
   }
 
   say(words) {

@@ -1,5 +1,5 @@
 // The picture of progress on the front page, as ./tumble list draws it; and the work as a file.
-import { addressOf, unitsByChapter } from "./course.mjs";
+import { addressOf, units, unitsByChapter } from "./course.mjs";
 import { element } from "./element.mjs";
 import { allWork, onWorkOfOthers } from "./store.mjs";
 import { takeOver, workAsZip, workIn, written } from "./work.mjs";
@@ -36,18 +36,26 @@ async function draw(list, count) {
   const chapters = [...(await unitsByChapter())], all = chapters.flatMap(([, of]) => of);
   list.replaceChildren(...(await Promise.all(chapters.map(([name, of]) => chapterLine(name, of, work)))));
   const done = all.filter(({ id }) => work.get(id)?.passed).length;
-  count.textContent = `${done} of ${all.length} exercises have passed`;
+  const changed = all.filter(({ id }) => work.get(id)?.passed && !isDone(work.get(id))).length;
+  count.textContent = `${done} of ${all.length} exercises have passed${changed ? `, ${changed} of them changed since` : ""}`;
 }
 
 // ── The work as a file ──
 
 async function download(say) {
-  const count = (await written()).length;
+  const work = await written(), count = work.length;
   if (count === 0) return say("Nothing is written yet.");
   const address = URL.createObjectURL(await workAsZip());
   element("a", { href: address, download: "tumble-exercises.zip" }).click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
-  say(`${count} ${count === 1 ? "exercise" : "exercises"} in tumble-exercises.zip. You can hand it in as it is, or open it in another browser.`);
+  say(`${count} ${count === 1 ? "exercise" : "exercises"} in tumble-exercises.zip. You can hand it in, or open it in another browser.${await warning(work)}`);
+}
+
+/** Of what is in the file, but has not passed as it is. */
+async function warning(work) {
+  const open = new Set(work.filter((each) => !isDone(each)).map(({ id }) => id));
+  const numbers = (await units()).filter(({ id }) => open.has(id)).map(({ number }) => number);
+  return numbers.length === 0 ? "" : ` Not passed as ${numbers.length === 1 ? "it is" : "they are"} now: ${numbers.join(", ")}.`;
 }
 
 async function open(file, say) {
