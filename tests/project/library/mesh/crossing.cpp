@@ -101,10 +101,10 @@ TEST_CASE("a crossing: small ones are found thoroughly, however the body lies") 
 
 TEST_CASE("a crossing: a small one of parts with thousands of faces is found, however they lie") {
   // A corner goes in by 0.02 of the edge, 4e-6 of the volume: between the lines of most lattices.
-  const PolygonMesh cube = test::regular_cube(32, 0.5);
+  const PolygonMesh cube = test::regular_cube(18, 0.5);
   const PolygonMesh mesh = test::together(cube, test::moved(cube, 1, Vec3::Constant(0.98)));
   test::Random random(17);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 4; ++i) {
     const MeshDefect found = crossing_of(placed(mesh, random), crossings::Search::usual);
     CHECK(found.kind == MeshDefectKind::self_crossing);
     CHECK(std::abs(found.share - 4e-6) <= 0.4e-6);
@@ -147,7 +147,7 @@ TEST_CASE("a crossing: parts that touch, written with few digits, pass if their 
   for (const PolygonMesh& mesh : {standing, peg})
     for (const double scale : {0.3, 0.03})
       for (const char* format : {"%.4f", "%.5f", "%.6f", "%.3g", "%.4g", "%.5g"})
-        for (int i = 0; i < 12; ++i) {
+        for (int i = 0; i < 3; ++i) {
           const PolygonMesh whole = placed(mesh, random, scale), read = written(whole, format);
           // The sum of the two volumes: what counts twice is not in it, and what rounding did is.
           const bool is_right = std::abs(volume(read) / volume(whole) - 1) < 1e-6;
@@ -165,7 +165,7 @@ TEST_CASE("a crossing: parts that touch, written with few digits, pass if their 
                diagnose(read, {}, crossings::Search::thorough, std::optional(0.0)))
             CHECK((!passes || !(finding.share > 1e-5)));
         }
-  CHECK(right > 20);
+  CHECK(right > 5);
 }
 
 TEST_CASE("a crossing: decimals of a body far away may hide no part of it") {
