@@ -29,8 +29,8 @@ std::string notes_on(const std::vector<std::string>& files) {
   for (const std::string& file : files)
     support::write_text_and_folders(work.path() / file, "// " + file + "\n");
   std::string notes;
-  for (const std::string& note : Sources(all, all.units, {"ben", work.path()}).notes())
-    notes += note + "\n";
+  const Sources sources(all, all.units, {"ben", work.path()});
+  for (const std::string& note : sources.notes()) notes += note + "\n";
   return notes;
 }
 
