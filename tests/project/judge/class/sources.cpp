@@ -13,7 +13,7 @@ namespace support = tumble::support;
 
 namespace {
 
-Course course() {
+Course four_units() {
   Course course;
   course.units = {{"1.2", "01_particles", "dydt", "", {}, {}},
                   {"4.1", "04_quaternions", "product", "", {}, {}},
@@ -24,13 +24,13 @@ Course course() {
 
 /// The notes on a submission of these files, a line each.
 std::string notes_on(const std::vector<std::string>& files) {
-  const Course all = course();
+  const Course all = four_units();
   const WorkFolder work;
   for (const std::string& file : files)
     support::write_text_and_folders(work.path() / file, "// " + file + "\n");
   std::string notes;
-  for (const std::string& note : Sources(all, all.units, {"ben", work.path()}).notes())
-    notes += note + "\n";
+  const Sources sources(all, all.units, {"ben", work.path()});
+  for (const std::string& note : sources.notes()) notes += note + "\n";
   return notes;
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("sources: copies are known by their names, and nothing is said of the 
 }
 
 TEST_CASE("sources: a folder that this machine cannot open is no refusal of the student's work") {
-  const Course all = course();
+  const Course all = four_units();
   const WorkFolder work;
   support::write_text_and_folders(work.path() / "ben" / "product.cpp", "x");
   const Submission submission{"ben", work.path() / "ben"};

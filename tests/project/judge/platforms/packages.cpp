@@ -203,14 +203,14 @@ TEST_CASE("export: Classroom 50's bundle is public and small, its template a han
 TEST_CASE("export: what students can read names no student") {
   const Packages packages(R"({"title": "HW 1", "units": ["1"], "due": "2026-12-01T23:59:00Z",
       "late": {"per_day": 10}, "extensions": {"doe, jane": "2026-12-08T23:59:00Z"},
-      "overrides": {"ben": {"points": 3, "reason": "was ill"}}})");
+      "overrides": {"kim zetsu": {"points": 3, "reason": "fell off a horse"}}})");
   for (const auto& [platform, settings] : std::map<std::string, std::string>{
            {"classroom50", "bundle/course.json"}, {"github-actions", "repository/course.json"}}) {
     const CommandResult made = packages.make(platform);
     REQUIRE_MESSAGE(made.status == 0, made.output);
     CHECK(test::contains(made.output, R"("extensions", "overrides" of your course.json are left)"));
     for (const std::string& file : files_in(packages[platform]))
-      for (const char* secret : {"doe, jane", "was ill", "\"ben\""})
+      for (const char* secret : {"doe, jane", "a horse", "kim zetsu"})
         CHECK_MESSAGE(!test::contains(test::text_of(packages[platform] / file), secret), file);
     const json public_json = test::json_in(packages[platform] / settings);
     CHECK(public_json.at("late") == json{{"per_day", 10}});

@@ -83,7 +83,7 @@ TEST_CASE("names: the marks of memory that was never set, of gcc and of clang") 
     std::memcpy(&x, &bits, sizeof x);
     CHECK(name_of_numbers(wrong(List{1., static_cast<double>(x), 3.}, right)) == "never set");
   }
-  for (const unsigned char byte : {0xfe, 0xaa}) {
+  for (const char byte : {'\xfe', '\xaa'}) {
     bool never_set = false;
     std::memcpy(&never_set, &byte, 1);
     CHECK(name_of_numbers(wrong(to_value(never_set), std::int64_t{1})) == "never set");
