@@ -19,7 +19,7 @@ Accuracy accuracy_of(const std::string& name) {
   return name == "textbook" ? Accuracy::textbook : Accuracy::tight;
 }
 
-/// A length in metres. A quotient by 1000 is the double nearest to what was written.
+/// A length in metres: rounded once more, so what counts decimals asks the numbers of the file.
 template <class Length>
 Length in_metres(const Length& x, const std::string& unit) {
   if (unit == "mm") return x / 1000;

@@ -106,7 +106,7 @@ std::string why_not_read(const Finished& reader, const fs::path& archive) {
   };
   if (reader.killed_from_outside)
     machine_failed("its reader was killed: the memory of this machine is used up?");
-  // It computes and never waits: who has not used up its time of the processor did not get it.
+  // It computes and never waits: if its time of the processor is not used up, it did not get it.
   if (reader.timed_out) machine_failed("its reader did not get the processor: too much runs here");
   if (reader.ending == Ending{false, disk_failed}) machine_failed("a disk that fails?");
   if (reader.ending == Ending{true, SIGXCPU} || reader.ending == Ending{true, SIGKILL})

@@ -45,8 +45,8 @@ TEST_CASE("never set: nothing where no variable is named") {
 TEST_CASE("never set: what is declared without a value") {
   for (const char* one : {"double x;", "double largest, above = 0;", "  bool  found ;", "int n;"})
     CHECK_MESSAGE(declares_without_value(one), one);
-  for (const char* none : {"double x = 0;", "double x{};", "double f(double a, double b) {", "// double x;", "f(double x)",
-                           "double f(int n);", "return double(x);"})
+  for (const char* none : {"double x = 0;", "double x{};", "double f(double a, double b) {",
+                           "// double x;", "f(double x)", "double f(int n);", "return double(x);"})
     CHECK_MESSAGE(!declares_without_value(none), none);
 }
 
