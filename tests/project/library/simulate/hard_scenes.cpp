@@ -107,7 +107,7 @@ TEST_CASE("hard scenes: what is not a number is refused, and never counts as no 
   CHECK(test::mentions(test::message_of<std::runtime_error>([] {
                          simulate(unit_ball, {}, {0, 1e300, 1e-6}, Weight{});
                        }),
-                       "range"));
+                       "overflows a double"));
 }
 
 TEST_CASE("hard scenes: tiny and huge tensors turn as others do, to the last bit") {
