@@ -1,5 +1,5 @@
 // Attack: asks for memory until there is none (at most 8 GB, should nobody stop it).
-// Verdict: out of memory
+// Verdict: out of memory | hung
 
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion& b) {

@@ -1,5 +1,5 @@
 // Attack: floods the standard error before main, one character at a time.
-// Verdict: flooded
+// Verdict: flooded | hung
 #include <cstdio>
 
 namespace {

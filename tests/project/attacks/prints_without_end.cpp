@@ -1,5 +1,5 @@
 // Attack: floods the standard output; a grader that keeps it all runs out of memory or disk.
-// Verdict: flooded
+// Verdict: flooded | hung
 #include <cstdio>
 #include <string>
 

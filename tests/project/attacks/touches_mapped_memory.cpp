@@ -1,5 +1,5 @@
 // Attack: memory from the system, past operator new, every page of it written (at most 8 GB).
-// Verdict: crashed | out of memory
+// Verdict: crashed | out of memory | hung
 #include <sys/mman.h>
 
 namespace quaternions {
