@@ -72,7 +72,7 @@ std::string read_archive(const fs::path& archive, const char* what, std::size_t 
   walls.limits.wall_seconds = limits.wall_seconds;
   const Finished finished =
       run_confined({program.string(), what}, {"LC_ALL=C.UTF-8"}, walls, most_output, file.number());
-  if (const std::string why = why_not_read(finished, archive); !why.empty()) return why;
+  if (std::string why = why_not_read(finished, archive); !why.empty()) return why;
   std::string refused = "cannot be unpacked: its reader has stopped";
   try {
     read_messages(finished.output, [&](const nlohmann::json& message) {

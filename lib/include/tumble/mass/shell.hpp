@@ -61,7 +61,7 @@ inline MassProperties mass_properties(const PolygonMesh& mesh, double surface_de
           "the surface has no area: there is no shell");
   // Digits that the integrals don't have come with no density.
   detail::require_normal(tumble::mass_properties(total, p, 1), "shell");
-  const MassProperties shell = tumble::mass_properties(total, p, surface_density);
+  MassProperties shell = tumble::mass_properties(total, p, surface_density);
   detail::require_normal(shell, "shell");
   return shell;
 }
