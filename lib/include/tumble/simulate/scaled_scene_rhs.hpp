@@ -1,8 +1,9 @@
 #pragma once
 /// @file
 /// Several bodies and any forces on and between them, each body in the units and axes of
-/// ScaledBody.
+/// ScaledBody. As in ScaledRhs it is forgotten what the forces are.
 
+#include <functional>
 #include <vector>
 
 #include "tumble/body/many_bodies.hpp"
@@ -12,18 +13,20 @@
 namespace tumble::detail {
 
 /// A right-hand side of bodies under forces.
-/// @tparam Rhs a SceneRhs<double, …>
-template <class Rhs>
 class ScaledSceneRhs {
  public:
   using Numbers = PackedScene<double>;
   using State = std::vector<RigidBodyState<>>;
   static constexpr auto why = "a force acts between bodies";
 
+  /// @param rhs   a SceneRhs<double, …>
   /// @param start of each body
   /// @param t0    the start [s]
   /// @param span  how long they will move [s]
-  ScaledSceneRhs(const Rhs& rhs, const State& start, double t0, double span) : rhs_(rhs) {
+  template <class Rhs>
+  ScaledSceneRhs(const Rhs& rhs, const State& start, double t0, double span)
+      : unscaled_(rhs.bodies().begin(), rhs.bodies().end()),
+        net_([rhs](double t, const std::vector<Derived<>>& now) { return rhs.net(t, now); }) {
     std::vector<Derived<>> now;
     for (std::size_t i = 0; i < start.size(); ++i)
       now.push_back(derived(rhs.bodies()[i], start[i]));
@@ -61,7 +64,7 @@ class ScaledSceneRhs {
     SquaredSizes<Numbers> squares(4 * count());
     for (Eigen::Index i = 0; i < count(); ++i)
       squares.segment<4>(4 * i) =
-          body(i).squares(least_sizes(rhs_.bodies()[static_cast<std::size_t>(i)], span));
+          body(i).squares(least_sizes(unscaled_[static_cast<std::size_t>(i)], span));
     return squares;
   }
 
@@ -72,7 +75,7 @@ class ScaledSceneRhs {
     return now;
   }
   std::vector<Wrench<>> net(double t, const std::vector<Derived<>>& now) const {
-    return rhs_.net(t, now);
+    return net_(t, now);
   }
 
   /// dy/dt at time t [s].
@@ -83,7 +86,7 @@ class ScaledSceneRhs {
       moving.push_back(body(i).moving(part(y, i)));
       now.push_back(moving.back().now);
     }
-    const std::vector<Wrench<>> net = rhs_.net(t, now);
+    const std::vector<Wrench<>> net = net_(t, now);
     Numbers rate(y.size());
     for (Eigen::Index i = 0; i < count(); ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -109,7 +112,8 @@ class ScaledSceneRhs {
     return most;
   }
 
-  Rhs rhs_;
+  std::vector<RigidBody<>> unscaled_;
+  std::function<std::vector<Wrench<>>(double, const std::vector<Derived<>>&)> net_;
   std::vector<ScaledBody> bodies_;
 };
 

@@ -75,7 +75,7 @@ Trajectory forwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& 
   } else {
     using Rhs = RigidBodyRhs<double, FilmedForce<Forces>...>;
     const Rhs rhs(body, FilmedForce<Forces>{forces, film}...);
-    const ScaledRhs<Rhs> scaled(rhs, from, task.t0, task.t1 - task.t0);
+    const ScaledRhs scaled(rhs, from, task.t0, task.t1 - task.t0);
     return AnyForces(scaled, from, task).trajectory();
   }
 }

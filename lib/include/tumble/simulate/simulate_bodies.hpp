@@ -75,7 +75,7 @@ SceneTrajectory joined_trajectory(const std::vector<RigidBody<>>& bodies,
                                   const SimulationTask& task, bool film, const Forces&... forces) {
   using Rhs = SceneRhs<double, FilmedForce<Forces>...>;
   const Rhs rhs(bodies, FilmedForce<Forces>{forces, film}...);
-  const ScaledSceneRhs<Rhs> scaled(rhs, from, task.t0, task.t1 - task.t0);
+  const ScaledSceneRhs scaled(rhs, from, task.t0, task.t1 - task.t0);
   return AnyForces(scaled, from, task).trajectory();
 }
 
