@@ -2,7 +2,10 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 #include "judge/course/stable_hash.hpp"
 #include "support/json_bytes.hpp"
@@ -15,6 +18,37 @@ namespace {
 using nlohmann::json;
 using support::bytes_of, support::text_in;
 
+/// What an object depends on beside the file's own text. The precompiled header is made anew when
+/// the compiler, its flags, or a header in it changes.
+std::uint64_t hash_of_surroundings(const Course& course) {
+  const Toolchain& tools = course.toolchain;
+  std::uint64_t hash = stable_hash(tools.compiler);
+  for (const fs::path& file : {fs::canonical(tools.compiler), tools.precompiled})
+    hash = stable_hash(file.string() + " " + std::to_string(fs::file_size(file)) + " " +
+                           std::to_string(fs::last_write_time(file).time_since_epoch().count()),
+                       hash);
+  for (const std::string& flag : tools.flags) hash = stable_hash(flag + " ", hash);
+  std::set<fs::path> headers{course.root / "exercises" / "not_implemented.hpp"};
+  for (const Unit& unit : course.units) headers.insert(course.contract(unit));
+  for (const fs::path& header : headers) hash = stable_hash(support::read_text(header), hash);
+  return hash;
+}
+
+/// Removes what is older than a month, where there is much.
+void leave_room(const fs::path& folder) {
+  constexpr std::ptrdiff_t much = 2000;
+  constexpr std::chrono::hours month{24 * 30};
+  std::vector<fs::path> old;
+  std::ptrdiff_t all = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    ++all;
+    if (entry.last_write_time() + month < fs::file_time_type::clock::now())
+      old.push_back(entry.path());
+  }
+  if (all > much)
+    for (const fs::path& place : old) fs::remove_all(place);
+}
+
 }  // namespace
 
 fs::path ObjectCache::place_of(const Unit& unit, const std::string& text) const {
@@ -24,7 +58,15 @@ fs::path ObjectCache::place_of(const Unit& unit, const std::string& text) const 
 std::optional<WorkerBuild> ObjectCache::find(const Unit& unit, const std::string& text,
                                              const fs::path& object) const {
   const fs::path place = place_of(unit, text);
-  if (!fs::exists(place)) return std::nullopt;
+  try {
+    if (fs::exists(place)) return read(place, text, object);
+  } catch (const std::exception&) {  // half a file, or one that another command has just removed
+  }
+  return std::nullopt;
+}
+
+std::optional<WorkerBuild> ObjectCache::read(const fs::path& place, const std::string& text,
+                                             const fs::path& object) const {
   const json kept = json::from_msgpack(support::read_text(place / "build"));
   if (text_in(kept.at("text")) != text) return std::nullopt;  // somebody has made the hashes meet
   WorkerBuild build;
@@ -41,6 +83,19 @@ void ObjectCache::keep(const Unit& unit, const std::string& text, const WorkerBu
   const fs::path place = place_of(unit, text);
   if (!build.explained || fs::exists(place)) return;  // it may be this machine's doing
   const fs::path beside = place.string() + "." + std::to_string(::getpid());
+  std::error_code not_moved;
+  try {
+    write(beside, text, build);
+    fs::rename(beside, place, not_moved);
+  } catch (const std::exception&) {  // no room
+    not_moved = std::make_error_code(std::errc::no_space_on_device);
+  }
+  std::error_code ignored;
+  if (not_moved) fs::remove_all(beside, ignored);
+}
+
+void ObjectCache::write(const fs::path& beside, const std::string& text,
+                        const WorkerBuild& build) const {
   fs::create_directory(beside);
   const std::vector<std::uint8_t> message =
       json::to_msgpack({{"text", bytes_of(text)},
@@ -49,9 +104,6 @@ void ObjectCache::keep(const Unit& unit, const std::string& text, const WorkerBu
                         {"warnings", bytes_of(build.warnings)}});
   support::write_text(beside / "build", {message.begin(), message.end()});
   if (build.outcome == BuildOutcome::built) fs::copy_file(build.object, beside / "object");
-  std::error_code another_was_quicker;
-  fs::rename(beside, place, another_was_quicker);
-  if (another_was_quicker) fs::remove_all(beside);
 }
 
 fs::path ObjectCache::place_of_stub(const Unit& unit) const {
@@ -60,15 +112,29 @@ fs::path ObjectCache::place_of_stub(const Unit& unit) const {
 
 std::optional<std::string> ObjectCache::verdict_on_stub(const Unit& unit) const {
   const fs::path place = place_of_stub(unit);
-  if (!fs::exists(place)) return std::nullopt;
+  if (stubs_ == Stubs::judged_again || !fs::exists(place)) return std::nullopt;
   return support::read_text(place);
 }
 
 void ObjectCache::keep_verdict_on_stub(const Unit& unit, const std::string& verdict) const {
+  if (stubs_ == Stubs::judged_again) return;
   const fs::path place = place_of_stub(unit),
                  beside = place.string() + "." + std::to_string(::getpid());
   support::write_text(beside, verdict);
   fs::rename(beside, place);  // another one's is the same
+}
+
+std::unique_ptr<const ObjectCache> objects_of_earlier(const Course& course) {
+  try {
+    const fs::path folder = course.toolchain.precompiled.parent_path().parent_path() / "compiled" /
+                            std::to_string(hash_of_surroundings(course));
+    fs::create_directories(folder);
+    fs::permissions(folder, fs::perms::owner_all);
+    leave_room(folder);
+    return std::make_unique<const ObjectCache>(folder, ObjectCache::Stubs::judged_again);
+  } catch (const std::exception&) {  // a build that others have made, or a full disk
+    return nullptr;
+  }
 }
 
 }  // namespace tumble::judge

@@ -3,6 +3,7 @@
 /// Files that were compiled before: in a class many are the same, the untouched stubs above all.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,13 +15,18 @@ namespace tumble::judge {
 /// one folder at a time.
 class ObjectCache {
  public:
-  /// @param folder nobody else may write there
-  explicit ObjectCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// What becomes of the verdicts on stubs.
+  enum class Stubs { judged_once, judged_again };
 
-  /// What came of this very text, its object copied to `object`.
+  /// @param folder nobody else may write there
+  explicit ObjectCache(std::filesystem::path folder, Stubs stubs = Stubs::judged_once)
+      : folder_(std::move(folder)), stubs_(stubs) {}
+
+  /// What came of this very text, its object copied to `object`. What cannot be read was not kept.
   std::optional<WorkerBuild> find(const Unit& unit, const std::string& text,
                                   const std::filesystem::path& object) const;
-  /// Keeps what depends on the text alone: not that a machine was too busy.
+  /// Keeps what depends on the text alone: not that a machine was too busy. Where there is no room,
+  /// nothing is kept.
   void keep(const Unit& unit, const std::string& text, const WorkerBuild& build) const;
 
   /// The verdict on the untouched exercise, as encode_result() writes it: it is the same whatever
@@ -31,8 +37,19 @@ class ObjectCache {
  private:
   std::filesystem::path place_of(const Unit& unit, const std::string& text) const;
   std::filesystem::path place_of_stub(const Unit& unit) const;
+  std::optional<WorkerBuild> read(const std::filesystem::path& place, const std::string& text,
+                                  const std::filesystem::path& object) const;
+  void write(const std::filesystem::path& beside, const std::string& text,
+             const WorkerBuild& build) const;
 
   std::filesystem::path folder_;
+  Stubs stubs_;
 };
+
+/// What earlier commands have compiled, beside the course's own build: for those who judge their
+/// own files. A class's are compiled in folders of their own. It holds for one compiler with its
+/// flags and headers, and for these contracts.
+/// @return nothing where that folder cannot be written
+std::unique_ptr<const ObjectCache> objects_of_earlier(const Course& course);
 
 }  // namespace tumble::judge

@@ -329,9 +329,10 @@ std::string words_about_unset(const Job& job) {
   }
 }
 
-WorkerBuild compile_unit(const Job& job) {
+WorkerBuild compile_unit(const Job& job, const ObjectCache* compiled) {
   return with_text_of(job.source, [&](const std::string& text) {
-    return Builder(job, Instrumentation::none).compiled(text);
+    Builder builder(job, Instrumentation::none);
+    return compiled ? builder.compiled_once(text, *compiled) : builder.compiled(text);
   });
 }
 

@@ -44,6 +44,6 @@ WorkerBuild build_worker(const Job& job, Instrumentation instrumentation = Instr
 std::string words_about_unset(const Job& job);
 
 /// The same as far as the object, which other units' objects can be linked with.
-WorkerBuild compile_unit(const Job& job);
+WorkerBuild compile_unit(const Job& job, const ObjectCache* compiled = nullptr);
 
 }  // namespace tumble::judge

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <memory>
 #include <random>
 
+#include "judge/build/object_cache.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/given_files.hpp"
 #include "judge/commands/sandbox.hpp"
@@ -99,6 +101,8 @@ int check(const Course& course, const CheckOptions& options) {
   judgement.seeds = options.seeds;
   judgement.only_case = selection.only_case;
   judgement.only_sanitized = options.sanitized;
+  const std::unique_ptr<const ObjectCache> earlier = objects_of_earlier(course);
+  judgement.compiled = earlier.get();
   // With sanitizers the walls are lower: not for a class's submissions.
   judgement.locate_crashes = !options.strict && !options.sanitized && !options.once;
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
+#include "judge/build/object_cache.hpp"
 #include "judge/build/work_folder.hpp"
 #include "judge/commands/given_files.hpp"
 #include "judge/commands/mine_module.hpp"
@@ -38,6 +40,8 @@ std::vector<UnitResult> failing_units(const Course& course, const mine::EngineBu
   };
   Judgement judgement;
   judgement.locate_crashes = false;  // `check` does, when it is asked for one of them
+  const std::unique_ptr<const ObjectCache> earlier = objects_of_earlier(course);
+  judgement.compiled = earlier.get();
   std::vector<UnitResult> failing;
   judge_all(course, units, source_of, judgement, [&](const UnitResult& result) {
     if (!result.passed()) failing.push_back(result);

@@ -6,8 +6,10 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <memory>
 #include <thread>
 
+#include "judge/build/object_cache.hpp"
 #include "judge/build/work_folder.hpp"
 #include "judge/build/worker_build.hpp"
 #include "judge/commands/commands.hpp"
@@ -137,6 +139,23 @@ class OddAnswerer : public Answerer {
   }
   bool changed() const { return changed_; }
 
+  /// Places that are there, and no two the same: a spec that hands out no function gets no
+  /// evaluation, and where a case asks once, the first answer is the last. To be asked after a run
+  /// without distortion.
+  std::vector<Place> places() const {
+    std::vector<Place> there{{Place::Of::answers, Place::Which::first}};
+    const auto some = [this](std::size_t Counts::*of, std::size_t than) {
+      return std::any_of(counts_.begin(), counts_.end(),
+                         [=](const auto& each) { return each.second.*of > than; });
+    };
+    if (some(&Counts::answers, 1)) there.push_back({Place::Of::answers, Place::Which::last});
+    if (some(&Counts::evaluations, 0))
+      there.push_back({Place::Of::evaluations, Place::Which::first});
+    if (some(&Counts::evaluations, 1))
+      there.push_back({Place::Of::evaluations, Place::Which::last});
+    return there;
+  }
+
   void start_case() override {
     ++case_;
     asked_ = evaluated_ = 0;
@@ -190,24 +209,23 @@ std::string name_of(Place place) {
 
 /// Tries all on one unit. Sends what is tried next, so that a crash has a name.
 void try_unit(const Job& job, std::uint64_t seed, const SendBytes& send) {
-  const WorkerBuild build = build_worker(job);
+  const std::unique_ptr<const ObjectCache> earlier = objects_of_earlier(job.course);
+  const WorkerBuild build = build_worker(job, Instrumentation::none, earlier.get());
   require(build.outcome == BuildOutcome::built, "the solution is ", name_of(build.outcome));
   StudentWorker worker(build.worker);
   OddAnswerer answerer(worker);
   const SpecRun run{job.unit.id(), seed};
   run_spec(run, answerer);
   const std::vector<Distortion> all = distortions();
-  using enum Place::Of;
-  using enum Place::Which;
-  for (const Place place : {Place{answers, first}, Place{answers, last}, Place{evaluations, first},
-                            Place{evaluations, last}})
+  for (const Place place : answerer.places())
     for (const Distortion& distortion : all) {
       send(name_of(place) + ", " + distortion.name + "\n");
       answerer.distort(distortion, place);
       const std::vector<CaseResult> cases = run_spec(run, answerer);
       const bool unseen = std::all_of(cases.begin(), cases.end(),
                                       [](const CaseResult& each) { return each.passed(); });
-      if (place.of == answers && answerer.changed() && unseen) throw std::runtime_error("passes");
+      if (place.of == Place::Of::answers && answerer.changed() && unseen)
+        throw std::runtime_error("passes");
     }
 }
 

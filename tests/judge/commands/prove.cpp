@@ -1,7 +1,9 @@
 /// @file
 /// Proofs that the course is sound: the misconceptions and the stubs.
 #include <iostream>
+#include <memory>
 
+#include "judge/build/object_cache.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/matrix.hpp"
 #include "judge/commands/misconceptions_page.hpp"
@@ -39,8 +41,11 @@ int stubs(const Course& course) {
     if (!is_stub(course, unit)) complain(unit, "is not the stub that its contract gives");
     read_hints(course, unit);
   }
+  const std::unique_ptr<const ObjectCache> earlier = objects_of_earlier(course);
+  Judgement judgement;
+  judgement.compiled = earlier.get();
   judge_all(
-      course, course.units, [&](const Unit& unit) { return course.exercise(unit); }, {},
+      course, course.units, [&](const Unit& unit) { return course.exercise(unit); }, judgement,
       [&](const UnitResult& result) {
         if (!result.untouched()) complain(result.unit, "its stub is judged " + result.summary());
       });

@@ -41,13 +41,15 @@ void take_solution(const Course& course, Compiled& part, const std::string& why,
     part.object = compile_unit({course, part.part.unit, source, folder / "solution"}).object;
 }
 
-Compiled compile(const Course& course, Part part, const fs::path& folder) {
+Compiled compile(const Course& course, Part part, const fs::path& folder,
+                 const ObjectCache* earlier) {
   Compiled result{std::move(part), {}};
   if (const std::string why = not_written(course, result.part); !why.empty()) {
     take_solution(course, result, why, folder);
     return result;
   }
-  const WorkerBuild build = compile_unit({course, result.part.unit, result.part.source, folder});
+  const WorkerBuild build =
+      compile_unit({course, result.part.unit, result.part.source, folder}, earlier);
   result.object = build.object;
   if (build.outcome == BuildOutcome::built) return result;
   result.part.detail = build.detail;

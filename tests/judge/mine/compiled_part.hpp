@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "judge/build/object_cache.hpp"
 #include "judge/mine/engine_build.hpp"
 
 namespace tumble::judge::mine {
@@ -16,8 +17,10 @@ struct Compiled {
 
 /// Compiles the student's file behind the judge's walls. Where that fails, or nothing is written,
 /// the solution takes its place.
-/// @param folder for what is built
-Compiled compile(const Course& course, Part part, const fs::path& folder);
+/// @param folder  for what is built
+/// @param earlier what was compiled before, if anything
+Compiled compile(const Course& course, Part part, const fs::path& folder,
+                 const ObjectCache* earlier);
 
 /// Puts the solution in a part's place.
 /// @param why    in a few words

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <future>
 #include <map>
+#include <memory>
 #include <set>
 #include <thread>
 #include <utility>
 
 #include "judge/build/confined_compiler.hpp"
 #include "judge/build/diagnostics.hpp"
+#include "judge/build/object_cache.hpp"
 #include "judge/build/worker_build.hpp"
 #include "judge/course/contract.hpp"
 #include "judge/mine/compiled_part.hpp"
@@ -96,11 +98,11 @@ class EngineBuilder::Linker {
     for (std::size_t done = 0; done < places.size(); done += at_once) {
       std::vector<std::pair<std::size_t, std::future<Compiled>>> running;
       for (std::size_t k = done; k < std::min(done + at_once, places.size()); ++k)
-        running.emplace_back(
-            places[k], std::async(std::launch::async, [&, i = places[k]] {
-              const Unit& unit = course_.units[i];
-              return compile(course_, {unit, source_(unit), {}, {}}, folder_of(unit));
-            }));
+        running.emplace_back(places[k], std::async(std::launch::async, [&, i = places[k]] {
+                               const Unit& unit = course_.units[i];
+                               return compile(course_, {unit, source_(unit), {}, {}},
+                                              folder_of(unit), earlier_.get());
+                             }));
       for (auto& [place, future] : running) compiled_.emplace(place, future.get());
     }
   }
@@ -116,6 +118,7 @@ class EngineBuilder::Linker {
   SourceOf source_;
   fs::path folder_;
   fs::path questions_;
+  std::unique_ptr<const ObjectCache> earlier_ = objects_of_earlier(course_);
   std::map<std::size_t, Compiled> compiled_;  ///< by their place in the course
   std::set<std::size_t> linked_;              ///< those of them that this engine takes
 };

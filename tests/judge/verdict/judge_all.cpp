@@ -39,7 +39,8 @@ UnitResult build_and_judge(const Job& job, const Judgement& judgement) {
     }
   const auto instrumentation =
       judgement.only_sanitized ? Instrumentation::sanitizers : Instrumentation::none;
-  const WorkerBuild build = build_worker(job, instrumentation, judgement.compiled);
+  const ObjectCache* compiled = judgement.only_sanitized ? nullptr : judgement.compiled;
+  const WorkerBuild build = build_worker(job, instrumentation, compiled);
   UnitResult result = judge_build(job, judgement, build);
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (stub && result.untouched())

