@@ -65,3 +65,11 @@ addEventListener("hashchange", openDetails);
 
 document.querySelector("#sidebar [aria-current]")?.scrollIntoView({ block: "center" });
 scrollTo(scrollX, scrollY);
+
+/** On a small screen the menu covers the page. */
+function closeMenu({ key }) {
+  if (key !== "Escape" || location.hash !== "#sidebar") return;
+  document.getElementById("from-menu").click();
+  document.getElementById("to-menu").focus();
+}
+addEventListener("keydown", closeMenu);

@@ -77,14 +77,30 @@ TEST_CASE("exercises in the page: what the compiler says is shown in its line") 
 TEST_CASE("exercises in the page: what runs too long is stopped, and there is no verdict") {
   if (!can_try()) return;
   ExercisePage page;
-  REQUIRE(page.says("check('passed')") == true);
+  REQUIRE(page.says("check('wrong')") == true);
   page.says("write('endless'), button('Check').click()");
   REQUIRE(page.says("until(() => line().includes('2 calls have not come back'))") == true);
   page.says("button('Stop').click()");
   CHECK(page.says("until(() => line() === 'Stopped: there is no verdict.')") == true);
   CHECK(page.says("until(() => button('Check').getAttribute('aria-disabled') === 'false')") ==
         true);
+  // What stands below is of the text before.
+  CHECK(page.says("box.querySelector('.verdict').classList.contains('of-before')") == true);
   CHECK(page.says("check('passed')") == true);
+  CHECK(page.says("box.querySelector('.verdict').classList.contains('of-before')") == false);
+}
+
+TEST_CASE("exercises in the page: what has passed says where to go on") {
+  if (!can_try()) return;
+  ExercisePage page;
+  REQUIRE(page.says("check('wrong')") == true);
+  CHECK(page.says("box.querySelector('.next').hidden") == true);
+  REQUIRE(page.says("check('passed')") == true);
+  REQUIRE(page.says("until(() => !box.querySelector('.next').hidden)") == true);
+  CHECK(page.says("box.querySelector('.next').textContent.startsWith('Next: 4.2 ')") == true);
+  CHECK(page.says("box.querySelector('.next a').hash") == "#now-write-4.2");
+  page.says("button('Reset').click()");
+  CHECK(page.says("until(() => box.querySelector('.next').hidden)") == true);
 }
 
 TEST_CASE("exercises in the page: Reset keeps the text, and it can be put back") {

@@ -80,3 +80,19 @@ TEST_CASE("the site: no page complains, asks the network, or reaches beyond the 
     }
   }
 }
+
+TEST_CASE("the site: on a small screen Escape closes the menu") {
+  if (!can_look()) return;
+  Chromium browser;
+  browser.resize(820, 1180, true);
+  browser.open(address_of("chapters-04_quaternions.html"));
+  const auto shown = [&] {
+    return browser.evaluate("getComputedStyle(document.getElementById('sidebar')).display");
+  };
+  CHECK(shown() == "none");
+  browser.evaluate("document.getElementById('to-menu').click()");
+  CHECK(shown() == "block");
+  browser.press("Escape", 27);
+  CHECK(shown() == "none");
+  CHECK(browser.evaluate("document.activeElement.id") == "to-menu");
+}

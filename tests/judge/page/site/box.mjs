@@ -34,7 +34,7 @@ class Box {
     const help = element("p", { id: `keys-${this.unit.number}`, className: "keys" },
       "Ctrl-Enter checks. Tab indents; Escape, then Tab, leaves the editor. The verdict shows what your code prints.");
     const parts = {
-      code: element("div", { className: "editor" }), help, hints: element("ol", { className: "hints" }),
+      code: element("div", { className: "editor" }), help, hints: element("ol", { className: "hints", "aria-live": "polite" }),
       check: this.button("Check", () => this.judging.press(), { className: "main" }),
       hint: this.button("Hint", () => this.hint()), reset: this.button("Reset", () => this.reset()),
       solution: this.button("Solution", () => this.solution(), { hidden: true }),
@@ -42,6 +42,7 @@ class Box {
       note: element("p", { className: "note", role: "status" }),
       line: element("p", { className: "verdict-line", role: "status", "aria-live": "polite" }),
       text: element("pre", { className: "verdict", hidden: true }),
+      next: element("p", { className: "next", hidden: true }),
       old: element("details", { className: "old-texts", hidden: true }),
       answer: element("div", { className: "solution", hidden: true }),
     };
@@ -49,7 +50,7 @@ class Box {
     parts.code.style.minHeight = `${this.unit.stub.split("\n").length * 1.5 + 1}em`;
     const buttons = element("div", { className: "buttons" }, parts.check, parts.hint, parts.reset, parts.solution);
     const frame = element("div", { className: "exercise" }, parts.code, help, buttons, parts.progress, parts.note, parts.hints,
-      parts.line, parts.text, parts.answer, parts.old);
+      parts.line, parts.text, parts.next, parts.answer, parts.old);
     const command = foldCommand(place);
     place.append(contractText(this.unit), frame, command);
     return parts;
@@ -152,7 +153,7 @@ class Box {
   showHint(i) {
     for (const earlier of this.parts.hints.querySelectorAll("details")) earlier.open = false;
     this.parts.hints.append(element("li", {}, element("details", { open: true },
-      element("summary", {}, `Hint ${i + 1}: ${hintNames[i]}`), element("p", {}, ...inlineMarkdown(this.unit.hints[i])))));
+      element("summary", {}, `Hint ${i + 1} of ${this.unit.hints.length}: ${hintNames[i]}`), element("p", {}, ...inlineMarkdown(this.unit.hints[i])))));
     this.parts.hint.disabled = i + 1 >= this.unit.hints.length;
   }
 
@@ -160,7 +161,6 @@ class Box {
     const next = this.parts.hints.childElementCount;
     if (next >= this.unit.hints.length) return;
     this.showHint(next);
-    this.parts.note.textContent = `Hint ${next + 1} of ${this.unit.hints.length}:`;
     await saveHints(this.unit.id, next + 1);
   }
 

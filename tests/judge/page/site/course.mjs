@@ -20,6 +20,12 @@ export async function unitsByChapter() {
   return chapters;
 }
 
+/** The unit that follows in the course, if there is one. */
+export async function unitAfter({ id }) {
+  const all = await units();
+  return all[all.findIndex((each) => each.id === id) + 1];
+}
+
 export const manifest = () => json("manifest.json");
 
 /** "4.1" → "chapters-04_quaternions.html" */

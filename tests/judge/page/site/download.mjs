@@ -33,17 +33,18 @@ export async function askToDownload(place) {
   return answer;
 }
 
-/** A bar in `place` that shows {done, total, what}. */
+/** A bar in `place` that shows {done, total} [bytes], and what comes after them. */
 export function progressBar(place) {
   const bar = element("progress", { max: 1, "aria-label": "Download" });
   const words = element("span", {});
   return {
-    show({ done, total, what }) {
+    show({ done, total }) {
       if (!bar.isConnected) place.replaceChildren(bar, words);
       place.hidden = false;
-      if (total > 0) bar.value = Math.min(1, done / total);
-      const count = total > 1000 ? `${megabytes(done)} of ${megabytes(total)}` : "";
-      words.textContent = [what, count].filter(Boolean).join(": ");
+      const whole = done >= total;
+      if (whole) bar.removeAttribute("value");
+      else bar.value = done / total;
+      words.textContent = whole ? "Starting the compiler and the judge" : `${megabytes(done)} of ${megabytes(total)}`;
     },
     remove() {
       place.replaceChildren();

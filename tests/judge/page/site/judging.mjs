@@ -1,6 +1,7 @@
 // From the button Check to the verdict.
-import { base } from "./course.mjs";
+import { addressOf, base, unitAfter } from "./course.mjs";
 import { askToDownload, completeDownload, hasAgreed, progressBar } from "./download.mjs";
+import { element } from "./element.mjs";
 import { saveVerdict } from "./store.mjs";
 import { compilerMessages, showVerdict } from "./verdict.mjs";
 
@@ -16,7 +17,7 @@ const freshSeed = () => 1 + Math.floor(Math.random() * 1e6);
 
 export class Judging {
   /**
-   * @param parts of the box: check, progress, line, text
+   * @param parts of the box: check, progress, line, text, next
    * @param box {text(): what is there, kept; mark(messages), hint(), judged()}
    */
   constructor(unit, parts, box) {
@@ -28,6 +29,7 @@ export class Judging {
     this.setBusy(true);
     try {
       if ((await hasAgreed()) || (await askToDownload(this.parts.progress))) await this.run(seed);
+      else this.parts.text.classList.remove("of-before");
     } catch (error) {
       if (error.name === "AbortError") this.say("Stopped: there is no verdict.");
       else this.say(`The judge does not work here: ${error.message}. This is not a verdict on your code.`);
@@ -73,7 +75,7 @@ export class Judging {
   setBusy(busy) {
     this.busy = busy;
     this.parts.check.setAttribute("aria-disabled", busy);
-    this.parts.text.classList.toggle("of-before", busy);
+    if (busy) this.parts.text.classList.add("of-before"); // until there is another verdict
   }
 
   sayHung(count) {
@@ -93,7 +95,19 @@ export class Judging {
   show(verdict) {
     this.verdict = verdict;
     showVerdict(verdict, this.parts, { check: (seed) => this.check(seed), hint: () => this.box.hint() });
+    this.parts.text.classList.remove("of-before");
+    this.offerNext(verdict);
     this.markAgain();
+  }
+
+  /** Where to go on once this has passed. */
+  async offerNext(verdict) {
+    const { next } = this.parts;
+    next.hidden = true;
+    const following = verdict.passed && (await unitAfter(this.unit)), address = following && (await addressOf(following));
+    if (!address || this.verdict !== verdict) return;
+    next.replaceChildren("Next: ", element("a", { href: address }, `${following.number} ${following.name}`));
+    next.hidden = false;
   }
 
   /** For an editor that came after the verdict. */
@@ -103,7 +117,7 @@ export class Judging {
 
   clear() {
     this.verdict = null;
-    this.parts.text.hidden = true;
+    this.parts.text.hidden = this.parts.next.hidden = true;
     this.say("");
   }
 }
