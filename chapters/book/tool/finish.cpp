@@ -1,5 +1,6 @@
 #include "book/tool/finish.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -97,6 +98,21 @@ void close_up_formulas(std::string& text) {
   }
 }
 
+/// What a reader is to write has the name of something in the library now and then, and is not
+/// that: Doxygen's link to it goes, its text stays.
+void unlink_signatures(std::string& text) {
+  const std::string box = "class=\"now-write\"", link = "<a class=\"code hl_function\"";
+  for (auto at = text.find(box); at != std::string::npos; at = text.find(box, at + 1)) {
+    const auto begin = text.find("<div class=\"fragment\">", at);
+    for (auto found = text.find(link, begin);
+         found < std::min(text.find("<!-- fragment -->", begin), text.find(box, at + 1));
+         found = text.find(link, found)) {
+      text.erase(found, text.find('>', found) + 1 - found);
+      text.erase(text.find("</a>", found), 4);
+    }
+  }
+}
+
 }  // namespace
 
 void finish_site(const fs::path& root, const fs::path& folder) {
@@ -109,6 +125,7 @@ void finish_site(const fs::path& root, const fs::path& folder) {
     lower_sections(text);
     frame_tables(text);
     close_up_formulas(text);
+    unlink_signatures(text);
     write_text(entry.path(), text);
   }
 }

@@ -197,3 +197,20 @@ TEST_CASE("a finished page has a heading, its own link marked, and tables in fra
         "</nav><h1 class=\"title\">A </h1><p>A.</p><div class=\"scroll\" tabindex=\"0\"><table "
         "class=\"markdownTable\"></table></div>");
 }
+
+TEST_CASE("the signature of an exercise leads nowhere, other code leads to the library") {
+  const Project project;
+  const std::string linked =
+      "<div class=\"fragment\"><a class=\"code hl_function\" "
+      "href=\"l.html\">turn</a>(p);</div><!-- "
+      "fragment -->";
+  project.write("html/a.html",
+                linked + "<div class=\"now-write\"><p>4.3</p>" + linked + "</div>" + linked);
+  finish_site(project.path(), project.path() / "html");
+  CHECK(
+      text_of(project.path() / "html/a.html") ==
+      linked +
+          "<div class=\"now-write\"><p>4.3</p><div class=\"fragment\">turn(p);</div><!-- fragment "
+          "--></div>" +
+          linked);
+}
