@@ -32,6 +32,10 @@ for (const anchor of text.querySelectorAll(":is(h1, h2, h3, h4) > a.anchor[id]")
   anchor.parentElement.append(link);
 }
 
+// Who reads this is in the site already; on paper and in the repository the whole sentence stands.
+for (const paragraph of text.querySelectorAll(".try-it p"))
+  paragraph.innerHTML = paragraph.innerHTML.replace(/In the site (that <code>\.\/tumble book<\/code> opens, )?this figure moves/, "This figure moves");
+
 const pageContents = document.querySelector(".page-contents");
 if (pageContents) {
   // Beside the text it stays open; above the text it would push the text away.

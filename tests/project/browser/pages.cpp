@@ -81,6 +81,20 @@ TEST_CASE("the site: no page complains, asks the network, or reaches beyond the 
   }
 }
 
+TEST_CASE("the site: a box says of its figure that it moves, and not where one has to go for it") {
+  if (!can_look()) return;
+  Chromium browser;
+  const char* const boxes =
+      "[...document.querySelectorAll('.try-it')].map((box) => box.textContent).join()";
+  for (const std::string page :
+       {"chapters-04_quaternions.html", "chapters-11_when_bodies_meet.html"}) {
+    browser.open(address_of(page));
+    const std::string words = browser.evaluate(boxes);
+    CHECK_MESSAGE(words.find("This figure moves") != std::string::npos, page);
+    CHECK_MESSAGE(words.find("In the site") == std::string::npos, page);
+  }
+}
+
 TEST_CASE("the site: on a small screen Escape closes the menu") {
   if (!can_look()) return;
   Chromium browser;
