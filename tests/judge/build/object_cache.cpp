@@ -18,6 +18,33 @@ namespace {
 using nlohmann::json;
 using support::bytes_of, support::text_in;
 
+/// @throws std::exception if it cannot be read, or is only a part
+std::optional<WorkerBuild> read_from(const fs::path& place, const std::string& text,
+                                     const fs::path& object) {
+  const json kept = json::from_msgpack(support::read_text(place / "build"));
+  if (text_in(kept.at("text")) != text) return std::nullopt;  // somebody has made the hashes meet
+  WorkerBuild build;
+  build.outcome = static_cast<BuildOutcome>(kept.at("outcome").get<int>());
+  build.detail = text_in(kept.at("detail"));
+  build.warnings = text_in(kept.at("warnings"));
+  if (build.outcome != BuildOutcome::built) return build;
+  fs::copy_file(place / "object", object, fs::copy_options::overwrite_existing);
+  build.object = object;
+  return build;
+}
+
+/// @throws std::exception if there is no room
+void write_to(const fs::path& beside, const std::string& text, const WorkerBuild& build) {
+  fs::create_directory(beside);
+  const std::vector<std::uint8_t> message =
+      json::to_msgpack({{"text", bytes_of(text)},
+                        {"outcome", static_cast<int>(build.outcome)},
+                        {"detail", bytes_of(build.detail)},
+                        {"warnings", bytes_of(build.warnings)}});
+  support::write_text(beside / "build", {message.begin(), message.end()});
+  if (build.outcome == BuildOutcome::built) fs::copy_file(build.object, beside / "object");
+}
+
 /// What an object depends on beside the file's own text. The precompiled header is made anew when
 /// the compiler, its flags, or a header in it changes.
 std::uint64_t hash_of_surroundings(const Course& course) {
@@ -59,24 +86,10 @@ std::optional<WorkerBuild> ObjectCache::find(const Unit& unit, const std::string
                                              const fs::path& object) const {
   const fs::path place = place_of(unit, text);
   try {
-    if (fs::exists(place)) return read(place, text, object);
+    if (fs::exists(place)) return read_from(place, text, object);
   } catch (const std::exception&) {  // half a file, or one that another command has just removed
   }
   return std::nullopt;
-}
-
-std::optional<WorkerBuild> ObjectCache::read(const fs::path& place, const std::string& text,
-                                             const fs::path& object) const {
-  const json kept = json::from_msgpack(support::read_text(place / "build"));
-  if (text_in(kept.at("text")) != text) return std::nullopt;  // somebody has made the hashes meet
-  WorkerBuild build;
-  build.outcome = static_cast<BuildOutcome>(kept.at("outcome").get<int>());
-  build.detail = text_in(kept.at("detail"));
-  build.warnings = text_in(kept.at("warnings"));
-  if (build.outcome != BuildOutcome::built) return build;
-  fs::copy_file(place / "object", object, fs::copy_options::overwrite_existing);
-  build.object = object;
-  return build;
 }
 
 void ObjectCache::keep(const Unit& unit, const std::string& text, const WorkerBuild& build) const {
@@ -85,25 +98,13 @@ void ObjectCache::keep(const Unit& unit, const std::string& text, const WorkerBu
   const fs::path beside = place.string() + "." + std::to_string(::getpid());
   std::error_code not_moved;
   try {
-    write(beside, text, build);
+    write_to(beside, text, build);
     fs::rename(beside, place, not_moved);
   } catch (const std::exception&) {  // no room
     not_moved = std::make_error_code(std::errc::no_space_on_device);
   }
   std::error_code ignored;
   if (not_moved) fs::remove_all(beside, ignored);
-}
-
-void ObjectCache::write(const fs::path& beside, const std::string& text,
-                        const WorkerBuild& build) const {
-  fs::create_directory(beside);
-  const std::vector<std::uint8_t> message =
-      json::to_msgpack({{"text", bytes_of(text)},
-                        {"outcome", static_cast<int>(build.outcome)},
-                        {"detail", bytes_of(build.detail)},
-                        {"warnings", bytes_of(build.warnings)}});
-  support::write_text(beside / "build", {message.begin(), message.end()});
-  if (build.outcome == BuildOutcome::built) fs::copy_file(build.object, beside / "object");
 }
 
 fs::path ObjectCache::place_of_stub(const Unit& unit) const {

@@ -37,10 +37,6 @@ class ObjectCache {
  private:
   std::filesystem::path place_of(const Unit& unit, const std::string& text) const;
   std::filesystem::path place_of_stub(const Unit& unit) const;
-  std::optional<WorkerBuild> read(const std::filesystem::path& place, const std::string& text,
-                                  const std::filesystem::path& object) const;
-  void write(const std::filesystem::path& beside, const std::string& text,
-             const WorkerBuild& build) const;
 
   std::filesystem::path folder_;
   Stubs stubs_;
