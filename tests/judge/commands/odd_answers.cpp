@@ -151,8 +151,6 @@ class OddAnswerer : public Answerer {
     if (some(&Counts::answers, 1)) there.push_back({Place::Of::answers, Place::Which::last});
     if (some(&Counts::evaluations, 0))
       there.push_back({Place::Of::evaluations, Place::Which::first});
-    if (some(&Counts::evaluations, 1))
-      there.push_back({Place::Of::evaluations, Place::Which::last});
     return there;
   }
 
@@ -179,8 +177,7 @@ class OddAnswerer : public Answerer {
     if (!distortion_ || place_.of != of) return false;
     if (place_.which == Place::Which::first) return number == 1;
     const auto all = counts_.find(case_);
-    return all != counts_.end() &&
-           number == (of == Place::Of::answers ? all->second.answers : all->second.evaluations);
+    return all != counts_.end() && number == all->second.answers;
   }
   Value distorted(const Value& value) {
     Value other = distortion_->apply(value);

@@ -68,8 +68,9 @@ TEST_CASE("the site: no page complains, asks the network, or reaches beyond the 
   Chromium browser;
   const auto pages = pages_of_the_book();
   REQUIRE(pages.size() > 20);
-  for (const auto& [width, phone] : {std::pair{1280, false}, {390, true}}) {
-    browser.resize(width, 800, phone);
+  for (const std::pair<int, bool>& window : {std::pair{1280, false}, {390, true}}) {
+    const int width = window.first;
+    browser.resize(width, 800, window.second);
     for (const std::string& page : pages) {
       CAPTURE(page);
       CAPTURE(width);
