@@ -82,7 +82,7 @@ TEST_CASE("the site: no page complains, asks the network, or reaches beyond the 
   }
 }
 
-TEST_CASE("the site: a box says of its figure that it moves, and not where one has to go for it") {
+TEST_CASE("the site: a box says that its figure moves, not where you find one that does") {
   if (!can_look()) return;
   Chromium browser;
   const char* const boxes =
