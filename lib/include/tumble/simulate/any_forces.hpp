@@ -9,6 +9,7 @@
 /// compares the forces with what the run thinks they are. What it finds is a break for new runs.
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "tumble/simulate/computed_motion.hpp"
@@ -54,10 +55,11 @@ class AnyForces {
       rough.account(report_);
       fine.account(report_);
       if (is_surprised(fine)) continue;
-      report_.error_estimate = stated_error<Run>(
-          {fine.difference(rough), epsilon_, fine_tolerance, fine.steps(), fine.radians()},
-          rhs_.lost_moments());
-      if (report_.reached() || epsilon_ <= lowest_) {
+      report_.error_estimate =
+          unseen_ + stated_error<Run>({fine.difference(rough), epsilon_, fine_tolerance,
+                                       fine.steps(), fine.radians()},
+                                      rhs_.lost_moments());
+      if (report_.reached() || epsilon_ <= lowest_ || unseen_ > task_.tolerance) {
         report_.method = stiff_ ? "Radau IIA 5" : "Dormand–Prince 8(5,3)";
         return trajectory_of(std::move(fine), task_, report_);
       }
@@ -104,15 +106,24 @@ class AnyForces {
     epsilon_ = lowest_ = std::min(coarsest, coarser * epsilon_);
   }
 
-  /// Whether there are forces that the run has not seen. Their moments become breaks.
+  /// Whoever has been surprised looks closer: what comes and goes once may do so again.
+  double looks(const Run& run) const {
+    constexpr double at_first = 2048, closer = 8, most = 0x1p20;
+    return std::min(most, at_first * std::pow(closer, rounds_ + run.has_jumped()));
+  }
+
+  /// Whether there are forces that the run has not seen. Their moments become breaks; when that has
+  /// been tried often enough, what they do is a part of the error.
   bool is_surprised(const Run& run) {
     constexpr int enough = 8;
-    if (rounds_ == enough) return false;
     constexpr double least = 1e-11;  // below it, rounding surprises
-    const std::vector<double> found = run.surprises(std::max(task_.tolerance, least));
-    if (found.empty()) return false;
+    const auto found = run.surprises(std::max(task_.tolerance, least), looks(run));
+    constexpr double doubt = 4;  // a sum of samples
+    unseen_ = 0;
+    for (const auto& surprise : found) unseen_ += doubt * surprise.effect;
+    if (found.empty() || rounds_ == enough) return false;
     ++rounds_;
-    breaks_.insert(breaks_.end(), found.begin(), found.end());
+    for (const auto& surprise : found) breaks_.push_back(surprise.s);
     std::sort(breaks_.begin(), breaks_.end());
     return true;
   }
@@ -129,6 +140,7 @@ class AnyForces {
   double lowest_ = 2e-15;
   double epsilon_ = std::clamp(1e-2 * task_.tolerance, lowest_, 1e-3);
   int rounds_ = 0;
+  double unseen_ = 0;  ///< what forces do that the fine run has not seen, a part of the sizes
   SimulationReport report_{
       .model = Model::full_body, .why = Rhs::why, .tolerance = task_.tolerance};
 };

@@ -37,12 +37,14 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
         guide_(std::move(settings_.guide)),
         budget_(0, span, settings.most_steps) {
     for (const double end : breaks_)
-      if (end_ == RunEnd::complete) settings.stiff ? follow<Radau5>(end) : follow<Dop853>(end);
+      while (end_ == RunEnd::complete && steps_.back().s < end)
+        settings.stiff ? follow<Radau5>(end) : follow<Dop853>(end);
   }
 
   RunEnd end() const { return end_; }
   double predicted_steps() const { return budget_.predicted(); }
   double radians() const { return radians_; }
+  bool has_jumped() const { return after_jump_ >= 0; }  ///< the forces
 
   /// @throws std::runtime_error that says how many steps it would take
   [[noreturn]] void refuse() const {
@@ -67,11 +69,10 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
     return settings.moved ? roundings * unit_roundoff : 0;
   }
 
-  /// From where it is to a break, or to the end.
+  /// From where it is to a break, to the end, or across a jump of the forces.
   template <class Method>
   void follow(double end) {
     double s = steps_.back().s;
-    if (!(s < end)) return;
     Numbers y = steps_.back().y;
     const auto clock = this->timed(s);
     const runge_kutta::CountedRhs<const typename Record::Timed> f(clock, evaluations_);
@@ -94,14 +95,37 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
         y = attempt.y;
       } else {
         ++rejected_;
-        if (h <= shortest)
-          stop(attempt.error != attempt.error ? "a force is not finite" : "no step is short enough",
-               s, h);
+        if (h <= shortest) {
+          cross_jump(stepper, f, attempt, s, last ? end : s + h, h);
+          break;
+        }
       }
       count_step(s);
       h = attempt.next_h;
     }
     tolerance_ = stepper.tolerances();
+  }
+
+  /// Across a jump of the forces no step is short enough, but the shortest makes an error no larger
+  /// than the rounding of the time makes. Behind it the forces are smooth again: where they are
+  /// not, or the step leads away, they grow without bound.
+  template <class Stepper, class F>
+  void cross_jump(Stepper& stepper, const F& f, const runge_kutta::Attempt<Numbers>& attempt,
+                  double s, double next, double h) {
+    if (attempt.error != attempt.error) stop("a force is not finite", s, h);
+    constexpr double far = 0.01;
+    const Numbers y = steps_.back().y;
+    const double way = MotionTolerance<Numbers>::part(attempt.y - y, stepper.tolerances().squares);
+    if (!std::isfinite(attempt.error) || !(way < far) || this->steps() == after_jump_)
+      stop("no step is short enough", s, h);
+    keep(attempt.y, next, h);
+    if constexpr (requires { stepper.stages_of_step(); }) {
+      auto stages = stepper.stages_of_step();
+      stages.back() = f(next, attempt.y);
+      remember_way(f, s, y, attempt.y, h, stages);
+    }
+    stepper.tolerances().grow(attempt.y);
+    after_jump_ = this->steps();
   }
 
   void keep(const Numbers& y, double s, double h) {
@@ -114,12 +138,17 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   void look_at(const Stepper& stepper, const F& f, double s, const Numbers& y, const Numbers& y1,
                double h) {
     if constexpr (requires { stepper.stages_of_step(); }) {
-      // The rough run is asked at the ends of its steps only.
-      if (dense_.size() < max_dense && !settings_.moved)
-        dense_.emplace_back(f, s, y, y1, h, stepper.stages_of_step());
+      remember_way(f, s, y, y1, h, stepper.stages_of_step());
       if (settings_.watched && this->steps() > 100 && this->steps() % 4 == 0)
         watch(stepper, y, y1, h);
     }
+  }
+
+  /// The way between the ends of the last step; of the rough run, nobody asks for it.
+  template <class F, class Stages>
+  void remember_way(const F& f, double s, const Numbers& y, const Numbers& y1, double h,
+                    const Stages& stages) {
+    if (dense_.size() < max_dense && !settings_.moved) dense_.emplace_back(f, s, y, y1, h, stages);
   }
 
   /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", IV.2; the numbers are
@@ -154,6 +183,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   StepBudget budget_;
   double radians_ = 0;
   int rejected_ = 0, evaluations_ = 0, stiff_steps_ = 0;
+  int after_jump_ = -1;  ///< how many steps there were behind the last jump
   RunEnd end_ = RunEnd::complete;
 };
 

@@ -55,14 +55,21 @@ class MotionRecord {
     return most;
   }
 
-  /// Moments [s after t0] at which forces are not what the run thinks they are, by more than a part
-  /// of its sizes. Wherever nobody has looked for a while, it is looked whether forces depend on
-  /// the time; where they do, and now and then, whether the way between the steps' ends obeys them.
-  std::vector<double> surprises(double part) const {
-    constexpr double looks = 2048;
+  /// Where forces are not what the run thinks they are, by more than a part of its sizes.
+  struct Surprise {
+    double s;       ///< [s after t0]
+    double effect;  ///< until the next look, a part of the sizes
+  };
+
+  /// Wherever nobody has looked for a while, it is looked whether forces depend on the time; where
+  /// they do, and now and then, whether the way between the steps' ends obeys them.
+  /// @param looks how often in all, at least
+  std::vector<Surprise> surprises(double part, double looks) const {
     constexpr int now_and_then = 16;
     const double per_second = looks / breaks_.back();
-    std::vector<double> moments;
+    const double shift =
+        golden_fraction(static_cast<int>(breaks_.size()) - 1, 0.5);  // not the same twice
+    std::vector<Surprise> found;
     int all = 0;
     for (std::size_t i = 0; i < dense_.size(); ++i) {
       const double begin = steps_[i].s, h = steps_[i + 1].s - begin;
@@ -73,15 +80,15 @@ class MotionRecord {
       const auto then = rhs_.net(f.time(begin), there);
       for (int k = 0; k < count; ++k) {
         // Nearly even, but in step with nothing.
-        const double theta = (k + 0.45 + 0.1 * golden_fraction(++all)) / count;
+        const double theta = (k + 0.9 * shift + 0.1 * golden_fraction(++all)) / count;
         const double s = begin + theta * h;
         if (rhs_.net(f.time(s), there) == then && all % now_and_then != 0) continue;
         const Numbers gap = h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta);
-        if (!(MotionTolerance<Numbers>::part(gap, tolerance_.squares) <= part))
-          moments.push_back(s);
+        const double size = MotionTolerance<Numbers>::part(gap, tolerance_.squares);
+        if (!(size <= part)) found.push_back({s, size / count});
       }
     }
-    return moments;
+    return found;
   }
 
  protected:
@@ -128,8 +135,8 @@ class MotionRecord {
   std::vector<Dop853Dense<Numbers>> dense_;  ///< of the first steps
 
  private:
-  static double golden_fraction(int i) {
-    const double x = 0.6180339887498949 * i;
+  static double golden_fraction(int i, double first = 0) {
+    const double x = first + 0.6180339887498949 * i;
     return x - std::floor(x);
   }
 

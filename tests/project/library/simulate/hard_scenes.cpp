@@ -1,7 +1,10 @@
 // Scenes in which an error that is stated is easily wrong without a word, or a task has no end.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <vector>
 
 #include "project/harness/refusal.hpp"
 #include "reference/rigid_body.hpp"
@@ -35,6 +38,31 @@ AnyForce pulse(double width) {
 }
 
 const double pulsed_L = std::sqrt(std::acos(-1.0));
+
+/// A motor that is switched on now and then, with 1 N m about z.
+struct Motor {
+  std::vector<double> on, off;  ///< [s], ascending
+
+  /// For `width` seconds, at `count` moments of a span of 1000 s that have no rhythm.
+  Motor(int count, double width) {
+    for (int i = 0; i < count; ++i) {
+      on.push_back((i + 0.8 * std::fmod(0.6180339887498949 * i, 1)) * 1000 / count);
+      off.push_back(on.back() + width);
+    }
+  }
+  double L(double t) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < on.size(); ++i) sum += std::clamp(t, on[i], off[i]) - on[i];
+    return sum;
+  }
+  AnyForce torque() const {
+    return [*this](double t, const RigidBody<>&, const Derived<>&) -> Wrench<> {
+      const auto next = std::upper_bound(off.begin(), off.end(), t);
+      const bool runs = next != off.end() && t >= on[static_cast<std::size_t>(next - off.begin())];
+      return {.torque = Vec3(0, 0, runs)};
+    };
+  }
+};
 
 }  // namespace
 
@@ -89,6 +117,50 @@ TEST_CASE("hard scenes: a pulse that nobody could find by chance, by a longest s
   CHECK(run.report().rejected == 0);  // no step went across a jump
   CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .breaks = {NAN}}, motor), "break", "nan");
   CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .longest_step = 0}, motor), "longest step", "0");
+}
+
+TEST_CASE("hard scenes: a motor is switched on and off again, and nobody says when") {
+  for (const double width : {20.0, 1.0, 0.6}) {
+    CAPTURE(width);
+    Motor motor(1, width);
+    motor.on[0] += 128.1;
+    motor.off[0] += 128.1;
+    const Trajectory motion = simulate(unit_ball, {}, {0, 1000, 1e-6}, motor.torque());
+    const double error = std::abs(motion.end().L.z() / width - 1);
+    CHECK(error <= motion.report().error_estimate);
+    CHECK(motion.report().reached());
+  }
+}
+
+TEST_CASE("hard scenes: forces that have been seen to come and go are looked for more closely") {
+  const Motor motor(30, 0.1);
+  const Trajectory motion = simulate(unit_ball, {}, {0, 1000, 1e-6}, motor.torque());
+  CHECK(motion.report().reached());
+  CHECK(std::abs(motion.end().L.z() / motor.L(1000) - 1) <= motion.report().error_estimate);
+}
+
+TEST_CASE("hard scenes: where forces come and go too often to find them all, the error says so") {
+  Motor motor(300, 3e-4);
+  motor.off[100] += 0.6;  // long enough to be found
+  const Trajectory motion = simulate(unit_ball, {}, {0, 1000, 1e-6}, motor.torque());
+  const double error = std::abs(motion.end().L.z() / motor.L(1000) - 1);
+  CHECK(error > 1e-6);  // else this test shows nothing
+  CHECK_FALSE(motion.report().reached());
+  CHECK(error <= motion.report().error_estimate);
+}
+
+TEST_CASE("hard scenes: a jump of the forces is crossed, a place where they have no bound is not") {
+  const AnyForce pull = [](double, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
+    return {.force = -now.x / std::pow(now.x.norm(), 3)};
+  };
+  RigidBodyState<> start;
+  start.x = Vec3(1, 0, 0);
+  const double fall = std::acos(-1.0) / std::sqrt(8.0);  // until it is at the centre
+  CHECK(simulate(unit_ball, start, {0, 0.99 * fall, 1e-6}, pull).report().reached());
+  CHECK(test::mentions(test::message_of<std::runtime_error>([&] {
+                         simulate(unit_ball, start, {0, 2, 1e-6}, pull);
+                       }),
+                       "no step is short enough"));
 }
 
 TEST_CASE("hard scenes: what is not a number is refused, and never counts as no error") {
