@@ -25,8 +25,8 @@ struct SimulationTask {
   double t1 = 1;            ///< [s]; before t0 for the motion that led to the start
   double tolerance = 1e-6;  ///< of the orientation in radians, of all else relative to its size
   Wanted wanted = Wanted::trajectory;
-  /// When forces begin, end or jump [s]: no step goes across. For forces of your own: jumps that are
-  /// not told are found where they last for a two-thousandth of the span, and cost more.
+  /// When forces begin, end or jump [s]: no step goes across. For forces of your own: jumps that
+  /// are not told are found where they last for a two-thousandth of the span, and cost more.
   std::vector<double> breaks = {};
   /// No step is longer [s]. For forces of your own that act for a very short time.
   double longest_step = std::numeric_limits<double>::infinity();

@@ -53,7 +53,7 @@ TEST_CASE("every stub is untouched, has its hints, and fails every case of its s
 }
 
 TEST_CASE("every solution passes, with many seeds") {
-  const CommandResult check = judge("check all --solutions --seed 1 --seeds 20");
+  const CommandResult check = judge("check all --solutions --seed 1 --seeds 10");
   CHECK_MESSAGE(check.status == 0, check.output);
 }
 
