@@ -117,11 +117,11 @@ const Misconceptions<decltype(quaternions::rotate)> misconceptions{
      {"conjugate for inverse",
       "The direction is right, but you scale the point by |q|². Conjugate and inverse are the same "
       "for unit quaternions only, and q drifts.",
-      "Drift",
+      "The inverse",
       [](const Quaternion& q, const Vec3& p) { return between(q, p, reference::conjugate(q)); }},
      {"divided by the length, not its square",
       "The direction is right, but you scale the point by |q|: q stands in the product twice.",
-      "Drift",
+      "The inverse",
       [](const Quaternion& q, const Vec3& p) -> Vec3 {
         return between(q, p, reference::conjugate(q)) / q.norm();
       }},

@@ -114,15 +114,15 @@ const Misconceptions<decltype(quaternions::to_matrix)> misconceptions{
      {"length ignored",
       "This is right for unit quaternions only. Here q may have drifted, and then the columns of "
       "your matrix have neither length 1 nor right angles between them.",
-      "Drift", [](const Quaternion& q) { return for_unit(q, 2); }},
+      "To a matrix", [](const Quaternion& q) { return for_unit(q, 2); }},
      {"scaled by the squared length",
       "Your columns are perpendicular, but as long as |q|²: with w² + x² − y² − z² on the diagonal "
       "the matrix grows with q.",
-      "Drift",
+      "To a matrix",
       [](const Quaternion& q) -> Mat3 { return q.squaredNorm() * reference::to_matrix(q); }},
      {"divided by the length, not its square",
       "Each term is a product of two numbers of q, so it grows with the square of the length.",
-      "Drift", [](const Quaternion& q) { return for_unit(q, 2 / q.norm()); }},
+      "To a matrix", [](const Quaternion& q) { return for_unit(q, 2 / q.norm()); }},
      {"factor 2 forgotten",
       "Besides the 1, each of your terms is half of what it should be. Try a half turn about z: x "
       "has to go to −x, not to 0.",

@@ -77,3 +77,15 @@ function closeMenu({ key }) {
   document.getElementById("to-menu").focus();
 }
 addEventListener("keydown", closeMenu);
+
+/** Browsers take the scripts of the exercises from a server only. */
+function sayWhereToWrite() {
+  if (location.protocol !== "file:" || !document.querySelector("script[src^='exercises/']")) return;
+  for (const box of text.querySelectorAll(".now-write")) {
+    const note = document.createElement("p");
+    note.className = "where-to-write";
+    note.innerHTML = "You can write this here, in the page, if the site comes from a server: <code>./tumble book --serve</code> opens it so.";
+    box.append(note);
+  }
+}
+addEventListener("DOMContentLoaded", sayWhereToWrite);

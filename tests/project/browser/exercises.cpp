@@ -112,3 +112,12 @@ TEST_CASE("exercises in the page: Reset keeps the text, and it can be put back")
   page.says("button('Put back').click()");
   CHECK(page.says("until(() => editor().getValue() === 'mine\\n')") == true);
 }
+
+TEST_CASE("exercises in the page: from disk, where no editor can be, the box says how to get one") {
+  if (!can_try()) return;
+  ExercisePage page;
+  CHECK(page.says("document.querySelector('.where-to-write')") == Json());
+  page.browser.open(page.site.from_disk("chapters-04_quaternions.html"));
+  CHECK(page.says("document.getElementById('now-write-4.1').lastChild.textContent.includes('book "
+                  "--serve')") == true);
+}

@@ -41,6 +41,9 @@ class ServedSite {
   }
 
   std::string address(const std::string& page) const { return server_->address() + page; }
+  std::string from_disk(const std::string& page) const {
+    return "file://" + (folder_.path() / "site" / page).string();
+  }
 
  private:
   static nlohmann::json units(const std::filesystem::path& root) {
