@@ -10,7 +10,7 @@ namespace tumble::scenes {
 namespace {
 
 /// One body of several that move together.
-class OneOfAll final : public detail::MotionOverTime<RigidBodyState<>> {
+class OneOfAll final : public detail::AnyTrajectory<RigidBodyState<>> {
  public:
   OneOfAll(SceneTrajectory all, std::size_t body) : all_(std::move(all)), body_(body) {}
 

@@ -8,7 +8,7 @@
 #include "tumble/simulate/any_forces.hpp"
 #include "tumble/simulate/backwards.hpp"
 #include "tumble/simulate/closed_trajectories.hpp"
-#include "tumble/simulate/computed_motion.hpp"
+#include "tumble/simulate/computed_trajectory.hpp"
 #include "tumble/simulate/event_count.hpp"
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/general_trajectory.hpp"

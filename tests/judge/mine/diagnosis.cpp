@@ -31,7 +31,7 @@ void look_at_mass(const ProblemResult& result, std::vector<std::string>& found) 
                     "smaller steps.");
 }
 
-std::string words_for(const only_what_a_scene_needs::Choice& choice) {
+std::string name_of(const only_what_a_scene_needs::Choice& choice) {
   const int model = static_cast<int>(choice.model);
   const std::string name =
       model >= 0 && model <= 3 ? tumble::name_of(static_cast<Model>(model)) : "no model";
@@ -46,8 +46,8 @@ void look_at_choice(const ProblemResult& result, std::vector<std::string>& found
     const only_what_a_scene_needs::Choice right{
         static_cast<only_what_a_scene_needs::Model>(static_cast<int>(problem.model)),
         problem.pull.has_value()};
-    found.push_back("10.1 choose_model says “" + words_for(*result.chosen.choice) + "”; it is “" +
-                    words_for(right) + "”.");
+    found.push_back("10.1 choose_model says “" + name_of(*result.chosen.choice) + "”; it is “" +
+                    name_of(right) + "”.");
   }
 }
 

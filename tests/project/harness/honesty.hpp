@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "project/harness/extended_motion.hpp"
+#include "project/harness/extended_trajectory.hpp"
 #include "tumble/simulate/simulate.hpp"
 
 namespace tumble::test {
@@ -55,7 +55,7 @@ inline double moment(int i, int count) { return (i + 1) / static_cast<double>(co
 inline constexpr int moments = 13;
 
 inline std::optional<Truth> truth_of(const MotionScene& s, int shift = 0) {
-  ExtendedMotion motion(s, shift);
+  ExtendedTrajectory motion(s, shift);
   Truth truth;
   const Long span = static_cast<Long>(s.t1) - static_cast<Long>(s.t0);
   for (int i = 0; i < moments; ++i) {

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tumble/simulate/computed_motion.hpp"
+#include "tumble/simulate/computed_trajectory.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
@@ -78,7 +78,7 @@ class AnyForces {
                          .stiff = stiff_,
                          .watched = !stiff_ && !stiff_in_vain_};
     // A step of Radau5 costs as much as ten.
-    if (stiff_) settings.most_steps = explicit_steps_ / 10;
+    if (stiff_) settings.max_steps = explicit_steps_ / 10;
     return Run(rhs_, start_, task_.t0, span_, settings);
   }
 

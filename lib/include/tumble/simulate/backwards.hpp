@@ -64,9 +64,9 @@ struct FilmedForce {
 
 /// The motion, from the film of it.
 template <class State>
-class BackwardsMotion final : public MotionOverTime<State> {
+class BackwardsTrajectory final : public AnyTrajectory<State> {
  public:
-  explicit BackwardsMotion(TrajectoryOf<State> film) : film_(std::move(film)) {}
+  explicit BackwardsTrajectory(TrajectoryOf<State> film) : film_(std::move(film)) {}
 
   State at(double t) const override { return backwards(film_.at(-t)); }
   std::vector<double> times() const override {
@@ -81,7 +81,7 @@ class BackwardsMotion final : public MotionOverTime<State> {
 
 template <class State>
 TrajectoryOf<State> backwards(const TrajectoryOf<State>& film) {
-  return {std::make_shared<const BackwardsMotion<State>>(film), -film.t0(), -film.t1(),
+  return {std::make_shared<const BackwardsTrajectory<State>>(film), -film.t0(), -film.t1(),
           film.report()};
 }
 

@@ -17,11 +17,11 @@ namespace tumble::detail {
 /// A path in closed form, and a turning that goes with it.
 /// @tparam Turning has at(time since t0) → {q, L}
 template <class Turning>
-class ClosedMotion final : public MotionOverTime<RigidBodyState<>> {
+class ClosedFormTrajectory final : public AnyTrajectory<RigidBodyState<>> {
  public:
   /// @param omega about how fast it turns [rad/s]
-  ClosedMotion(const Turning& turning, const steady::SteadyPath& path, double t0, double t1,
-               double omega)
+  ClosedFormTrajectory(const Turning& turning, const steady::SteadyPath& path, double t0, double t1,
+                       double omega)
       : turning_(turning), path_(path), t0_(t0), t1_(t1), omega_(omega) {}
 
   RigidBodyState<> at(double t) const override {
@@ -56,8 +56,9 @@ Trajectory closed_trajectory(const Turning& turning, const steady::SteadyPath& p
   if (!path.x(span).allFinite() || !path.P(span).allFinite() ||
       !std::isfinite(report.error_estimate))
     throw_error<std::runtime_error>("simulate: the motion overflows a double before t = ", task.t1);
-  return {std::make_shared<const ClosedMotion<Turning>>(turning, path, task.t0, task.t1, omega),
-          task.t0, task.t1, report};
+  return {
+      std::make_shared<const ClosedFormTrajectory<Turning>>(turning, path, task.t0, task.t1, omega),
+      task.t0, task.t1, report};
 }
 
 /// What nothing turns.

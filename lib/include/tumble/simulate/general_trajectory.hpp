@@ -35,7 +35,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
                settings.tolerance, settings.breaks, settings.stiff),
         settings_(settings),
         guide_(std::move(settings_.guide)),
-        budget_(0, span, settings.most_steps) {
+        budget_(0, span, settings.max_steps) {
     for (const double end : breaks_)
       while (end_ == RunEnd::complete && steps_.back().s < end)
         settings.stiff ? follow<Radau5>(end) : follow<Dop853>(end);
@@ -48,7 +48,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
 
   /// @throws std::runtime_error that says how many steps it would take
   [[noreturn]] void refuse() const {
-    refuse_hopeless("simulate", budget_, settings_.most_steps, t0_ + steps_.back().s,
+    refuse_hopeless("simulate", budget_, settings_.max_steps, t0_ + steps_.back().s,
                     "the body turns or swings too often; ask for a shorter time");
   }
 

@@ -19,9 +19,9 @@ namespace tumble {
 namespace detail {
 
 /// The motion of the held body, from its turning about the point.
-class HeldMotion final : public MotionOverTime<RigidBodyState<>> {
+class HeldTrajectory final : public AnyTrajectory<RigidBodyState<>> {
  public:
-  HeldMotion(const HeldBody& held, Trajectory turning)
+  HeldTrajectory(const HeldBody& held, Trajectory turning)
       : held_(held), turning_(std::move(turning)) {}
 
   RigidBodyState<> at(double t) const override { return held_.state_of(turning_.at(t)); }
@@ -33,7 +33,7 @@ class HeldMotion final : public MotionOverTime<RigidBodyState<>> {
 };
 
 inline Trajectory held_trajectory(const HeldBody& held, const Trajectory& turning) {
-  return {std::make_shared<const HeldMotion>(held, turning), turning.t0(), turning.t1(),
+  return {std::make_shared<const HeldTrajectory>(held, turning), turning.t0(), turning.t1(),
           turning.report()};
 }
 

@@ -62,7 +62,8 @@ class MotionRecord {
   };
 
   /// Wherever nobody has looked for a while, it is looked whether forces depend on the time; where
-  /// they do, and now and then, whether the way between the steps' ends obeys them.
+  /// they do, and now and then, whether the way between the steps' ends obeys them. In a step of
+  /// Radau5's, whether they depend on it otherwise than the method could see.
   /// @param looks how often in all, at least
   std::vector<Surprise> surprises(double part, double looks) const {
     constexpr int now_and_then = 16;
@@ -71,7 +72,8 @@ class MotionRecord {
         golden_fraction(static_cast<int>(breaks_.size()) - 1, 0.5);  // not the same twice
     std::vector<Surprise> found;
     int all = 0;
-    for (std::size_t i = 0; i < dense_.size(); ++i) {
+    const std::size_t known = stiff_ ? steps_.size() - 1 : dense_.size();
+    for (std::size_t i = 0; i < known; ++i) {
       const double begin = steps_[i].s, h = steps_[i + 1].s - begin;
       const int count = static_cast<int>(h * per_second);
       if (count == 0) continue;
@@ -82,8 +84,11 @@ class MotionRecord {
         // Nearly even, but in step with nothing.
         const double theta = (k + 0.9 * shift + 0.1 * golden_fraction(++all)) / count;
         const double s = begin + theta * h;
-        if (rhs_.net(f.time(s), there) == then && all % now_and_then != 0) continue;
-        const Numbers gap = h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta);
+        const bool in_turn = !stiff_ && all % now_and_then == 0;
+        if (rhs_.net(f.time(s), there) == then && !in_turn) continue;
+        const Numbers gap = stiff_
+                                ? Numbers(h * unexpected(f, i, theta))
+                                : Numbers(h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta));
         const double size = MotionTolerance<Numbers>::part(gap, tolerance_.squares);
         if (!(size <= part)) found.push_back({s, size / count});
       }
@@ -138,6 +143,23 @@ class MotionRecord {
   static double golden_fraction(int i, double first = 0) {
     const double x = first + 0.6180339887498949 * i;
     return x - std::floor(x);
+  }
+
+  /// What f is in a step of Radau5's, on the state at its begin, less what it is there at the
+  /// moments at which the method has looked, and between them a polynomial.
+  Numbers unexpected(const Timed& f, std::size_t i, double theta) const {
+    const auto c = Radau5Coefficients<double>::c();
+    const double nodes[] = {0, c[0], c[1], c[2]};
+    const Step& step = steps_[i];
+    const double h = steps_[i + 1].s - step.s;
+    Numbers rest = f(step.s + theta * h, step.y);
+    for (const double node : nodes) {
+      double weight = 1;
+      for (const double other : nodes)
+        if (other != node) weight *= (theta - other) / (node - other);
+      rest -= weight * f(step.s + node * h, step.y);
+    }
+    return rest;
   }
 
   Numbers numbers_at(double s) const {

@@ -27,9 +27,9 @@ struct Piece {
 };
 
 template <class State>
-class PiecesMotion final : public MotionOverTime<State> {
+class PiecewiseTrajectory final : public AnyTrajectory<State> {
  public:
-  explicit PiecesMotion(std::vector<Piece<State>> pieces) : pieces_(std::move(pieces)) {}
+  explicit PiecewiseTrajectory(std::vector<Piece<State>> pieces) : pieces_(std::move(pieces)) {}
 
   /// At an event: after it.
   State at(double t) const override {
@@ -55,7 +55,7 @@ class PiecesMotion final : public MotionOverTime<State> {
 
 /// A motion and what has changed it.
 template <class State>
-struct ChangedMotion {
+struct TrajectoryWithChanges {
   std::vector<Piece<State>> pieces;
   std::vector<EventOf<State>> events;
 };
@@ -76,7 +76,7 @@ inline double part_of(double off, double size) { return size > 0 ? off / size : 
 /// The largest difference of two motions with the same events, at the same parts of their pieces:
 /// the angle between orientations [rad], and all else a part of its largest size.
 template <class State>
-double difference_of(const ChangedMotion<State>& a, const ChangedMotion<State>& b) {
+double difference_of(const TrajectoryWithChanges<State>& a, const TrajectoryWithChanges<State>& b) {
   constexpr double parts[] = {0, 0.3, 0.7, 1};
   const auto bodies = [](const State& state) {
     if constexpr (std::is_same_v<State, RigidBodyState<>>)

@@ -18,7 +18,7 @@ struct RunSettings {
   bool moved = false;              ///< whether start and time are some roundings beside
   bool stiff = false;              ///< by Radau5
   bool watched = false;            ///< whether to stop where the scene turns out to be stiff
-  double most_steps = 1e6;
+  double max_steps = 1e6;
 };
 
 /// Why a run ended.

@@ -24,9 +24,9 @@ using SceneTrajectory = TrajectoryOf<std::vector<RigidBodyState<>>>;
 namespace detail {
 
 /// Bodies that do nothing to each other.
-class ApartMotion final : public MotionOverTime<std::vector<RigidBodyState<>>> {
+class ApartTrajectory final : public AnyTrajectory<std::vector<RigidBodyState<>>> {
  public:
-  explicit ApartMotion(std::vector<Trajectory> bodies) : bodies_(std::move(bodies)) {}
+  explicit ApartTrajectory(std::vector<Trajectory> bodies) : bodies_(std::move(bodies)) {}
 
   std::vector<RigidBodyState<>> at(double t) const override {
     std::vector<RigidBodyState<>> states;
@@ -102,7 +102,7 @@ SceneTrajectory simulate(const std::vector<RigidBody<>>& bodies,
     std::vector<Trajectory> apart;
     for (std::size_t i = 0; i < bodies.size(); ++i)
       apart.push_back(simulate(bodies[i], from[i], task, forces...));
-    return {std::make_shared<const detail::ApartMotion>(apart), task.t0, task.t1,
+    return {std::make_shared<const detail::ApartTrajectory>(apart), task.t0, task.t1,
             detail::report_of(apart)};
   } else {
     (detail::require_valid_force(forces), ...);

@@ -59,9 +59,9 @@ std::optional<EventOf<State>> first_fall(const TrajectoryOf<State>& motion, cons
 /// Goes from event to event.
 /// @param go go(state, task) → the motion without events
 template <class State, class Go, class When, class Change>
-ChangedMotion<State> change_at_events(const Go& go, State state, const SimulationTask& task,
-                                      const When& when, const Change& change) {
-  ChangedMotion<State> changed;
+TrajectoryWithChanges<State> change_at_events(const Go& go, State state, const SimulationTask& task,
+                                              const When& when, const Change& change) {
+  TrajectoryWithChanges<State> changed;
   EventCount events(task.t1 - task.t0);
   SimulationTask part = task;
   double t = task.t0, window = task.t1 - task.t0, last = t;
@@ -90,7 +90,7 @@ ChangedMotion<State> change_at_events(const Go& go, State state, const Simulatio
 }
 
 template <class State>
-SimulationReport report_of(const ChangedMotion<State>& motion) {
+SimulationReport report_of(const TrajectoryWithChanges<State>& motion) {
   SimulationReport all = motion.pieces.front().motion.report();
   for (const Piece<State>& piece : std::span(motion.pieces).subspan(1))
     add_report(all, piece.motion.report());
@@ -109,10 +109,10 @@ events::ChangedTrajectory<State> changed_trajectory(const Go& go, const State& s
     return change_at_events<State>(go, start, part, when, change);
   };
   double tolerance = std::max(finest / finer, 0.3 * task.tolerance);
-  ChangedMotion<State> rough = run(tolerance);
+  TrajectoryWithChanges<State> rough = run(tolerance);
   while (true) {
     tolerance = std::max(finest, finer * tolerance);
-    ChangedMotion<State> fine = run(tolerance);
+    TrajectoryWithChanges<State> fine = run(tolerance);
     SimulationReport report = report_of(fine);
     report.tolerance = task.tolerance;
     // Two runs that meet different events have nothing in common.
@@ -122,8 +122,9 @@ events::ChangedTrajectory<State> changed_trajectory(const Go& go, const State& s
             : std::numeric_limits<double>::infinity();
     if (report.reached() || tolerance == finest) {
       const double t1 = fine.pieces.back().t1;
-      return {{std::make_shared<const PiecesMotion<State>>(fine.pieces), task.t0, t1, report},
-              fine.events};
+      return {
+          {std::make_shared<const PiecewiseTrajectory<State>>(fine.pieces), task.t0, t1, report},
+          fine.events};
     }
     rough = std::move(fine);
   }

@@ -7,7 +7,7 @@
 
 #include "tumble/core/largest.hpp"
 #include "tumble/quaternion/exp_log.hpp"
-#include "tumble/simulate/computed_motion.hpp"
+#include "tumble/simulate/computed_trajectory.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"

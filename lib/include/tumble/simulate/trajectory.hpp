@@ -49,9 +49,9 @@ inline void add_report(SimulationReport& all, const SimulationReport& one) {
 
 /// A motion of a span of time, however it is known.
 template <class State>
-class MotionOverTime {
+class AnyTrajectory {
  public:
-  virtual ~MotionOverTime() = default;
+  virtual ~AnyTrajectory() = default;
   virtual State at(double t) const = 0;
   /// t0 … t1, so close that the motion between two of them is simple.
   virtual std::vector<double> times() const = 0;
@@ -65,7 +65,7 @@ class MotionOverTime {
 template <class State>
 class TrajectoryOf {
  public:
-  TrajectoryOf(std::shared_ptr<const detail::MotionOverTime<State>> motion, double t0, double t1,
+  TrajectoryOf(std::shared_ptr<const detail::AnyTrajectory<State>> motion, double t0, double t1,
                SimulationReport report)
       : motion_(std::move(motion)), t0_(t0), t1_(t1), report_(std::move(report)) {}
 
@@ -85,7 +85,7 @@ class TrajectoryOf {
   }
 
  private:
-  std::shared_ptr<const detail::MotionOverTime<State>> motion_;
+  std::shared_ptr<const detail::AnyTrajectory<State>> motion_;
   double t0_, t1_;
   SimulationReport report_;
 };

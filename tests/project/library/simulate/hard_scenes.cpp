@@ -256,6 +256,29 @@ TEST_CASE("hard scenes: a stiff scene is done by the method for stiff ones") {
   }
 }
 
+TEST_CASE("hard scenes: the method for stiff scenes does not jump over what comes and goes") {
+  RigidBodyState<> start;
+  start.x = Vec3(1, 0, 0);
+  // It pushes along y, where nothing else is: P is how long it has run.
+  const AnyForce pushed = [](double t, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
+    const Vec3 along_x = Vec3(-1e4 * now.x.x() - 1e6 * now.v.x(), 0, 0);
+    return {.force = along_x + Vec3(0, t >= 128.1 && t < 128.9 ? 1 : 0, 0)};
+  };
+  const Trajectory motion = simulate(unit_ball, start, {0, 500, 1e-6}, pushed);
+  CHECK(motion.report().method == "Radau IIA 5");
+  CHECK(motion.report().reached());
+  CHECK(std::abs(motion.end().P.y() / 0.8 - 1) <= 1e-6);
+  // A slow rhythm is no surprise.
+  const AnyForce rocked = [](double t, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
+    return {.force = Vec3(-1e4 * now.x.x() - 1e6 * now.v.x(), std::sin(t), 0)};
+  };
+  const Trajectory slow = simulate(unit_ball, start, {0, 500, 1e-6}, rocked);
+  CHECK(slow.report().method == "Radau IIA 5");
+  CHECK(slow.report().reached());
+  CHECK(slow.report().runs <= 6);
+  CHECK(std::abs(slow.end().P.y() - (1 - std::cos(500.0))) <= 2e-6);
+}
+
 TEST_CASE("hard scenes: no time at all, by any force") {
   RigidBodyState<> start;
   start.x = Vec3(1, 2, 3);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "project/harness/extended_motion.hpp"
+#include "project/harness/extended_trajectory.hpp"
 #include "project/harness/inputs.hpp"
 #include "project/harness/refusal.hpp"
 #include "reference/double_double_motion.hpp"
@@ -181,7 +181,7 @@ TEST_CASE("simulate a held body: a needle in turned axes, held beside its axis, 
     scene.t1 = 10;
     scene.start = {Vec3::Zero(), q, Vec3::Zero(),
                    q * Vec3((scene.I_body.cast<test::Long>() * spin).cast<double>())};
-    test::ExtendedMotion truth(scene);
+    test::ExtendedTrajectory truth(scene);
     REQUIRE(truth.advance_to(10));
     const Trajectory found = simulate(held, start, {.t1 = 10, .tolerance = 1e-12});
     const double error = angle_between(found.end().q, Quat(truth.state().q.cast<double>()));

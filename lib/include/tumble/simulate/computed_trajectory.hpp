@@ -17,9 +17,9 @@ using StateOf = decltype(std::declval<const Run&>().at(0.0));
 
 /// What a run gives, for a Trajectory.
 template <class Run>
-class ComputedMotion final : public MotionOverTime<StateOf<Run>> {
+class ComputedTrajectory final : public AnyTrajectory<StateOf<Run>> {
  public:
-  ComputedMotion(Run run, double t1) : run_(std::move(run)), t1_(t1) {}
+  ComputedTrajectory(Run run, double t1) : run_(std::move(run)), t1_(t1) {}
 
   StateOf<Run> at(double t) const override { return run_.at(t); }
   std::vector<double> times() const override { return run_.times(t1_); }
@@ -33,7 +33,7 @@ class ComputedMotion final : public MotionOverTime<StateOf<Run>> {
 template <class Run>
 TrajectoryOf<StateOf<std::decay_t<Run>>> trajectory_of(Run&& run, const SimulationTask& task,
                                                        const SimulationReport& report) {
-  using Motion = ComputedMotion<std::decay_t<Run>>;
+  using Motion = ComputedTrajectory<std::decay_t<Run>>;
   return {std::make_shared<const Motion>(std::forward<Run>(run), task.t1), task.t0, task.t1,
           report};
 }

@@ -24,11 +24,11 @@ struct LongState {
 };
 
 /// The exact motion of a scene, from its start on.
-class ExtendedMotion {
+class ExtendedTrajectory {
  public:
   /// @param shift by how many units in their last places the start is moved: what that makes of the
   ///              end shows what the digits are worth
-  explicit ExtendedMotion(const MotionScene& scene, int shift = 0) : scene_(scene) {
+  explicit ExtendedTrajectory(const MotionScene& scene, int shift = 0) : scene_(scene) {
     const auto [R, moments] = exact_axes(scene.I_body);
     const auto quotient = [](const DD& a, const DD& b) { return as_long(a / b); };
     for (int i = 0; i < 3; ++i) {
