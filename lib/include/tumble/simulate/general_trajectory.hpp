@@ -49,7 +49,8 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   /// @throws std::runtime_error that says how many steps it would take
   [[noreturn]] void refuse() const {
     refuse_hopeless("simulate", budget_, settings_.max_steps, t0_ + steps_.back().s,
-                    "the body turns or swings too often; ask for a shorter time");
+                    "the body turns or swings too often, or its forces switch to and fro, as dry "
+                    "friction does; ask for a shorter time");
   }
 
   void account(SimulationReport& report) const {
