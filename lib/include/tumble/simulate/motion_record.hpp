@@ -13,6 +13,7 @@
 #include "tumble/core/step_at.hpp"
 #include "tumble/ode/dop853_dense.hpp"
 #include "tumble/ode/radau5.hpp"
+#include "tumble/simulate/motion_difference.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"
 #include "tumble/simulate/run_settings.hpp"
 
@@ -51,7 +52,7 @@ class MotionRecord {
         tolerance_.squares.cwiseMax(other.tolerance_.squares).cwiseSqrt().cwiseInverse();
     double most = 0;
     for (const Step& step : other.steps_)
-      most = largest({most, difference(numbers_at(step.s), step.y, per_size)});
+      most = largest({most, motion_difference(numbers_at(step.s), step.y, per_size)});
     return most;
   }
 
@@ -172,31 +173,6 @@ class MotionRecord {
     const Timed f = timed(step.s);
     return stiff_ ? Radau5::step(f, step.s, step.y, s - step.s)
                   : Dop853::step(f, step.s, step.y, s - step.s);
-  }
-
-  static double difference(const Numbers& a, const Numbers& b,
-                           const SquaredSizes<Numbers>& per_size) {
-    double most = 0;
-    for (Eigen::Index i = 0; i < a.size() / rigid_body_state_size; ++i) {
-      const auto part = [&](const Numbers& y) {
-        return PackedState<double>(
-            y.template segment<rigid_body_state_size>(rigid_body_state_size * i));
-      };
-      const Eigen::Vector4d sizes = per_size.template segment<4>(4 * i);
-      most = largest({most, difference_of_body(part(a), part(b), sizes)});
-    }
-    return most;
-  }
-
-  static double difference_of_body(const PackedState<double>& a, const PackedState<double>& b,
-                                   const Eigen::Vector4d& per_size) {
-    const Eigen::Vector4d p = a.segment<4>(3).normalized(), q = b.segment<4>(3).normalized();
-    const double angle =
-        2 * (p.dot(q) < 0 ? Eigen::Vector4d(p + q) : Eigen::Vector4d(p - q)).norm();
-    const PackedState<double> off = a - b;
-    return largest({angle, per_size[0] * off.head<3>().norm(),
-                    per_size[2] * off.segment<3>(7).norm(),
-                    per_size[3] * off.tail<3>().norm() + angle});
   }
 };
 
