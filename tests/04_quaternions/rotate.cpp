@@ -120,7 +120,7 @@ const Misconceptions<decltype(quaternions::rotate)> misconceptions{
       "The inverse",
       [](const Quaternion& q, const Vec3& p) { return between(q, p, reference::conjugate(q)); }},
      {"divided by the length, not its square",
-      "The direction is right, but you scale the point by |q|: q stands in the product twice.",
+      "The direction is right, but you scale the point by |q|: q is in the product twice.",
       "The inverse",
       [](const Quaternion& q, const Vec3& p) -> Vec3 {
         return between(q, p, reference::conjugate(q)) / q.norm();

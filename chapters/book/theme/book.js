@@ -84,7 +84,7 @@ function sayWhereToWrite() {
   for (const box of text.querySelectorAll(".now-write")) {
     const note = document.createElement("p");
     note.className = "where-to-write";
-    note.innerHTML = "You can write this here, in the page, if the site comes from a server: <code>./tumble book --serve</code> opens it so.";
+    note.innerHTML = "To write it here, in the page, open the site with <code>./tumble book --serve</code>: an editor takes a server.";
     box.append(note);
   }
 }

@@ -106,7 +106,7 @@ class AnyForces {
     epsilon_ = lowest_ = std::min(coarsest, coarser * epsilon_);
   }
 
-  /// Whoever has been surprised looks closer: what comes and goes once may do so again.
+  /// After a surprise we look closer: what comes and goes once may do so again.
   double looks(const Run& run) const {
     constexpr double at_first = 2048, closer = 8, most = 0x1p20;
     return std::min(most, at_first * std::pow(closer, rounds_ + run.has_jumped()));
