@@ -237,8 +237,8 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         });
       }},
      {"products forgotten",
-      "Your diagonal is right, but the numbers off it are zero. They vanish only for a "
-      "body that is symmetric about these axes.",
+      "Your diagonal is right, but the numbers off it are zero. They vanish only if these axes "
+      "are principal axes.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return diagonal_of(reference(points, about));
@@ -278,8 +278,7 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
      {"about the world's origin",
       "Your arrows begin at the origin of the world. Let them begin at the point "
       "`about`.",
-      "The discrete inertia sum",
-      [](const Points& points, const Vec3&) { return reference(points, origin); }},
+      "Parallel axes", [](const Points& points, const Vec3&) { return reference(points, origin); }},
      {"about the centre of mass",
       "Your arrows begin at the centre of mass. Here you are given a point, and it need "
       "not be the centre.",

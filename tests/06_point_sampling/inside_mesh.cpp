@@ -390,7 +390,7 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
      {"planes for triangles",
       "You have counted where the ray meets the plane of a triangle, wherever in the "
       "plane that is. It has to meet the triangle.",
-      "Is a point inside?",
+      "Does the ray meet this triangle?",
       [](const Mesh& mesh, const Vec3& p) {
         const auto always = [](const Vec3&, const Vec3&, const Vec3&, const Vec3&) { return true; };
         return hits(mesh, p, always) % 2 == 1;
@@ -406,7 +406,7 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
       "You have taken a point to be inside if it is on the inner side of all triangles. "
       "That is right only for a convex body: the walls of a notch have the body on "
       "either side.",
-      "Is a point inside?",
+      "Does the ray meet this triangle?",
       [](const Mesh& mesh, const Vec3& p) {
         return !mesh.triangles.empty() &&
                std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
@@ -417,7 +417,7 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
      {"behind some triangle",
       "You have taken a point to be inside if it is on the inner side of any triangle. "
       "Every body has such a triangle on its far side.",
-      "Is a point inside?",
+      "Does the ray meet this triangle?",
       [](const Mesh& mesh, const Vec3& p) {
         return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                            [&](const Triangle& t) { return is_behind(mesh, t, p); });
@@ -426,7 +426,7 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
       "You have let one triangle decide, the one whose middle is nearest. Large "
       "triangles have their middles far away, and near an edge the other triangle may "
       "be the right one to ask.",
-      "Is a point inside?",
+      "Does the ray meet this triangle?",
       [](const Mesh& mesh, const Vec3& p) {
         const auto distance = [&](const Triangle& t) {
           return (vertex(mesh, t[0]) + vertex(mesh, t[1]) + vertex(mesh, t[2]) - 3 * p).norm();

@@ -210,6 +210,6 @@ const Misconceptions<decltype(bounding_boxes::bounding_box)> misconceptions{
                        points.front().cwiseMax(points.back()));
       }},
      {"no orientation",
-      "Your R is not the identity. A box along the axes is not turned: its columns are "
-      "x, y and z.",
-      "The box along the axes", changed([](Box& box, const Points&) { box.R = Mat3::Zero(); })}}};
+      "Your R is not the identity. A box along the axes is not turned: the columns of R are x, y "
+      "and z.",
+      "A box turned and moved", changed([](Box& box, const Points&) { box.R = Mat3::Zero(); })}}};

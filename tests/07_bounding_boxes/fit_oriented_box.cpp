@@ -314,7 +314,7 @@ const Misconceptions<decltype(bounding_boxes::fit_oriented_box)> misconceptions{
      {"edges sorted without their axes",
       "You have sorted the lengths of the edges, but left the columns of R in their "
       "order. Each length belongs to one column.",
-      "A box that lies along the body",
+      "A box turned and moved",
       [](const Points& points) {
         Box box = around(points, bounding_boxes::principal_axes(scatter(points, mean(points))));
         std::sort(box.size.begin(), box.size.end(), std::greater<>());

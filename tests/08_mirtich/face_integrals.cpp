@@ -387,7 +387,7 @@ const Misconceptions<decltype(mirtich::face_integrals)> misconceptions{
      {"square on the other letter",
       "In the last three, your square is on the second letter instead of the first: you need α²β, "
       "β²γ and γ²α.",
-      "From a face to its shadow", [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
+      "Back up again", [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         const Slopes n(plane, gamma);
         const double A = -n.a / n.c, B = -n.b / n.c, C = -plane.w / n.c;
         FaceIntegrals f = reference(p, plane, gamma);

@@ -357,7 +357,7 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
       }},
      {"edges as their two ends",
       "Along each edge you took the mean of its two ends. That is exact for the area alone: "
-      "between the ends, a power lies below the straight line from one to the other.",
+      "between the ends, a square lies below the straight line from one to the other.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
         return with_mean(corners, gamma, [](const auto& p, const auto& q, const auto& f) {
@@ -365,8 +365,8 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
         });
       }},
      {"i + 1 forgotten",
-      "Your integrals are too large by a whole number. Green's theorem raises a power by one; "
-      "divide by the new exponent, as in every integral of a power.",
+      "Your integrals are too large, by a factor of 2, 3 or 4. Green's theorem raises a power by "
+      "one; divide by the new exponent, as in every integral of a power.",
       "From the shadow to its edges",
       [](const Corners& corners, int gamma) {
         ProjectionIntegrals p = reference(corners, gamma);
@@ -398,7 +398,7 @@ const Misconceptions<decltype(mirtich::projection_integrals)> misconceptions{
      {"fan of positive triangles",
       "You counted all triangles from the first corner as positive. Where there is a dent, one of "
       "them goes round the other way, and you have to take it off again.",
-      "From the shadow to its edges",
+      "Back up again",
       [](const Corners& corners, int gamma) {
         ProjectionIntegrals p = reference(corners, gamma);
         const double sign = p.one < 0 ? -1 : 1;

@@ -311,7 +311,7 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
     TUMBLE_UNIT,
     {{"faces taken for triangles",
       "You looked at only the first three corners of each face. Faces may have more.",
-      "From a volume to its surface",
+      "Back up again",
       [](const Polyhedron& body) {
         Polyhedron triangles = body;
         for (std::vector<int>& face : triangles.faces)
@@ -360,7 +360,7 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
      {"w with the wrong sign",
       "You put each plane on the other side of the origin. Put a corner into n · x + w: you must "
       "get 0.",
-      "From a face to its shadow",
+      "Back up again",
       [](const Polyhedron& body) {
         return with_view(body, [](const Corners&, View view) {
           view.plane.w *= -1;
@@ -381,8 +381,8 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"½ and ⅓ forgotten",
-      "Your volume is right, the others are too large by whole numbers. Under the surface integral "
-      "stands an integral of the power: divide by the new exponent.",
+      "Your volume is right, the others are too large, by a factor of 2 or 3. Under the surface "
+      "integral stands an integral of the power: divide by the new exponent.",
       "From a volume to its surface",
       [](const Polyhedron& body) -> VolumeIntegrals {
         const VolumeIntegrals v = reference(body);
@@ -491,7 +491,7 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
      {"about the middle of the body",
       "You integrated about the mean of the vertices. Here we want the integrals about the origin "
       "of the coordinates.",
-      "From a volume to its surface", [](const Polyhedron& body) {
+      "Mass, centre and inertia", [](const Polyhedron& body) {
         Vec3 middle = Vec3::Zero();
         for (const Vec3& x : body.vertices) middle += x / static_cast<double>(body.vertices.size());
         Polyhedron moved = body;

@@ -154,7 +154,7 @@ const Misconceptions<decltype(rigid_body::derived)> misconceptions{
         return reference::derived(body, s);
       }},
      {"scalar read last", "You took the numbers of q in the order x, y, z, w. q[0] is the scalar.",
-      "The state",
+      "Packing",
       [](const Body& body, State s) {
         s.q = reference::read_scalar_last(s.q);
         return reference::derived(body, s);
@@ -162,7 +162,7 @@ const Misconceptions<decltype(rigid_body::derived)> misconceptions{
      {"length of q ignored",
       "You made R as if q had length 1. This q has drifted, so your R stretches, and your ω is "
       "wrong with it.",
-      "The length of q",
+      "Derived quantities",
       [](const Body& body, const State& s) -> Derived {
         const Mat3 V = tumble::rotation::skew<double>(s.q.tail<3>());
         const Mat3 R = Mat3::Identity() + 2 * (s.q[0] * V + V * V);

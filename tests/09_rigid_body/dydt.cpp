@@ -342,7 +342,7 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
      {"length of q ignored for ω",
       "You made R as if q had length 1, and ω with it. In the states that a solver tries out q is "
       "longer or shorter, and then your R stretches.",
-      "The length of q",
+      "Derived quantities",
       with_law([](const Body& body, const State& s, Derived now, const Wrench& push) {
         const Mat3 V = tumble::rotation::skew<double>(s.q.tail<3>());
         const Mat3 R = Mat3::Identity() + 2 * (s.q[0] * V + V * V);
@@ -352,7 +352,7 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
      {"state repaired before the forces are asked",
       "You evaluated what pushes in a state with q scaled to length 1. Evaluate it in the state "
       "that you unpacked, as it is.",
-      "The length of q",
+      "Force and torque",
       [](const Body& body, const WrenchAt& wrench, double t, const PackedState& y) {
         State s = reference::unpack(y);
         s.q.normalize();
@@ -380,7 +380,7 @@ const Misconceptions<decltype(rigid_body::dydt)> misconceptions{
      {"rates in another order",
       "Your four rates are right, but you packed them in the order x, P, q, L. Put each rate in "
       "the place of the number whose rate it is.",
-      "The state", [](const Body& body, const WrenchAt& wrench, double t, const PackedState& y) {
+      "Packing", [](const Body& body, const WrenchAt& wrench, double t, const PackedState& y) {
         const PackedState ydot = reference::dydt(body, wrench, t, y);
         PackedState other;
         other << ydot.segment<3>(0), ydot.segment<3>(7), ydot.segment<4>(3), ydot.segment<3>(10);

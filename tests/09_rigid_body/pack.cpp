@@ -60,7 +60,7 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
     {{"scalar stored last",
       "You packed the quaternion as (x, y, z, w). Here w comes first, as in the quaternion itself: "
       "q[0] is the scalar.",
-      "The state",
+      "Packing",
       [](State s) {
         s.q = Quaternion(s.q[1], s.q[2], s.q[3], s.q[0]);
         return reference::pack(s);
@@ -68,7 +68,7 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
      {"momentum before the orientation",
       "You put P where q belongs, and q behind it. That is an order too, but not ours: first where "
       "the body is and how it is turned, then its two momenta.",
-      "The state",
+      "Packing",
       [](const State& s) -> PackedState {
         PackedState y;
         y << s.x, s.P, s.q, s.L;
@@ -77,13 +77,13 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
      {"momenta swapped",
       "You swapped P and L. The linear momentum comes first, as the position comes before the "
       "orientation.",
-      "The state",
+      "Packing",
       [](State s) {
         std::swap(s.P, s.L);
         return reference::pack(s);
       }},
      {"orientation first", "You put q before x. The position of the centre of mass comes first.",
-      "The state",
+      "Packing",
       [](const State& s) -> PackedState {
         PackedState y;
         y << s.q, s.x, s.P, s.L;
@@ -92,7 +92,7 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
      {"three places for the quaternion",
       "A quaternion has four numbers. You wrote P over its last one, so L follows one place too "
       "early and the last place stays empty.",
-      "The state",
+      "Packing",
       [](const State& s) -> PackedState {
         PackedState y = PackedState::Zero();
         y.segment<3>(0) = s.x;
@@ -104,7 +104,7 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
      {"x left out",
       "You left the three places of the position at zero. q, P and L are where they belong, but a "
       "solver would put every body into the origin.",
-      "The state",
+      "Packing",
       [](State s) {
         s.x.setZero();
         return reference::pack(s);
@@ -112,7 +112,7 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
      {"normalised",
       "You scaled the quaternion to length 1 on the way. Packing copies and repairs nothing: the "
       "solver needs the very q that it is trying out.",
-      "The length of q",
+      "Packing",
       [](State s) {
         if (!s.q.isZero(0)) s.q.stableNormalize();
         return reference::pack(s);
@@ -120,7 +120,7 @@ const Misconceptions<decltype(rigid_body::pack)> misconceptions{
      {"sign of the quaternion changed",
       "Where w is negative, you packed −q instead of q. That is the same rotation, but not the "
       "same numbers: a solver that goes on from here sees a jump.",
-      "The length of q", [](State s) {
+      "Packing", [](State s) {
         if (s.q[0] < 0) s.q = -s.q;
         return reference::pack(s);
       }}}};

@@ -72,7 +72,7 @@ const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
     {{"scalar read last",
       "You read the quaternion as (x, y, z, w). In y its numbers are in the order of the "
       "quaternion itself, the scalar first.",
-      "The state",
+      "Packing",
       [](const PackedState& y) {
         State s = reference::unpack(y);
         s.q = Quaternion(s.q[3], s.q[0], s.q[1], s.q[2]);
@@ -81,21 +81,21 @@ const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
      {"momentum before the orientation",
       "You took the numbers behind x for P, and read q behind them. In y the orientation follows "
       "the position, and the two momenta come last.",
-      "The state", from_places(0, 6, 3, 10)},
+      "Packing", from_places(0, 6, 3, 10)},
      {"momenta swapped",
       "You swapped P and L. The linear momentum comes first, as the position comes before the "
       "orientation.",
-      "The state", from_places(0, 3, 10, 7)},
+      "Packing", from_places(0, 3, 10, 7)},
      {"orientation first", "You read q from the front, where x is. The position comes first.",
-      "The state", from_places(4, 0, 7, 10)},
+      "Packing", from_places(4, 0, 7, 10)},
      {"three places for the quaternion",
       "You read P and L one place too early, so P begins with the last number of q. A quaternion "
       "has four numbers.",
-      "The state", from_places(0, 3, 6, 9)},
+      "Packing", from_places(0, 3, 6, 9)},
      {"places counted from one",
       "You read x from the second number on, and everything else one place too late. In C++ the "
       "first number of a vector is at place 0.",
-      "The state",
+      "Packing",
       [](const PackedState& y) {
         PackedState shifted = PackedState::Zero();
         shifted.head<12>() = y.tail<12>();
@@ -104,7 +104,7 @@ const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
      {"normalised",
       "You scaled the quaternion to length 1. That changes the solver's state behind its back, in "
       "the middle of a step.",
-      "The length of q",
+      "Packing",
       [](const PackedState& y) {
         State s = reference::unpack(y);
         if (!s.q.isZero(0)) s.q.stableNormalize();
@@ -113,7 +113,7 @@ const Misconceptions<decltype(rigid_body::unpack)> misconceptions{
      {"sign of the quaternion changed",
       "Where w is negative, you changed the signs of all four numbers of q. That is the same "
       "rotation, but not the same state of the solver.",
-      "The length of q", [](const PackedState& y) {
+      "Packing", [](const PackedState& y) {
         State s = reference::unpack(y);
         if (s.q[0] < 0) s.q = -s.q;
         return s;

@@ -383,21 +383,20 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
      {"steps for every full body",
       "You gave a full body steps although no torque acts. Its free motion has a closed form too, "
       "with elliptic functions in place of sines.",
-      "Nothing pushes, no steps",
+      "A body with three moments",
       as({.steps =
               [](const Scene& s, Model model) {
                 return model == Model::full_body || Reader::with_torque(s, model);
               }})},
      {"no steps for balls and tops",
-      "You gave a ball or a top no steps although a torque acts. Only their free motion is known "
-      "in closed form.",
-      "Nothing pushes, no steps",
+      "You gave a ball or a top no steps although a torque acts. In general only their free "
+      "motion is known in closed form.",
+      "The ladder of models",
       as({.steps = [](const Scene& s,
                       Model model) { return model == Model::full_body && s.torque_acts; }})},
      {"steps for the turning of a particle",
       "A torque acts, so you chose steps, for a turning that you don't compute at all.",
-      "Nothing pushes, no steps",
-      as({.steps = [](const Scene& s, Model) { return s.torque_acts; }})},
+      "The ladder of models", as({.steps = [](const Scene& s, Model) { return s.torque_acts; }})},
      {"the wrong way round",
       "You chose steps where no torque acts, and none where one does. What nothing pushes is known "
       "for all times.",

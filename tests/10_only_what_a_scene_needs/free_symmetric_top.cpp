@@ -234,8 +234,8 @@ const Misconceptions<decltype(only_what_a_scene_needs::free_symmetric_top)> misc
         return product(turn(t / A * L), q0, turn(-t * own_rate(A, C, q0, L) * z_axis));
       }},
      {"moments swapped",
-      "You swapped A and C, and took the body for a coin where it is a pencil. C belongs to the "
-      "axis of symmetry.",
+      "You swapped A and C, which makes a coin of a pencil and a pencil of a coin. C belongs to "
+      "the axis of symmetry.",
       "The free symmetric top",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return right(C, A, q0, L, t);
@@ -279,7 +279,7 @@ const Misconceptions<decltype(only_what_a_scene_needs::free_symmetric_top)> misc
       }},
      {"angles not halved",
       "Your body turns twice as far as the true one. A quaternion holds half of the angle.",
-      "The free symmetric top",
+      "One top by hand",
       [](double A, double C, const Quaternion& q0, const Vec3& L, double t) {
         return right(A, C, q0, L, 2 * t);
       }},

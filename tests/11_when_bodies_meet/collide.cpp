@@ -240,7 +240,7 @@ const Misconceptions<decltype(when_bodies_meet::collide)> misconceptions{
         return (-1 - e) * u_n * n.dot(K.inverse() * n);
       })},
      {"change of velocity",
-      "You returned by how much u·n changes, in m/s. Asked is the impulse that does it.",
+      "You returned by how much u·n changes, in m/s. We ask for the impulse that does it.",
       "An impact without friction",
       along_normal([](const Mat3&, double u_n, const Vec3&, double e) { return (-1 - e) * u_n; })},
      {"multiplied by n·K n",
@@ -258,7 +258,7 @@ const Misconceptions<decltype(when_bodies_meet::collide)> misconceptions{
       }},
      {"parting bodies held fast",
       "You give an impulse to bodies that part already. A contact can push, but it can't pull.",
-      "An impact without friction",
+      "Which contacts there are",
       [](const Mat3& K, const Vec3& u, const Vec3& n, double e) -> Vec3 {
         return strength({K, u, n, e}) * n;
       }}}};

@@ -499,7 +499,7 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
      {"one after the other",
       "You found the normal impulse without friction, and then the friction for it. Each of them "
       "changes both velocities: K has numbers off its diagonal.",
-      "Friction during the impact", as(one_after_the_other)},
+      "How a point answers to an impulse", as(one_after_the_other)},
      {"Newton's end",
       "You end the contact when u_n is −e times what it was. With friction that can create energy: "
       "end it when the part e² of the work is given back.",
@@ -519,18 +519,18 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
      {"jamming never told",
       "Your impulses are right, but you never say that a contact jams. Look at how u_n changes at "
       "the beginning.",
-      "Friction during the impact",
+      "Energy comes back by Stronge's law",
       changed([](PlanarImpulse& answer, const Contact&) { answer.jammed = false; })},
      {"jams with the other slip",
       "You say that a contact jams where it would with the opposite slip. Friction is against the "
       "slip, so the sign of K_nt counts.",
-      "Friction during the impact", changed([](PlanarImpulse& answer, const Contact& c) {
+      "Energy comes back by Stronge's law", changed([](PlanarImpulse& answer, const Contact& c) {
         answer.jammed = Contact{c.K, {-c.u[0], c.u[1]}, c.e, c.mu}.jammed();
       })},
      {"jams with either slip",
       "You say that a contact jams where it would with either slip. Friction is against the slip, "
       "so the sign of K_nt counts.",
-      "Friction during the impact", changed([](PlanarImpulse& answer, const Contact& c) {
+      "Energy comes back by Stronge's law", changed([](PlanarImpulse& answer, const Contact& c) {
         const Contact other{c.K, {-c.u[0], c.u[1]}, c.e, c.mu};
         answer.jammed = c.jammed() || other.jammed();
       })},
@@ -540,6 +540,6 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
       changed([](PlanarImpulse& answer, const Contact&) { answer.impulse.reverseInPlace(); })},
      {"parting bodies held fast",
       "You give an impulse to bodies that part already. A contact can push, but it can't pull.",
-      "An impact without friction", changed([](PlanarImpulse& answer, const Contact& c) {
+      "Which contacts there are", changed([](PlanarImpulse& answer, const Contact& c) {
         if (c.u[1] > 0) answer.impulse = -right({c.K, -c.u, c.e, c.mu}).impulse;
       })}}};

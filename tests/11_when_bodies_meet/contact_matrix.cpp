@@ -245,8 +245,8 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
         return contact_matrix(body.mass, body.I_body_inv, R.transpose() * (point - state.x));
       }},
      {"square of the arm's length",
-      "You multiplied the inverse tensor by the square of the arm's length. That holds for an "
-      "impulse perpendicular to the arm of a ball at best: take the two cross products.",
+      "You multiplied the inverse tensor by the square of the arm's length. That is right at best "
+      "for a ball, and an impulse perpendicular to the arm: take the two cross products.",
       "How a point answers to an impulse",
       [](const Body& body, const State& state, const Vec3& point) -> Mat3 {
         return Mat3::Identity() / body.mass +

@@ -360,8 +360,8 @@ const Misconceptions<decltype(when_bodies_meet::separation)> misconceptions{
       "A plane between two boxes",
       Reader{.reach = [](const Box& box, const Vec3&) { return box.size.minCoeff() / 2; }}},
      {"signs not dropped",
-      "You add the edges' shares with their signs. A box reaches to both sides of its centre: each "
-      "edge adds |n·edge|.",
+      "You add the edges' shares with their signs. A box reaches to both sides of its centre: "
+      "each edge adds ½ |n·edge|.",
       "A plane between two boxes",
       Reader{.reach = [](const Box& box, const Vec3& n) { return n.dot(box.R * box.size) / 2; }}},
      {"normal from B to A", "Your normal points from B to A.", "A plane between two boxes",
