@@ -360,6 +360,9 @@ run test
 expect 0 'tests with preset dev'
 called 'ninja all'
 called "ctest --preset dev --test-dir $tree/build/dev"
+run test long
+expect 0 'tests with preset long'
+called "ctest --preset long --test-dir $tree/build/dev"
 CTEST_STATUS=8 run test
 expect 1
 
