@@ -47,9 +47,13 @@ class Hung extends Error {
 }
 
 /** A file that keeps the compiler busy. */
-class TooExpensive extends Error {}
-
-const tooExpensive = { built: { ok: false, step: "limit", output: "", headers: [] } };
+class TooExpensive extends Error {
+  /** @param patience  for so long the compiler was busy [ms] */
+  constructor(patience) {
+    super();
+    this.built = { ok: false, step: "limit", output: "", headers: [], seconds: patience / 1000 };
+  }
+}
 
 export class Judge {
   constructor(base = new URL("./", import.meta.url)) {
@@ -105,7 +109,7 @@ export class Judge {
     if (this.engine?.key !== key) {
       const patience = patienceWithCompiler * (engine.files.length + 1);
       const { built } = await this.#build({ engine }, listeners, patience).catch((failure) => {
-        if (failure instanceof TooExpensive) return tooExpensive;
+        if (failure instanceof TooExpensive) return failure;
         throw failure;
       });
       this.engine = { key, built };
@@ -140,7 +144,7 @@ export class Judge {
     let clock;
     const hear = ({ progress, compiling }) => {
       if (progress) onProgress(progress);
-      if (compiling) clock = setTimeout(() => compiler.fail(new TooExpensive()), patience);
+      if (compiling) clock = setTimeout(() => compiler.fail(new TooExpensive(patience)), patience);
     };
     try {
       return await compiler.ask(what, hear, signal);
@@ -168,7 +172,7 @@ export class Judge {
     try {
       return await this.#build({ unit, source }, listeners, again);
     } catch (failure) {
-      if (failure instanceof TooExpensive) return tooExpensive;
+      if (failure instanceof TooExpensive) return failure;
       throw failure;
     }
   }

@@ -24,8 +24,9 @@ std::string text_of(const std::string& path) {
 TEST_CASE("the kill matrix: every misconception is failed by its spec, and named") {
   const CommandResult matrix = judge("matrix all --seed 1");
   CHECK_MESSAGE(matrix.status == 0, matrix.output);
-  CHECK_MESSAGE(text_of("tests/project/kill_matrix.md").ends_with(matrix.output),
-                "the table in the tree is another: write it anew with ./tumble matrix all --seed 1");
+  CHECK_MESSAGE(
+      text_of("tests/project/kill_matrix.md").ends_with(matrix.output),
+      "the table in the tree is another: write it anew with ./tumble matrix all --seed 1");
 }
 
 TEST_CASE("the page of what students get wrong is the one that the specs give") {
