@@ -1,7 +1,6 @@
 #pragma once
 /// @file
-/// A copy of the site with editors in it, served as ./tumble book --serve does. A stand-in gives
-/// the verdicts: there is no compiler.
+/// A copy of the site with editors in it, served as ./tumble book --serve does.
 
 #include <cstdlib>
 #include <filesystem>
@@ -19,17 +18,27 @@ namespace tumble::test {
 
 class ServedSite {
  public:
-  /// CodeMirror, as exercises that were built have it.
-  static std::filesystem::path editor() {
-    const char* exercises = std::getenv("TUMBLE_EXERCISES");
-    return std::filesystem::path(exercises ? exercises : "") / "codemirror";
+  /// Exercises that were built: ./tumble book --exercises.
+  static std::filesystem::path exercises() {
+    const char* folder = std::getenv("TUMBLE_EXERCISES");
+    return folder ? folder : "";
+  }
+  /// CodeMirror, as they have it.
+  static std::filesystem::path editor() { return exercises() / "codemirror"; }
+
+  /// With the compiler and the judge.
+  ServedSite() {
+    copy_site();
+    book::add_editors(folder_.path() / "site", exercises());
+    server_.emplace(folder_.path() / "site");
   }
 
+  /// With a stand-in for both, which gives the verdicts.
   /// @param client the text of client.mjs
   explicit ServedSite(const std::string& client) {
     namespace fs = std::filesystem;
     const fs::path root = std::getenv("TUMBLE_ROOT"), made = folder_.path() / "made";
-    fs::copy(site_folder(), folder_.path() / "site", fs::copy_options::recursive);
+    copy_site();
     fs::copy(root / "tests/judge/page/site", made, fs::copy_options::recursive);
     fs::copy(editor(), made / "codemirror");
     folder_.write("made/client.mjs", client);
@@ -45,7 +54,15 @@ class ServedSite {
     return "file://" + (folder_.path() / "site" / page).string();
   }
 
+  /// From now on nothing answers.
+  void stop() { server_.reset(); }
+
  private:
+  void copy_site() {
+    std::filesystem::copy(site_folder(), folder_.path() / "site",
+                          std::filesystem::copy_options::recursive);
+  }
+
   static nlohmann::json units(const std::filesystem::path& root) {
     nlohmann::json all = nlohmann::json::array();
     for (const auto& [number, name] : {std::pair{"4.1", "product"}, {"4.2", "inverse"}}) {

@@ -44,6 +44,7 @@ export class Assets {
     this.hear = hear;
     this.done = 0;
     this.total = 0;
+    this.expected = new Set(); // paths that `total` counts already
     this.kept = store(about.version);
   }
 
@@ -61,9 +62,22 @@ export class Assets {
     return response;
   }
 
+  async isKept(path) {
+    return Boolean(await (await this.kept)?.match(this.address(path)));
+  }
+
   /** Sees to it that a file is there the next time. */
   async keep(path) {
-    if (!(await (await this.kept)?.match(this.address(path)))) await this.response(path);
+    if (!(await this.isKept(path))) await this.response(path);
+  }
+
+  /** All files of a folder will be asked for: the total is known before the first of them comes. */
+  async expect(folder) {
+    for (const { path, wire } of this.about.files) {
+      if (!path.startsWith(`${folder}/`) || (await this.isKept(path))) continue;
+      this.expected.add(path);
+      this.total += wire;
+    }
   }
 
   async bytes(path) {
@@ -73,7 +87,7 @@ export class Assets {
   async download(path) {
     const known = this.about.files.find((each) => each.path === path);
     if (!known) throw new Error(`${path} is not in manifest.json`);
-    this.total += known.wire;
+    if (!this.expected.delete(path)) this.total += known.wire;
     const response = await fetch(`${this.address(path)}.zst`);
     if (!response.ok) throw new Error(`${path}.zst: ${response.status} ${response.statusText}`);
     const packed = await received(response, (bytes) => this.hear({ done: (this.done += bytes), total: this.total }));

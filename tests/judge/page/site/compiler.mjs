@@ -28,6 +28,7 @@ function treeOfTar(bytes) {
 
 async function load(hear) {
   const assets = new Assets(await manifest(), hear);
+  await assets.expect("compiler");
   const recipe = fetch(new URL("compiler/recipe.json", import.meta.url)).then((response) => response.json());
   const tree = treeOfTar(await assets.bytes("compiler/tumble.tar"));
   fetchThrough(assets);

@@ -1,6 +1,6 @@
 // What a first check downloads: it is said before, once, and what the judge has not asked for itself
 // is fetched afterwards, so that every exercise can be judged offline.
-import { base, manifest } from "./course.mjs";
+import { base, manifest, pages, units } from "./course.mjs";
 import { element, megabytes } from "./element.mjs";
 import { saveSetting, setting } from "./store.mjs";
 
@@ -53,6 +53,20 @@ export function progressBar(place) {
   };
 }
 
+/** What is small and belongs to other exercises: the service worker sees it pass, and keeps it. */
+async function passSmallFiles({ version, files }) {
+  if (!navigator.serviceWorker?.controller || (await setting("small files")) === version) return;
+  const judges = files.filter(({ path }) => path.startsWith("judge/")).map(({ path }) => path.replace(".wasm", ".mjs"));
+  const solutions = (await units()).map(({ id }) => `solutions/${id}.cpp`);
+  const chapters = new Set(Object.values(await pages()).map((page) => `../${page}`));
+  for (const path of [...judges, ...solutions, ...chapters]) {
+    const response = await fetch(new URL(path, base));
+    if (!response.ok) throw new Error(`${path}: ${response.status} ${response.statusText}`);
+    await response.arrayBuffer(); // whole
+  }
+  await saveSetting("small files", version);
+}
+
 let completing = false;
 
 /** Fetches what is not kept yet, so that every exercise can be judged without a network. */
@@ -62,9 +76,7 @@ export async function completeDownload() {
   const { Assets } = await import("./assets.mjs");
   const about = await manifest();
   const assets = new Assets(about);
-  for (const { path } of about.files) {
-    await assets.keep(path).catch(() => {});
-    if (path.startsWith("judge/")) await fetch(new URL(path.replace(".wasm", ".mjs"), base)).catch(() => {}); // the service worker keeps it
-  }
+  for (const { path } of about.files) await assets.keep(path).catch(() => {}); // after the next check again
+  await passSmallFiles(about).catch(() => {});
   completing = false;
 }
