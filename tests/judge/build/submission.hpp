@@ -18,13 +18,13 @@ struct Refused : std::runtime_error {
 /// What cannot be read because of this machine is not what a student has not handed in.
 /// @param error of errno
 /// @throws std::runtime_error if it is the machine's: too many open files, no memory, a disk that
-///         fails
+///         fails, no permission
 void require_working_machine(const std::filesystem::path& path, int error);
 
 /// The text of a regular file (no link, no pipe, no device), UTF-8 without NUL.
 /// @throws Refused if it is missing, empty, too large, or anything else
 /// @throws std::runtime_error if this machine cannot read it: a disk that fails, too many open
-///         files
+///         files, no permission
 std::string read_submission(const std::filesystem::path& path);
 
 }  // namespace tumble::judge

@@ -6,6 +6,7 @@
 
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/moment.hpp"
+#include "support/how_many.hpp"
 
 namespace tumble::judge {
 
@@ -43,7 +44,7 @@ void subtract_late(const CourseSettings& settings, const StudentRecord& record, 
   const LateRule& rule = *settings.rules.late;
   const int days = days_late(settings, record);
   if (days == 0) return;
-  const std::string text = std::to_string(days) + (days == 1 ? " day late" : " days late");
+  const std::string text = support::how_many(days, "day") + " late";
   if (rule.days && days > *rule.days) {
     grade.points = 0;
     grade.because.push_back(text + ", and nothing counts after " + std::to_string(*rule.days));

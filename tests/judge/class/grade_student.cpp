@@ -3,6 +3,7 @@
 #include "judge/class/sources.hpp"
 #include "judge/course/progress.hpp"
 #include "judge/verdict/judge_all.hpp"
+#include "support/entry.hpp"
 
 namespace tumble::judge {
 
@@ -65,7 +66,7 @@ int tries_with(const UnitResult& now, const std::optional<StudentRecord>& before
   const int past = last ? last->tries : 0;
   if (!now.judge_failure.empty()) return past;
   const bool is_new = !last || last->source != fingerprint(now.source);
-  return past + (is_new && !now.untouched() && fs::exists(now.source) ? 1 : 0);
+  return past + (is_new && !now.untouched() && support::is_there(now.source) ? 1 : 0);
 }
 
 void add_in_order(StudentRecord& record, UnitRecord unit, const CourseSettings& settings) {

@@ -8,6 +8,7 @@
 #include "judge/class/file_names.hpp"
 #include "judge/class/utf16.hpp"
 #include "judge/course/progress.hpp"
+#include "support/entry.hpp"
 #include "support/nearest.hpp"
 #include "support/text_file.hpp"
 
@@ -60,7 +61,7 @@ std::string probably_meant(const Course& course, const std::string& file) {
 std::optional<std::string> small_text(const fs::path& file) {
   constexpr std::uintmax_t most = 4 * largest_submission;
   std::error_code unreadable;
-  if (!fs::is_regular_file(fs::symlink_status(file, unreadable))) return std::nullopt;
+  if (!support::is_file(file)) return std::nullopt;
   if (const auto size = fs::file_size(file, unreadable); unreadable || size > most)
     return std::nullopt;
   try {

@@ -83,9 +83,8 @@ std::vector<Part> parts_of(const Submission& submission) {
 std::vector<fs::path> files_below(const fs::path& folder) {
   constexpr std::size_t most = 100'000;
   std::vector<fs::path> paths;
-  std::error_code unreadable;  // what cannot be read was not handed in
-  auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied,
-                                             unreadable);
+  std::error_code unreadable;
+  auto it = fs::recursive_directory_iterator(folder, unreadable);
   for (; it != fs::recursive_directory_iterator() && paths.size() < most;
        it.increment(unreadable)) {
     std::error_code gone;

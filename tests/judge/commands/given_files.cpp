@@ -1,6 +1,7 @@
 #include "judge/commands/given_files.hpp"
 
 #include "judge/class/file_kinds.hpp"
+#include "support/entry.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -8,13 +9,12 @@ namespace tumble::judge {
 fs::path file_in(const fs::path& folder, const Unit& unit) {
   const std::string name = unit.name + ".cpp";
   const fs::path in_chapter = folder / unit.chapter / name;
-  const bool flat =
-      !fs::exists(fs::symlink_status(in_chapter)) && fs::exists(fs::symlink_status(folder / name));
+  const bool flat = !support::is_there(in_chapter) && support::is_there(folder / name);
   return flat ? folder / name : in_chapter;
 }
 
 bool is_archive(const fs::path& given) {
-  return fs::is_regular_file(given) && !archive_stem(given.filename().string()).empty();
+  return support::is_file(given) && !archive_stem(given.filename().string()).empty();
 }
 
 GivenFiles::GivenFiles(const Course& course, const fs::path& from)

@@ -14,6 +14,7 @@
 #include "judge/commands/finish_grading.hpp"
 #include "judge/commands/grade_messages.hpp"
 #include "judge/commands/sandbox.hpp"
+#include "support/how_many.hpp"
 #include "support/nearest.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
@@ -189,10 +190,12 @@ int grade(const Course& course, const GradeOptions& options) {
   if (options.seconds) grading.deadline = after(*options.seconds);
   if (shard) {
     write_manifest(folder, manifest(*shard, grading, options, work.roll));
-    say("shard ", name_of(*shard), ": ", submissions.size(), " of ", all.size(), " submissions, ",
-        settings.units.size(), " exercises each");
+    say("shard ", name_of(*shard), ": ", submissions.size(), " of ",
+        support::how_many(all.size(), "submission"), ", ",
+        support::how_many(settings.units.size(), "exercise"), " each");
   } else {
-    say(submissions.size(), " submissions, ", settings.units.size(), " exercises each");
+    say(support::how_many(submissions.size(), "submission"), ", ",
+        support::how_many(settings.units.size(), "exercise"), " each");
   }
   say_list("records:", set_damaged_aside(folder, shard ? submissions : all));
   GradingRun run;

@@ -9,6 +9,7 @@
 #include "judge/course/contract.hpp"
 #include "judge/course/hints.hpp"
 #include "judge/course/progress.hpp"
+#include "support/entry.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -62,7 +63,7 @@ int reset(const Course& course, const std::string& what) {
   const Unit unit = one_unit(course, what);
   const fs::path file = course.exercise(unit);
   const std::string stub = stub_of(course, unit);
-  if (fs::exists(file) && support::read_text(file) != stub) {
+  if (support::is_there(file) && support::read_text(file) != stub) {
     const fs::path attempts = course.state / "attempts" / unit.chapter;
     fs::create_directories(attempts);
     const fs::path kept = attempts / (unit.name + "." + time_stamp() + ".cpp");

@@ -7,6 +7,7 @@
 #include "judge/commands/commands.hpp"
 #include "judge/commands/finish_grading.hpp"
 #include "judge/commands/grade_messages.hpp"
+#include "support/how_many.hpp"
 
 namespace tumble::judge {
 
@@ -52,8 +53,9 @@ int merge(const Course& course, const GradeOptions& options) {
   if (!is_here(course, shards))
     std::cerr << "tumble: one judge has judged all the shards, and this tumble is another: "
                  "its specs or its compiler differ\n";
-  std::cerr << "tumble: " << shards.count() << " shards, " << shards.roll().submissions.size()
-            << " submissions, " << shards.settings().units.size() << " exercises each\n";
+  std::cerr << "tumble: " << support::how_many(shards.count(), "shard") << ", "
+            << support::how_many(shards.roll().submissions.size(), "submission") << ", "
+            << support::how_many(shards.settings().units.size(), "exercise") << " each\n";
   shards.bring_to(out);
   keep_settings(out, shards.settings_text());
   const int status = finish_class(shards.roll(), out, shards.settings(), run);

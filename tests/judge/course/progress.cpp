@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "judge/course/stable_hash.hpp"
+#include "support/entry.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge {
@@ -13,9 +14,12 @@ using nlohmann::json;
 std::uint64_t fingerprint(const fs::path& file) {
   constexpr std::uintmax_t most = 1 << 20;  // no source file is so long
   std::error_code unreadable;
-  const bool is_file = fs::is_regular_file(fs::symlink_status(file, unreadable));
-  if (!is_file || fs::file_size(file, unreadable) > most) return 0;
-  return stable_hash(support::read_text(file));
+  if (!support::is_file(file) || fs::file_size(file, unreadable) > most) return 0;
+  try {
+    return stable_hash(support::read_text(file));
+  } catch (const std::runtime_error&) {
+    return 0;  // the verdict on it says why
+  }
 }
 
 Progress::Progress(const Course& course) : course_(course), file_(course.state / "progress.json") {

@@ -37,7 +37,8 @@ class Progress {
   std::map<std::string, UnitProgress> units_;
 };
 
-/// A number that changes with the text of a file; 0 if it is not a file (a link is none) or huge.
+/// A number that changes with the text of a file; 0 if it is not a file (a link is none), huge, or
+/// cannot be read.
 std::uint64_t fingerprint(const std::filesystem::path& file);
 
 }  // namespace tumble::judge

@@ -4,6 +4,7 @@
 
 #include "judge/build/worker_build.hpp"
 #include "judge/course/contract.hpp"
+#include "support/entry.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge::mine {
@@ -22,8 +23,8 @@ bool throws_not_implemented(const std::string& text) {
 
 /// What can be said of a file without compiling it; empty if it has to be.
 std::string not_written(const Course& course, const Part& part) {
-  if (!fs::exists(fs::symlink_status(part.source))) return "there is no file";
-  if (!fs::is_regular_file(fs::symlink_status(part.source))) return "is not a file";
+  if (!support::is_there(part.source)) return "there is no file";
+  if (!support::is_file(part.source)) return "is not a file";
   if (fs::file_size(part.source) > (1 << 20)) return {};  // refused, with its reason, when compiled
   const std::string text = support::read_text(part.source);
   if (text == stub_of(course, part.unit)) return "nothing is written yet";

@@ -13,6 +13,7 @@
 #include "judge/spec/demand.hpp"
 #include "judge/verdict/number_text.hpp"
 #include "judge/verdict/typed_text.hpp"
+#include "support/entry.hpp"
 #include "support/wrapped.hpp"
 
 namespace tumble::judge {
@@ -103,7 +104,7 @@ class Printer {
     switch (result_.build) {
       case BuildOutcome::refused:
         out_ << "  " << one_line(result_.build_detail) << ".\n";
-        if (!fs::exists(fs::symlink_status(result_.source)))
+        if (!support::is_there(result_.source))
           out_ << "  The untouched exercise:  ./tumble reset " << result_.unit.number << "\n";
         break;
       case BuildOutcome::does_not_compile:

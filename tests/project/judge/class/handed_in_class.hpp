@@ -73,6 +73,8 @@ inline ExpectedRows hand_in_folders(const fs::path& to) {
   write_files(to / "\x1b[2Jpia\nqux", both());
   write_files(to / std::string(250, 'r'), both());
   write_file(to / "sue/broken.zip", "PK\x03\x04 and so on");
+  write_file(to / "uma/twice.cpp", twice());
+  fs::create_symlink("carry.cpp", to / "uma/carry.cpp");
   write_file(to / "list of names.txt", "ann, ben\n");
   fs::create_symlink("/etc", to / "tom");
   write_file(to / ".git/config", "x");
@@ -93,7 +95,8 @@ inline ExpectedRows hand_in_folders(const fs::path& to) {
           {"oda", {"0", "no exercise found in it; it is empty"}},
           {"\x1b[2Jpia\nqux", {"2", ""}},
           {std::string(250, 'r'), {"2", ""}},
-          {"sue", {"0", "has broken.zip in it, which cannot be unpacked"}}};
+          {"sue", {"0", "has broken.zip in it, which cannot be unpacked"}},
+          {"uma", {"1", ""}}};
 }
 
 /// Moodle's "Download all submissions", unpacked.
