@@ -39,7 +39,9 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
   for (std::string line; std::getline(in, line) && lines < most_shown;) {
     const bool about_source = line.starts_with(folder + own);
     if (starts_message(line)) {
-      keep = about_source;
+      // gcc indents why each overload of Eigen's does not fit: pages, and nothing of the student's.
+      const bool why_not_this_one = line.find(": note:   ") != std::string::npos;
+      keep = about_source && !why_not_this_one;
       const bool is_note = line.find(": note: ") != std::string::npos;
       if (keep && is_note && !elsewhere.empty()) {
         kept += elsewhere + "\n";
@@ -55,7 +57,8 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
       kept += line.substr(line.find("error: ")) + "\n";
       ++lines;
     }
-    if (!keep && !about_source) continue;
+    const bool in_function = about_source && !starts_message(line);  // "a.cpp: In function 'f':"
+    if (!keep && !in_function) continue;
     kept += without(line, folder) + "\n";
     ++lines;
   }
@@ -76,6 +79,12 @@ bool has_error_in(const std::filesystem::path& source, const std::string& compil
       return true;
   }
   return false;
+}
+
+std::string advice_on(const std::string& compiler_output) {
+  return compiler_output.find("<unresolved overloaded function type>") == std::string::npos
+             ? ""
+             : "(Parentheses forgotten? With Eigen v.x and q.w are functions: v.x(), q.w().)\n";
 }
 
 namespace {
@@ -136,6 +145,23 @@ std::vector<std::string> names_after(const std::vector<std::string>& texts,
 std::vector<std::string> undefined_functions(const std::string& linker_output) {
   return names_after({"undefined symbol: ", "undefined reference to `", "undefined reference to '"},
                      linker_output);
+}
+
+std::string brief_name(const std::string& function) {
+  if (function.find("Eigen::") == std::string::npos) return function;
+  std::string name = function;
+  if (name.ends_with('>')) {  // its own types: back to where they open
+    std::size_t at = name.size();
+    int open = 0;
+    do {
+      --at;
+      open += name[at] == '>' ? 1 : name[at] == '<' ? -1 : 0;
+    } while (open > 0 && at > 0);
+    if (open > 0) return function;
+    name.erase(at);
+  }
+  const std::size_t scope = name.rfind("::");
+  return scope == std::string::npos ? name : name.substr(scope + 2);
 }
 
 std::vector<std::string> duplicate_functions(const std::string& linker_output) {

@@ -16,12 +16,18 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
 /// Whether the compiler complains about a place in `source`, and not that it cannot work here.
 bool has_error_in(const std::filesystem::path& source, const std::string& compiler_output);
 
+/// In other words what gcc's messages don't tell a beginner: a line, or nothing.
+std::string advice_on(const std::string& compiler_output);
+
 /// Whether the compiler's driver says, as its last word, that one of its programs was killed. What
 /// a file says of it does not count: not a #warning, and not a line that is quoted.
 bool says_that_it_was_killed(const std::string& compiler_output);
 
 /// The functions that a linker misses, by name: "quaternions::inverse".
 std::vector<std::string> undefined_functions(const std::string& linker_output);
+
+/// A function's name without result, scope and types of Eigen: "cross". Others stay as they are.
+std::string brief_name(const std::string& function);
 
 /// The functions that a linker finds in more than one file.
 std::vector<std::string> duplicate_functions(const std::string& linker_output);

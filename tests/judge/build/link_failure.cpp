@@ -19,7 +19,7 @@ std::string found_instead(const std::vector<std::string>& functions) {
 
 std::string text_about(const std::vector<std::string>& undefined) {
   std::string text = "Your code calls these functions, but nothing defines them:\n";
-  for (const std::string& name : undefined) text += "  " + name + "\n";
+  for (const std::string& name : undefined) text += "  " + brief_name(name) + "\n";
   const bool of_eigen = undefined.front().find("Eigen::") != std::string::npos;
   return text +
          (of_eigen

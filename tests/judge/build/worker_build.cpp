@@ -99,7 +99,7 @@ class Builder {
   bool succeeded(const Finished& step, WorkerBuild& result, bool others) const {
     if (step.ending == Ending{false, 0}) return true;
     result.explained = has_error_in(source(), step.output);
-    result.detail = messages_about(source(), step.output, others);
+    result.detail = messages_about(source(), step.output, others) + advice_on(step.output);
     result.outcome =
         ran_into_limits(step) ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
     return false;

@@ -15,6 +15,16 @@ TEST_CASE("messages about the student's file are kept, with the lines that they 
                        false) == "a.cpp:3:5: error: expected ';'\n    3 |   x\n      |    ^\n");
 }
 
+TEST_CASE("why each overload of a library does not fit is left out") {
+  CHECK(messages_about("/tmp/w/a.cpp",
+                       "/tmp/w/a.cpp: In function 'int f()':\n"
+                       "/tmp/w/a.cpp:3:5: error: no match for 'operator*'\n    3 |   x\n"
+                       "/tmp/w/a.cpp:3:5: note:   couldn't deduce template parameter 'T'\n"
+                       "    3 |   x\n      |    ^\n",
+                       true) ==
+        "a.cpp: In function 'int f()':\na.cpp:3:5: error: no match for 'operator*'\n    3 |   x\n");
+}
+
 TEST_CASE("the text of other files does not get through") {
   const std::string output =
       "In file included from /tmp/w/a.cpp:1:\n"
@@ -43,6 +53,26 @@ TEST_CASE("the functions that a linker misses, whichever linker it is") {
             "product.cpp:3: undefined reference to `quaternions::inverse(int)'\n"
             "product.cpp:4: undefined reference to `quaternions::inverse(int)'\n") ==
         std::vector<std::string>{"quaternions::inverse"});
+}
+
+TEST_CASE("a function of Eigen has a short name, others their own") {
+  using tumble::judge::brief_name;
+  CHECK(brief_name("Eigen::MatrixBase<Eigen::Matrix<double, 3, 1, 0, 3, 1> >::"
+                   "cross_product_return_type<Eigen::Matrix<double, 3, 1, 0, 3, 1> >::type "
+                   "Eigen::MatrixBase<Eigen::Matrix<double, 3, 1, 0, 3, 1> >::"
+                   "cross<Eigen::Matrix<double, 3, 1, 0, 3, 1> >") == "cross");
+  CHECK(brief_name("Eigen::MatrixBase<Eigen::Matrix<double, 3, 3, 0, 3, 3> >::inverse") ==
+        "inverse");
+  CHECK(brief_name("quaternions::inverse") == "quaternions::inverse");
+  CHECK(brief_name("Eigen::>>") == "Eigen::>>");
+}
+
+TEST_CASE("forgotten parentheses are named, which gcc does not") {
+  using tumble::judge::advice_on;
+  CHECK(advice_on("a.cpp:4:40: error: no matching function for call to 'Eigen::Matrix<double, 3, "
+                  "1>::Matrix(<unresolved overloaded function type>)'\n")
+            .starts_with("(Parentheses forgotten?"));
+  CHECK(advice_on("a.cpp:1:1: error: 'x' was not declared in this scope\n").empty());
 }
 
 TEST_CASE("the functions that a linker finds twice, whichever linker it is") {
