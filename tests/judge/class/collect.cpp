@@ -8,6 +8,7 @@
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
 #include "judge/class/gradescope_metadata.hpp"
+#include "support/entry.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -29,14 +30,13 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
 std::string file_of(const fs::path& path) { return path.filename().string(); }
 
 bool is_plain_folder(const fs::path& path) { return fs::is_directory(fs::symlink_status(path)); }
-bool is_plain_file(const fs::path& path) { return fs::is_regular_file(fs::symlink_status(path)); }
 
 /// What a file or folder is that can be no submission, whatever platform it comes from; else empty.
 std::string why_nobodys(const fs::path& path) {
   if (is_clutter(file_of(path))) return "an operating system's own";
   if (file_of(path).starts_with(".")) return "hidden";
   if (fs::is_symlink(fs::symlink_status(path))) return "a symbolic link, which is not followed";
-  if (!is_plain_folder(path) && !is_plain_file(path)) return "neither a file nor a folder";
+  if (!is_plain_folder(path) && !support::is_file(path)) return "neither a file nor a folder";
   return "";
 }
 
@@ -45,7 +45,7 @@ std::string why_nobodys(const fs::path& path) {
 bool is_canvas(const std::vector<fs::path>& entries) {
   bool any = false;
   for (const fs::path& entry : entries) {
-    const bool named = is_plain_file(entry) && canvas_entry(file_of(entry)).has_value();
+    const bool named = support::is_file(entry) && canvas_entry(file_of(entry)).has_value();
     const bool other = is_plain_folder(entry) || !archive_stem(file_of(entry)).empty() ||
                        !source_stem(file_of(entry)).empty();
     if (!named && other && why_nobodys(entry).empty()) return false;
@@ -55,7 +55,7 @@ bool is_canvas(const std::vector<fs::path>& entries) {
 }
 
 Lms recognised(const fs::path& folder) {
-  if (is_plain_file(folder / metadata_file)) return Lms::gradescope;
+  if (support::is_file(folder / metadata_file)) return Lms::gradescope;
   const std::vector<fs::path> entries = entries_of(folder);
   const auto moodles = [](const fs::path& entry) {
     return moodle_entry(file_of(entry)).has_value();
@@ -117,7 +117,7 @@ class SubmissionCollector {
     const std::string name = file_of(entry);
     if (lms_ == Lms::moodle)
       if (const auto says = moodle_entry(name)) return add_moodle(*says, entry);
-    if (lms_ == Lms::canvas && is_plain_file(entry))
+    if (lms_ == Lms::canvas && support::is_file(entry))
       if (const auto says = canvas_entry(name)) return add_canvas(*says, entry);
     if (lms_ == Lms::gradescope && name == metadata_file) return;
     if (metadata_.contains(name)) return add_gradescope(name, entry);
@@ -189,7 +189,7 @@ class SubmissionCollector {
 
   void read_metadata() {
     const fs::path file = folder_ / metadata_file;
-    if (!is_plain_file(file)) return;
+    if (!support::is_file(file)) return;
     try {
       metadata_ = read_gradescope_metadata(support::read_text(file));
     } catch (const std::invalid_argument& error) {
@@ -207,7 +207,7 @@ class SubmissionCollector {
     for (const Identity& who : says.submitters) {
       const std::string key = !who.email.empty() ? who.email : !who.id.empty() ? who.id : who.name;
       Submission& submission = add_whole(key.empty() ? name : key, entry);
-      submission.is_archive = is_plain_file(entry);
+      submission.is_archive = support::is_file(entry);
       submission.who = who;
       submission.handed_in = says.created_at;
       submission.answer_under = name + "/";

@@ -14,7 +14,8 @@ fs::path file_in(const fs::path& folder, const Unit& unit) {
 }
 
 bool is_archive(const fs::path& given) {
-  return support::is_file(given) && !archive_stem(given.filename().string()).empty();
+  std::error_code unreadable;  // what is named on the command line may be a link
+  return fs::is_regular_file(given, unreadable) && !archive_stem(given.filename().string()).empty();
 }
 
 GivenFiles::GivenFiles(const Course& course, const fs::path& from)

@@ -9,7 +9,6 @@
 #include "judge/course/contract.hpp"
 #include "judge/course/hints.hpp"
 #include "judge/course/progress.hpp"
-#include "support/entry.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -63,7 +62,8 @@ int reset(const Course& course, const std::string& what) {
   const Unit unit = one_unit(course, what);
   const fs::path file = course.exercise(unit);
   const std::string stub = stub_of(course, unit);
-  if (support::is_there(file) && support::read_text(file) != stub) {
+  std::error_code nowhere;  // a link that leads to no file is put right
+  if (fs::exists(file, nowhere) && support::read_text(file) != stub) {
     const fs::path attempts = course.state / "attempts" / unit.chapter;
     fs::create_directories(attempts);
     const fs::path kept = attempts / (unit.name + "." + time_stamp() + ".cpp");

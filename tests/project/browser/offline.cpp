@@ -16,6 +16,13 @@ new MutationObserver(() => {
 }).observe(document.body, { subtree: true, childList: true, characterData: true });
 )js";
 
+/// Waits for what the page needs minutes for: it compiles the compiler, or fetches what is left.
+bool comes(Chromium& browser, const std::string& condition) {
+  for (int i = 0; i < 30; ++i)  // ten seconds each
+    if (browser.evaluate("until(async () => " + condition + ")") == true) return true;
+  return false;
+}
+
 /// Checks a text in the box of an exercise.
 /// @return the line of its verdict, or what the page says instead
 std::string verdict_line(Chromium& browser, const std::string& number, const std::string& text) {
@@ -25,11 +32,9 @@ std::string verdict_line(Chromium& browser, const std::string& number, const std
   REQUIRE(browser.evaluate("until(() => editor())") == true);
   browser.evaluate("write(" + nlohmann::json(text).dump() + "), button('Check').click()");
   const std::string ended = "/^[✓✗]|not a verdict/.test(line())";
-  for (int i = 0; i < 30; ++i) {  // ten seconds each: the browser compiles the compiler first
-    browser.evaluate("until(() => button('Download and check') || " + ended + ")");
-    browser.evaluate("button('Download and check')?.click()");
-    if (browser.evaluate(ended) == true) break;
-  }
+  comes(browser, "button('Download and check') || " + ended);
+  browser.evaluate("button('Download and check')?.click()");
+  comes(browser, ended);
   return browser.evaluate("line()");
 }
 
@@ -52,8 +57,8 @@ TEST_CASE("exercises in the page: after the first check, without a network") {
   CHECK_MESSAGE(first.starts_with("✓ 4.1 product"), first);
   // One bar for the compiler and one for the judge; none that grows while it fills.
   CHECK(browser.evaluate("totals.size") == 2);
-  CHECK(browser.evaluate("import('./exercises/store.mjs').then(({setting}) => "
-                         "until(() => setting('small files')))") == true);  // the last that is kept
+  // The last that is kept.
+  CHECK(comes(browser, "(await import('./exercises/store.mjs')).setting('small files')"));
 
   site.stop();
   browser.open(page);
