@@ -18,8 +18,10 @@ bool is_archive(const fs::path& given) {
   return fs::is_regular_file(given, unreadable) && !archive_stem(given.filename().string()).empty();
 }
 
-GivenFiles::GivenFiles(const Course& course, const fs::path& from)
-    : folder_(fs::weakly_canonical(from)) {
+GivenFiles::GivenFiles(const Course& course, const fs::path& from) {
+  std::error_code error;
+  folder_ = fs::weakly_canonical(from, error);
+  require(!error, from.string(), " cannot be read: ", error.message());
   if (!is_archive(folder_)) return;
   Submission submission{"", folder_};
   submission.is_archive = true;
