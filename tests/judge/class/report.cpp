@@ -10,6 +10,7 @@
 #include "judge/spec/load_spec.hpp"
 #include "judge/spec/misconception.hpp"
 #include "judge/verdict/markup.hpp"
+#include "support/how_many.hpp"
 
 namespace tumble::judge {
 
@@ -98,10 +99,15 @@ class Page {
       refused += record.refused.empty() ? 0u : 1u;
       absent += record.absent ? 1u : 0u;
     }
-    out_ << "<p>" << records_.size() - absent << " submissions, " << units_.size() << " exercises, "
-         << number(settings_.most()) << " points.";
-    if (absent > 0) out_ << " " << absent << " of the class have not handed in.";
-    if (refused > 0) out_ << " " << refused << " submissions could not be read.";
+    const double most = settings_.most();
+    out_ << "<p>" << support::how_many(records_.size() - absent, "submission") << ", "
+         << support::how_many(units_.size(), "exercise") << ", " << number(most)
+         << (most == 1 ? " point." : " points.");
+    if (absent > 0)
+      out_ << " " << absent << " of the class " << (absent == 1 ? "has" : "have")
+           << " not handed in.";
+    if (refused > 0)
+      out_ << " " << support::how_many(refused, "submission") << " could not be read.";
     out_ << "</p>\n";
   }
 

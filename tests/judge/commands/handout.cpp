@@ -4,6 +4,7 @@
 
 #include "judge/class/settings.hpp"
 #include "judge/commands/commands.hpp"
+#include "support/how_many.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -28,7 +29,8 @@ int handout_command(const Course& course, const HandoutOptions& options) {
   make_tree(course, {meant}, options.to);
   std::size_t units = 0;
   for (const Unit& unit : course.units) units += meant.count(unit.chapter);
-  std::cerr << "tumble: " << meant.size() << " chapters, " << units << " exercises, no solutions: ";
+  std::cerr << "tumble: " << support::how_many(meant.size(), "chapter") << ", "
+            << support::how_many(units, "exercise") << ", no solutions: ";
   std::cout << options.to.string() << "\n";
   return 0;
 }

@@ -134,7 +134,7 @@ TEST_CASE("grading: one exercise of one student, again") {
   const auto ann = two.record("ann"), ben = two.record("ben");
   const CommandResult again = two.grade("--only 1.2 --student ben");
   CHECK_MESSAGE(again.status == 0, again.output);
-  CHECK(tells(again, "tumble: 1 submissions"));
+  CHECK(tells(again, "tumble: 1 submission, "));
   CHECK(two.record("ann") == ann);
   CHECK(two.record("ben").at("units")[0] == ben.at("units")[0]);
   CHECK(two.record("ben").at("units")[1].at("summary") == "wrong");
@@ -187,10 +187,10 @@ TEST_CASE("report: the settings that were graded with, and nobody who is gone") 
     return test::text_of(two.work.path() / "report.html");
   };
   CHECK(page().find("<h1>H 1</h1>") != std::string::npos);
-  CHECK(page().find("2 submissions, 1 exercises, 5 points.") != std::string::npos);
+  CHECK(page().find("2 submissions, 1 exercise, 5 points.") != std::string::npos);
   fs::remove_all(two.handed_in / "ben");
   REQUIRE(two.grade("--course course.json").status == 0);
-  CHECK(page().find("1 submissions") != std::string::npos);
+  CHECK(page().find("1 submission, ") != std::string::npos);
   CHECK(page().find("ben") == std::string::npos);
   CHECK_FALSE(fs::exists(two.out / "feedback/ben.html"));
   CHECK(fs::exists(two.out / "feedback/ann.html"));
@@ -211,7 +211,7 @@ TEST_CASE("roster: names, numbers, and who has not handed in") {
   CHECK(two.table().rows.size() == 4);
   CHECK(two.run("report").status == 0);
   const std::string page = test::text_of(two.work.path() / "report.html");
-  CHECK(page.find("3 submissions, 2 exercises, 2 points. 1 of the class have not handed in.") !=
+  CHECK(page.find("3 submissions, 2 exercises, 2 points. 1 of the class has not handed in.") !=
         std::string::npos);
   test::write_file(two.work.path() / "class.csv", "colour,size\nred,7\n");
   CHECK(tells(two.grade("--roster class.csv"),

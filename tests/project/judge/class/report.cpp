@@ -63,7 +63,7 @@ TEST_CASE("report: what to explain again, and no names unless asked") {
                                               student("Smith", "wrong", 1, "swapped")};
   const std::string page = report_html(course, records, Names::hidden);
   for (const char* part :
-       {"<h1>A &amp; B &lt;script&gt;</h1>", "<p>2 submissions, 1 exercises, 1 points.</p>",
+       {"<h1>A &amp; B &lt;script&gt;</h1>", "<p>2 submissions, 1 exercise, 1 point.</p>",
         "<b>swapped</b>, in 4.1 product: 1 of 2 (50 %)<br>q p is not p q.",
         "Chapter 4, “The product”", "1 of 2<td class=\"number\">1<td>"})
     CHECK_MESSAGE(has(page, part), page);

@@ -74,7 +74,7 @@ struct BuiltCourse {
 
 /// As a student gets it.
 void check_as_handed_out(const BuiltCourse& course) {
-  CHECK(test::contains(course.made, "1 chapters, 5 exercises"));
+  CHECK(test::contains(course.made, "1 chapter, 5 exercises"));
   CHECK_FALSE(fs::exists(course.tree / "solutions"));
   for (const char* other : {"exercises/02_solvers/adaptive_step_size.cpp", "tests/project",
                             "tests/02_solvers", "chapters/02_solvers/README.md", "solutions"})
