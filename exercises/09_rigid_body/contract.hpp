@@ -7,7 +7,8 @@
 /// chapter 5, and the solver of 1.5 moves it.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
-/// those of chapters 1, 4 and 5, which this header includes. Other parts of Eigen are not there.
+/// those of chapters 1, 4 and 5, which this header includes. Other parts of Eigen are not there, so
+/// no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`.
 ///
 /// x, P, L, v, ω, forces and torques are in world axes. R and q map body → world, and we write q as
 /// (w, x, y, z). A name with `_body` is in body axes, where it stays the same while the body moves.

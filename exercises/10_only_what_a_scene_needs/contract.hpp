@@ -10,7 +10,8 @@
 /// roundings of a double, not more.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
-/// those of chapters 4, 5 and 9. Other parts of Eigen are not there.
+/// those of chapters 4, 5 and 9. Other parts of Eigen are not there, so no `.cross()`: for a × b
+/// call `rotation_matrices::skew(a) * b`.
 
 #include <Eigen/Core>
 #include <vector>

@@ -7,8 +7,9 @@
 ///
 /// Places, velocities, forces and impulses are in world axes. A normal n has length 1 to rounding.
 /// Bodies and states are those of chapter 9, boxes with an orientation those of chapter 7. You may
-/// call your functions of all earlier chapters, and use all of Eigen/Core. "To rounding" means: off
-/// by some roundings of a double, not by more.
+/// call your functions of all earlier chapters, and use all of Eigen/Core. `.cross()` is not in it:
+/// for a × b call `rotation_matrices::skew(a) * b`. "To rounding" means: off by some roundings of a
+/// double, not by more.
 
 #include <Eigen/Core>
 #include <functional>
@@ -87,7 +88,8 @@ struct Bounces {
 
 // == 11.1 overlapping_pairs: who can meet at all
 /// Two bodies can only meet where their bounds overlap, along x, y *and* z. Touching counts.
-/// Sort the bounds along an axis and sweep: then n bodies that stand apart cost n log n, not n².
+/// Sort the bounds along an axis and sweep. One axis of your choice is enough: n bodies that are
+/// spread along it cost n log n, not n². The judge sees your pairs, not your way to them.
 /// Ask `meet` for each pair whose bounds overlap, exactly once, with the smaller number first, and
 /// for no other pair.
 /// @param bounds of the bodies 0, 1, 2 …; a bound may be a point, and two may be equal
@@ -104,8 +106,8 @@ std::vector<Pair> overlapping_pairs(const std::vector<Bounds>& bounds, const Mee
 /// @param a, b boxes anywhere, with edges of 1e-6 to 1e6 m. An edge of A and one of B are at 0.01
 ///             rad or more to each other, or parallel to rounding: leave their product out then
 /// @return the largest gap, to rounding of the places (you must lose no digit if both boxes are
-///         1e8 m away from the origin), and its direction, from A to B: what the direction belongs
-///         to, if two of them have the same gap, is up to you
+///         1e8 m away from the origin), and its direction, from A to B. If several directions have
+///         the largest gap, give any of them
 Separation separation(const Box& a, const Box& b);
 
 // == 11.3 first_contact: the time at which two bodies touch
@@ -123,7 +125,7 @@ Separation separation(const Box& a, const Box& b);
 ///         fast they are. A gap ≤ tolerance at t0 is a contact at t0
 FirstContact first_contact(const GapAt& gap, double speed, double t0, double t1, double tolerance);
 
-// == 11.4 contact_matrix: how a point answers to an impulse
+// == 11.4 contact_matrix: how a point responds to an impulse
 /// An impulse j at a point of the body changes the velocity there by K j.
 /// @param body  what is hit. A mass of infinity with an `I_body_inv` of zero is a wall: its K is 0
 /// @param state where it is and how it is turned, with |q| = 1 to rounding
@@ -135,7 +137,7 @@ Eigen::Matrix3d contact_matrix(const Body& body, const State& state, const Eigen
 // == 11.5 collide: an impact without friction
 /// The impulse along the normal after which u·n is −e times what it was. Bodies that part, or that
 /// neither part nor come together, get none.
-/// @param K what both points answer to an impulse, added [1/kg]: symmetric, positive definite
+/// @param K how easily both points give way, added [1/kg]: symmetric, positive definite
 /// @param u velocity of the first body's point less that of the second one's [m/s]
 /// @param n normal, out of the second body: u·n < 0 means that they come together
 /// @param e coefficient of restitution, 0 … 1
@@ -153,7 +155,7 @@ Eigen::Vector3d collide(const Eigen::Matrix3d& K, const Eigen::Vector3d& u,
 /// The contact ends by Stronge's law. Up to the moment when u_n = 0 the normal impulse takes the
 /// work W = −∫ u_n dp, and from then on it gives back e² W. Then the contact is over. In a plane
 /// there is exactly one such moment: u_n may fall at first, but once it grows, it grows to the end.
-/// @param K  what both points answer to an impulse, added [1/kg]: symmetric, positive definite
+/// @param K  how easily both points give way, added [1/kg]: symmetric, positive definite
 /// @param u  velocity of the first body's point less that of the second one's [m/s]; u_n ≥ 0 gets
 ///           no impulse, and is not jammed
 /// @param e  coefficient of restitution, 0 … 1
@@ -166,8 +168,8 @@ PlanarImpulse collide_with_friction(const Eigen::Matrix2d& K, const Eigen::Vecto
 // == 11.7 bounce: from contact to contact
 /// A ball over a floor. In flight it falls and spins on without any force but its weight: each
 /// contact is the root of a quadratic. At a contact use 11.6 in the plane of the normal and the
-/// slip. Its centre is then exactly one radius above the floor, and z, v_z after it depend on
-/// nothing else.
+/// slip. There z is exactly height + radius, and v_z afterwards is e times the speed of the
+/// landing.
 ///
 /// With e < 1 it bounces infinitely often in a finite time. So as soon as it leaves a contact with
 /// a billionth (1e-9) of the speed v_z at which it landed first, or less, that contact is the last

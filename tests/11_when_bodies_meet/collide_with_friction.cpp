@@ -499,7 +499,7 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
      {"one after the other",
       "You found the normal impulse without friction, and then the friction for it. Each of them "
       "changes both velocities: K has numbers off its diagonal.",
-      "How a point answers to an impulse", as(one_after_the_other)},
+      "How a point responds to an impulse", as(one_after_the_other)},
      {"Newton's end",
       "You end the contact when u_n is −e times what it was. With friction that can create energy: "
       "end it when the part e² of the work is given back.",

@@ -185,61 +185,61 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
     {{"turning subtracted",
       "Your impulse pulls the point back by turning the body. The turn that it makes always helps "
       "the point along: look at the sign of one of your cross products.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       with_turning([](const Mat3& turning, const Body&) -> Mat3 { return -turning; })},
      {"turning forgotten",
       "You treated the body as a particle. An impulse beside the centre of mass turns the body as "
       "well, and the turn moves the point.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       with_turning([](const Mat3&, const Body&) -> Mat3 { return Mat3::Zero(); })},
      {"only the turning",
       "You left out that the impulse moves the centre of mass, too. Your body turns as if it were "
       "nailed to the world there.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       with_turning([](const Mat3& turning, const Body& body) -> Mat3 {
         return turning - Mat3::Identity() / body.mass;
       })},
      {"multiplied by the mass",
       "You multiplied by the mass where you have to divide by it: a heavier body answers less.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       with_turning([](const Mat3& turning, const Body& body) -> Mat3 {
         return turning + Mat3::Identity() * (body.mass - 1 / body.mass);
       })},
      {"arm from the origin",
       "You took the arm from the origin of the world. A body turns about its centre of mass, so "
       "the arm goes from there to the point.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       [](const Body& body, const State& state, const Vec3& point) -> Mat3 {
         return contact_matrix(body.mass, inverse_in_world(body, state), point);
       }},
      {"body tensor used in the world",
       "You used the inverse tensor as the body has it. The arm is in world axes, so the tensor "
       "must be, too.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       with_inverse([](const Body& body, const Mat3&) -> Mat3 { return body.I_body_inv; })},
      {"turned the wrong way",
       "You turned the inverse tensor from the world into the body. It is in body axes, and you "
       "need it in those of the world: swap R and its transpose.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       with_inverse([](const Body& body, const Mat3& R) -> Mat3 {
         return R.transpose() * body.I_body_inv * R;
       })},
      {"tensor for its inverse",
       "You used the inertia tensor where its inverse belongs. The harder a body is to turn, the "
       "less its point moves.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       with_inverse(
           [](const Body& body, const Mat3& R) -> Mat3 { return R * body.I_body * R.transpose(); })},
      {"diagonal only",
       "You used only the diagonal of the inverse tensor. The body's axes need not be its principal "
       "axes.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       with_inverse([](const Body& body, const Mat3& R) -> Mat3 {
         return R * body.I_body_inv.diagonal().asDiagonal() * R.transpose();
       })},
      {"left in body axes",
       "Your K is in the body's axes. Impulses and velocities are in those of the world.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       [](const Body& body, const State& state, const Vec3& point) -> Mat3 {
         const Mat3 R = reference::to_matrix(state.q);
         return contact_matrix(body.mass, body.I_body_inv, R.transpose() * (point - state.x));
@@ -247,7 +247,7 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
      {"square of the arm's length",
       "You multiplied the inverse tensor by the square of the arm's length. That is right at best "
       "for a ball, and an impulse perpendicular to the arm: take the two cross products.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       [](const Body& body, const State& state, const Vec3& point) -> Mat3 {
         return Mat3::Identity() / body.mass +
                (point - state.x).squaredNorm() * inverse_in_world(body, state);
@@ -255,7 +255,7 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
      {"one cross product",
       "You found how the impulse turns the body, but not yet how this moves the point. That takes "
       "a second cross product with the arm.",
-      "How a point answers to an impulse",
+      "How a point responds to an impulse",
       [](const Body& body, const State& state, const Vec3& point) -> Mat3 {
         const Mat3 cross = tumble::rotation::skew<double>(point - state.x);
         return Mat3::Identity() / body.mass + inverse_in_world(body, state) * cross;
