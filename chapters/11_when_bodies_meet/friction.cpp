@@ -106,8 +106,8 @@ SlipCurves followed_slip(const PlanarImpact& rod) {
 
 /// The usual law: friction against the slip of the start, to the end.
 SlipCurves usual_slip(const PlanarImpact& rod) {
-  SlipCurves curves{{"u_t, usual law", {}, {}, support::Look::dashed, "c0", 1.8},
-                    {"u_n, usual law", {}, {}, support::Look::dashed, "c2", 1.8}};
+  SlipCurves curves{{"u_t, tutorials", {}, {}, support::Look::dashed, "c0", 1.8},
+                    {"u_n, tutorials", {}, {}, support::Look::dashed, "c2", 1.8}};
   const PlanarResult after = usual_law(rod);
   curves.add(0, rod.u);
   curves.add(after.impulse.y(), after.u);

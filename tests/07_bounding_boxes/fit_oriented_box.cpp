@@ -39,8 +39,27 @@ double difference_of_boxes(const Value& a, const Value& b) {
   return largest_difference(nameless(a), nameless(b));
 }
 
+/// The box with its edges in the order, and in the directions, that come nearest to the answer's.
+Value named_alike(const Value& demanded, const Value& answer) {
+  const Box box = from_value<Box>(demanded);
+  const Mat3 alike = from_value<Box>(answer).R.transpose() * box.R;
+  Eigen::Vector3i order(0, 1, 2), best = order;
+  double most = 0;
+  do {
+    const double sum =
+        std::abs(alike(0, order[0])) + std::abs(alike(1, order[1])) + std::abs(alike(2, order[2]));
+    if (sum > most) most = sum, best = order;
+  } while (std::next_permutation(order.begin(), order.end()));
+  Box named = box;
+  for (int k = 0; k < 3; ++k) {
+    named.R.col(k) = std::copysign(1., alike(k, best[k])) * box.R.col(best[k]);
+    named.size[k] = box.size[best[k]];
+  }
+  return to_value(named);
+}
+
 CloseTo same_box(const Box& box, double tolerance) {
-  return {to_value(box), tolerance, difference_of_boxes};
+  return {to_value(box), tolerance, difference_of_boxes, named_alike};
 }
 
 // ── The right answer ──

@@ -44,4 +44,13 @@ double difference_up_to_sign(const Value& a, const Value& b) {
   return std::fmin(difference(*x, *y, 1), difference(*x, *y, -1));
 }
 
+Value with_sign_of(const Value& q, const Value& answer) {
+  const List *x = q.as<List>(), *y = answer.as<List>();
+  if (!x || !y || !(difference(*x, *y, -1) < difference(*x, *y, 1))) return q;
+  List other = *x;
+  for (Value& each : other)
+    if (const double* number = each.as<double>()) each = Value(-*number);
+  return Value(std::move(other));
+}
+
 }  // namespace tumble::judge

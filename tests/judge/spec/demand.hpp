@@ -24,12 +24,19 @@ inline double worse(double a, double b) { return std::isnan(a) || a > b ? a : b;
 double largest_difference(const Value& a, const Value& b);
 /// The same for quaternions as rotations: q and −q are one.
 double difference_up_to_sign(const Value& a, const Value& b);
+/// q or −q, whichever is nearer to the answer.
+Value with_sign_of(const Value& q, const Value& answer);
+
+/// What is demanded, written as an answer has it where there are several ways: the same rotation as
+/// q or −q, whichever is nearer.
+using Restate = Value (*)(const Value& demanded, const Value& answer);
 
 /// An answer near a value.
 struct CloseTo {
   Value expected;
   double tolerance;
   Metric metric;
+  Restate restate = [](const Value& demanded, const Value&) { return demanded; };
 };
 
 template <class T>
@@ -40,7 +47,7 @@ CloseTo close_to(const T& expected, double tolerance) {
 /// The same rotation as the unit quaternion `expected`: q or −q.
 template <class T>
 CloseTo same_rotation(const T& expected, double tolerance) {
-  return {to_value(expected), tolerance, difference_up_to_sign};
+  return {to_value(expected), tolerance, difference_up_to_sign, with_sign_of};
 }
 
 /// An answer that has a property: `error` measures by how much it is missed.

@@ -165,7 +165,7 @@ bool Session::demand(std::size_t number, const CloseTo& demand) {
   call.tolerance = demand.tolerance;
   if (demand.metric(call.answer, demand.expected) <= demand.tolerance) return true;
   Finding finding = wrong_answer(number, &demand);
-  finding.demanded = demand.expected;
+  finding.demanded = demand.restate(demand.expected, call.answer);
   finding.tolerance = demand.tolerance;
   found(std::move(finding));
   return false;
