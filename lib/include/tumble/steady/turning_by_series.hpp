@@ -46,13 +46,14 @@ class TurningBySeries {
       : series_(torque, detail::order_for(tolerance)) {
     detail::StepBudget budget(t0, t1, max_steps);
     double t = t0;
-    steps_.push_back({t, start});
+    steps_.push_back({t, start, 1});
     while (t < t1) {
       series_.expand(steps_.back().state);
       const double next = std::min(t + series_.step(tolerance), t1);
       if (!(next > t)) stop(t, next);
       if (steps_.size() <= max_kept) series_.keep(kept_);
-      steps_.push_back({next, series_.at(next - t)});
+      steps_.back().unit = series_.unit();
+      steps_.push_back({next, series_.at(next - t), 1});
       budget.count(next);
       if (budget.hopeless())
         detail::refuse_hopeless("turning by series", budget, max_steps, next,
@@ -76,8 +77,11 @@ class TurningBySeries {
     const Step& step = steps_[i];
     if (t == step.t) return step.state;
     const auto terms = static_cast<std::size_t>(order()) + 1;
-    if (i * terms < kept_.size())
-      return detail::turning_at(kept_.data() + i * terms, series_.order(), t - step.t);
+    if (i * terms < kept_.size()) {
+      const double h = (t - step.t) / step.unit;
+      const TurningState s = detail::turning_at(kept_.data() + i * terms, series_.order(), h);
+      return {s.q, s.omega / step.unit};
+    }
     detail::TurningSeries<rank> series = series_;
     series.expand(step.state);
     return series.at(t - step.t);
@@ -87,6 +91,7 @@ class TurningBySeries {
   struct Step {
     double t;
     TurningState state;
+    double unit;  // of time, of the terms from here on [s]
   };
 
   /// Steps whose series are kept (20 MB); later ones are expanded anew.

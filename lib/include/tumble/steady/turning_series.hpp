@@ -10,6 +10,10 @@
 /// A product of two series is a sum over pairs of coefficients; the three or four components of a
 /// vector lie side by side and go through it together.
 ///
+/// The coefficient of tᵏ has the unit 1/sᵏ: for a body that takes a day for a turn, or a
+/// nanosecond, it is no double any more. So time is counted in a unit in which the body turns by
+/// about one radian, a power of 2 seconds, with which nothing is rounded.
+///
 /// Source: Jorba & Zou, "A software package for the numerical integration of ODEs by means of
 /// high-order Taylor methods", Experimental Mathematics 14 (2005), §2 and §3.
 
@@ -39,15 +43,20 @@ class TurningSeries {
   TurningSeries(const steady::SteadyTorque& torque, int order)
       : order_(order),
         instructions_(simd::best_instruction_set()),
-        drag_(four_lanes(torque.drag())) {
+        drag_per_second_(four_lanes(torque.drag())) {
     const Vec3& J = torque.axes().moments;
     euler_ = four_lanes({(J[1] - J[2]) / J[0], (J[2] - J[0]) / J[1], (J[0] - J[1]) / J[2]});
     for (int r = 0; r < rank; ++r) {
       const Vec3& a = torque.arm(r);
       directions_[r] = torque.direction(r);
-      plus_[r] = four_lanes({a[1] / J[0], a[2] / J[1], a[0] / J[2]});
-      minus_[r] = four_lanes({a[2] / J[0], a[0] / J[1], a[1] / J[2]});
+      const Vec3 plus(a[1] / J[0], a[2] / J[1], a[0] / J[2]);
+      const Vec3 minus(a[2] / J[0], a[0] / J[1], a[1] / J[2]);
+      plus_per_second_[r] = four_lanes(plus);
+      minus_per_second_[r] = four_lanes(minus);
+      rate_ = std::max(
+          {rate_, std::sqrt(plus.cwiseAbs().maxCoeff()), std::sqrt(minus.cwiseAbs().maxCoeff())});
     }
+    rate_ = std::max(rate_, torque.drag().cwiseAbs().maxCoeff());
   }
 
   int order() const { return order_; }
@@ -55,7 +64,8 @@ class TurningSeries {
   /// Expands about a state; what was there before is forgotten.
   void expand(const steady::TurningState& state) {
     const Quat& q = state.q;
-    w_[0] = arranged_omega(four_lanes(state.omega));
+    count_time_by(std::max(rate_, state.omega.cwiseAbs().maxCoeff()));
+    w_[0] = arranged_omega(unit_ * four_lanes(state.omega));
     q_[0] = arranged_orientation(FourDoubles{q.w(), q.x(), q.y(), q.z()});
     const double scale = 1 / q.squaredNorm();
     for (int r = 0; r < rank; ++r)
@@ -63,7 +73,10 @@ class TurningSeries {
     dispatch(instructions_, Expansion{*this});
   }
 
-  /// The longest step whose last terms stay below the tolerance, relative to ω and to 1 for q.
+  /// What the series counts time by since it was expanded [s].
+  double unit() const { return unit_; }
+
+  /// The longest step [s] whose last terms stay below the tolerance, relative to ω and to 1 for q.
   double step(double tolerance) const {
     double h = std::numeric_limits<double>::infinity();
     const double q0 = norm(q_[0].q), w0 = norm(w_[0].xyz);
@@ -74,20 +87,21 @@ class TurningSeries {
         h = std::min<double>(
             h, std::exp2(static_cast<float>(std::log2(tolerance / last)) / static_cast<float>(k)));
     }
-    return h;
+    return unit_ * h;
   }
 
-  /// The state a time h after the one expanded about.
-  steady::TurningState at(double h) const {
+  /// The state a time h [s] after the one expanded about.
+  steady::TurningState at(double seconds) const {
+    const double h = seconds / unit_;
     FourDoubles q = q_[order_].q, w = w_[order_].xyz;
     for (int k = order_ - 1; k >= 0; --k) {
       q = q * h + q_[k].q;
       w = w * h + w_[k].xyz;
     }
-    return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2])};
+    return {Quat(q[0], q[1], q[2], q[3]), Vec3(w[0], w[1], w[2]) / unit_};
   }
 
-  /// Appends the series' terms to others.
+  /// Appends the series' terms, by its unit of time, to others.
   void keep(std::vector<TurningTerm>& terms) const {
     for (int k = 0; k <= order_; ++k) terms.push_back({q_[k].q, w_[k].xyz});
   }
@@ -105,6 +119,16 @@ class TurningSeries {
   using Omega = TurningOmega;
   using Orientation = TurningOrientation;
   using Direction = TurningDirection;
+
+  /// @param rate at which something changes [1/s], or 0
+  void count_time_by(double rate) {
+    unit_ = rate > 0 ? std::ldexp(1., -std::ilogb(rate)) : 1;
+    drag_ = unit_ * drag_per_second_;
+    for (int r = 0; r < rank; ++r) {
+      plus_[r] = unit_ * (unit_ * plus_per_second_[r]);
+      minus_[r] = unit_ * (unit_ * minus_per_second_[r]);
+    }
+  }
 
   /// Sums of products that make one coefficient.
   struct Sums {
@@ -164,9 +188,11 @@ class TurningSeries {
 
   int order_;
   simd::InstructionSet instructions_;
-  FourDoubles euler_, drag_;
+  double rate_ = 0, unit_ = 1;
+  FourDoubles euler_, drag_per_second_, drag_{};
   Vec3 directions_[slots];
-  FourDoubles plus_[slots], minus_[slots];  // the arms over J
+  FourDoubles plus_per_second_[slots], minus_per_second_[slots];  // the arms over J
+  FourDoubles plus_[slots], minus_[slots];                        // the same by the unit of time
   Omega w_[max_order + 1];
   Orientation q_[max_order + 1];
   Direction u_[slots][max_order + 1];
