@@ -62,12 +62,14 @@ class MotionRecord {
     double effect;  ///< until the next look, a part of the sizes
   };
 
-  /// Wherever nobody has looked for a while, it is looked whether forces depend on the time; where
-  /// they do, and now and then, whether the way between the steps' ends obeys them. In a step of
-  /// Radau5's, whether they depend on it otherwise than the method could see.
+  /// Wherever nobody has looked for a while, it is looked whether the way between the steps' ends
+  /// obeys the forces. After many looks this is done now and then, and otherwise where they depend
+  /// on the time, which costs less to see. In a step of Radau5's it is looked whether they depend
+  /// on it otherwise than the method could see.
   /// @param looks how often in all, at least
   std::vector<Surprise> surprises(double part, double looks) const {
-    constexpr int now_and_then = 16;
+    constexpr double whole_looks = 0x1p15;
+    const int now_and_then = static_cast<int>(std::fmax(1, looks / whole_looks));
     const double per_second = looks / breaks_.back();
     const double shift =
         golden_fraction(static_cast<int>(breaks_.size()) - 1, 0.5);  // not the same twice
@@ -86,7 +88,7 @@ class MotionRecord {
         const double theta = (k + 0.9 * shift + 0.1 * golden_fraction(++all)) / count;
         const double s = begin + theta * h;
         const bool in_turn = !stiff_ && all % now_and_then == 0;
-        if (rhs_.net(f.time(s), there) == then && !in_turn) continue;
+        if (!in_turn && rhs_.net(f.time(s), there) == then) continue;
         const Numbers gap = stiff_
                                 ? Numbers(h * unexpected(f, i, theta))
                                 : Numbers(h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta));
