@@ -36,12 +36,15 @@ class Convex {
   }
 
   /// A box of full edge lengths `size` [m], in body coordinates.
-  /// @throws std::invalid_argument if an edge is not positive and finite
+  /// @throws std::invalid_argument if an edge is not positive and finite, or R no rotation
   static Convex box(const Vec3& size, const Vec3& centre = Vec3::Zero(),
                     const Mat3& R = Mat3::Identity()) {
     require(size.allFinite() && size.minCoeff() > 0, "convex body: the box's edges (",
             size.transpose(), ") m are not positive and finite");
     require(centre.allFinite() && R.allFinite(), "convex body: the box's place is not finite");
+    require(
+        (R.transpose() * R).isIdentity(1e-6),
+        "convex body: the box's R is no rotation: its columns are not perpendicular unit vectors");
     std::vector<Vec3> corners;
     for (int i = 0; i < 8; ++i) {
       const Vec3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);

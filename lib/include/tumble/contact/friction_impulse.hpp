@@ -17,6 +17,8 @@
 /// collisions with friction", Proc. R. Soc. A 431 (1990); Mirtich, PhD thesis, Berkeley (1996),
 /// §3.4.
 
+#include <limits>
+
 #include "tumble/contact/sliding.hpp"
 
 namespace tumble::contact::detail {
@@ -37,7 +39,8 @@ namespace tumble::contact {
 /// @addtogroup contact
 /// @{
 
-/// The impulse of a contact with friction.
+/// The impulse of a contact with friction. Where K is nearly singular, an impulse may be so large
+/// that its rounding would create energy: then it is shortened until it creates none.
 /// @throws std::invalid_argument if the impact is none
 inline ImpactResult collide_with_friction(const Impact& impact) {
   if (impact.mu == 0) return collide(impact);
@@ -48,8 +51,13 @@ inline ImpactResult collide_with_friction(const Impact& impact) {
   detail::Contact contact(axes.transpose() * (impact.K / ease) * axes,
                           axes.transpose() * (impact.u / speed), impact.mu, impact.e);
   contact.run();
-  const Vec3 impulse = speed / ease * (axes * contact.impulse());
-  const Vec3 after = impact.u + impact.K * impulse;
+  Vec3 impulse = speed / ease * (axes * contact.impulse());
+  Vec3 after = impact.u + impact.K * impulse;
+  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  if (energy_of(impact.u, after, impulse) > rounding * speed * impulse.norm()) {
+    impulse *= -2 * impact.u.dot(impulse) / impulse.dot(impact.K * impulse);
+    after = impact.u + impact.K * impulse;
+  }
   return {impulse, after, energy_of(impact.u, after, impulse), contact.slip(), contact.jammed()};
 }
 

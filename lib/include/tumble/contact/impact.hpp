@@ -14,10 +14,10 @@ namespace tumble::contact {
 
 /// A point at which two bodies, or a body and the world, come together.
 struct Impact {
-  Mat3 K;        ///< how the velocity responds to an impulse [1/kg]: contact_matrix() of both, added
-  Vec3 u;        ///< velocity of the first body's point less that of the second one's [m/s]
-  Vec3 normal;   ///< unit, out of the second body: u·normal < 0 comes together
-  double e = 0;  ///< coefficient of restitution, 0 … 1
+  Mat3 K;       ///< how the velocity responds to an impulse [1/kg]: contact_matrix() of both, added
+  Vec3 u;       ///< velocity of the first body's point less that of the second one's [m/s]
+  Vec3 normal;  ///< unit, out of the second body: u·normal < 0 comes together
+  double e = 0;   ///< coefficient of restitution, 0 … 1
   double mu = 0;  ///< coefficient of friction, ≥ 0
 
   /// @throws std::invalid_argument if one of them is no such thing

@@ -43,7 +43,7 @@ struct ContactScene {
     for (const collide::HalfSpace& wall : walls) wall.require_valid();
     for (const ContactBody& b : bodies)
       require(pack(b.start).allFinite() && b.start.q.squaredNorm() > 0, "contacts: the state of ",
-              b.name, " is not finite, or its quaternion is zero");
+              b.name, " is not finite, or its quaternion is shorter than 1e-162");
     require_apart(tolerance);
   }
 

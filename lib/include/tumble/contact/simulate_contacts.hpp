@@ -26,6 +26,8 @@ inline ContactRun simulate_contacts(const ContactScene& scene, const ContactSett
           "contacts: until = ", settings.until, " s is not finite and ≥ 0");
   require(settings.tolerance > 0, "contacts: the tolerance ", settings.tolerance,
           " m is not positive");
+  require(settings.hop > 0 && std::isfinite(settings.hop), "contacts: hop = ", settings.hop,
+          " is not positive and finite");
   require(settings.max_impacts > 0, "contacts: max_impacts = ", settings.max_impacts,
           " is not positive");
   scene.require_valid(settings.tolerance);

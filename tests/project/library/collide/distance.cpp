@@ -265,6 +265,7 @@ TEST_CASE("distance: from a floor or a wall, the mesh's hull, and what bounds ho
 TEST_CASE("bodies that are none are refused") {
   CHECK_REFUSED(Convex::ball(0), "radius");
   CHECK_REFUSED(Convex::box(Vec3(1, -1, 1)), "edges");
+  CHECK_REFUSED(Convex::box(Vec3::Ones(), Vec3::Zero(), 2 * Mat3::Identity()), "no rotation");
   CHECK_REFUSED(Convex::hull(std::vector<Vec3>{}), "volume");
   const std::vector<Vec3> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.3, 0}, {1, 1, 0}};
   CHECK_REFUSED(Convex::hull(flat), "volume", "5 points");

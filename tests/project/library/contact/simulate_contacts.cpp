@@ -256,6 +256,7 @@ TEST_CASE(
   CHECK_REFUSED(with([](ContactScene& s) { s.bodies[0].start.P.x() = NAN; }), "first");
   CHECK_REFUSED(simulate_contacts(good, {.until = -1}), "until");
   CHECK_REFUSED(simulate_contacts(good, {.until = 1, .tolerance = 0}), "tolerance");
+  CHECK_REFUSED(simulate_contacts(good, {.until = 1, .hop = NAN}), "hop", "nan");
   const auto capped =
       simulate_contacts(over_floor(ball("ball", 0.1, Vec3(0, 0, 1), Vec3::Zero()), 0.9),
                         {.until = 100, .max_impacts = 7});

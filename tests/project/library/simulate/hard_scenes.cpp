@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "project/harness/refusal.hpp"
@@ -117,6 +118,27 @@ TEST_CASE("hard scenes: a pulse that nobody could find by chance, by a longest s
   CHECK(run.report().rejected == 0);  // no step went across a jump
   CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .breaks = {NAN}}, motor), "break", "nan");
   CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .longest_step = 0}, motor), "longest step", "0");
+}
+
+TEST_CASE("hard scenes: a force that acts in a thin region of space only is not flown past") {
+  for (const double width : {20.0, 2.0, 0.6}) {  // [m], at 1 m/s, of 1000 m
+    CAPTURE(width);
+    const AnyForce slab = [width](double, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
+      return {.force = Vec3(std::abs(now.x.x() - 317.3) < width / 2 ? 0.5 / width : 0, 0, 0)};
+    };
+    RigidBodyState<> start;
+    start.P = Vec3(1, 0, 0);
+    const Trajectory motion = simulate(unit_ball, start, {0, 1000, 1e-6}, slab);
+    CHECK(std::abs(motion.end().P.x() - std::sqrt(2.0)) <= 1e-6);  // its work is 0.5 J
+    CHECK(motion.report().reached());
+  }
+}
+
+TEST_CASE("hard scenes: a free body whose tensor leaves the range of doubles is refused") {
+  RigidBodyState<> start;
+  start.L = Vec3(1e299, 1e300, 2e299);
+  CHECK_THROWS_WITH_AS(simulate(with_moments({1e300, 2e300, 2.5e300}), start, {.t1 = 1}),
+                       doctest::Contains("overflows"), std::runtime_error);
 }
 
 TEST_CASE("hard scenes: a motor is switched on and off again, and nobody says when") {
