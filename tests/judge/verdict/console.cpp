@@ -115,8 +115,8 @@ class Printer {
         out_ << "  " << exercise() << " includes what an exercise may not see"
              << (result_.build_detail.empty() ? ".\n" : ":\n\n")
              << indented(result_.build_detail, "    ", 8)
-             << "\n  It has its contract, Eigen/Core and the standard library; nothing else is "
-                "needed.\n";
+             << "\n  An exercise has its contract, Eigen/Core and the standard library, and includes "
+                "nothing else.\n";
         break;
       case BuildOutcome::assembly:
         out_ << "  " << exercise() << " contains assembler code. Write plain C++.\n";
