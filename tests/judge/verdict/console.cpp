@@ -115,7 +115,8 @@ class Printer {
         out_ << "  " << exercise() << " includes what an exercise may not see"
              << (result_.build_detail.empty() ? ".\n" : ":\n\n")
              << indented(result_.build_detail, "    ", 8)
-             << "\n  An exercise has its contract, Eigen/Core and the standard library, and includes "
+             << "\n  An exercise has its contract, Eigen/Core and the standard library, and "
+                "includes "
                 "nothing else.\n";
         break;
       case BuildOutcome::assembly:

@@ -1,4 +1,5 @@
-// Attack: none. Multiplies matrices of any size, for which Eigen asks the processor for its caches and
+// Attack: none. Multiplies matrices of any size, for which Eigen asks the processor for its caches
+// and
 //         comments its own assembly.
 // Verdict: passed
 // Laws: 5
