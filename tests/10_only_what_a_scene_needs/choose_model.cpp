@@ -131,13 +131,15 @@ std::vector<Task> all_kinds(int of_each) {
   return tasks;
 }
 
-/// Moments that differ by much, seen for a short time: here it is of weight which of the two the
-/// difference is a fraction of.
-Task wide_apart() {
-  const double limit = any_number(0.2, 0.33);
+/// Two moments that differ by this part of a large limit, and another one; seen for less than a
+/// radian. Here it is of weight what the difference is a fraction of.
+Task wide_apart(double part_of_limit, double third) {
+  const double limit = any_number(0.2, 0.33), turn = any_number(0.1, 1);
   Task task = any_task(limit);
-  const double part = 1 - 0.9 * limit;
-  task.scene.moments = shuffled({1, part, part / 2});
+  task.scene.duration = turn / task.scene.omega;
+  task.tolerance = limit * turn;
+  const double other = 1 - part_of_limit * limit;
+  task.scene.moments = shuffled({1, other, third * other});
   return task;
 }
 
@@ -160,7 +162,8 @@ auto as(const Reader& reader) {
 TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("particles, balls, tops and full bodies, with and without a torque") {
     std::vector<Task> tasks = all_kinds(16);
-    for (int n = 0; n < 10; ++n) tasks.push_back(wide_apart());
+    for (int n = 0; n < 10; ++n) tasks.push_back(wide_apart(0.9, 0.5));
+    for (int n = 0; n < 3; ++n) tasks.push_back(wide_apart(1.2, 100));
     require_all(tasks);
   }
 
@@ -321,6 +324,14 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
       "How equal is equal enough",
       as({.equal = [](double a, double b, const Scene& s,
                       double tolerance) { return (a - b) / a * s.omega <= tolerance; }})},
+     {"fraction of the largest of all",
+      "You divided each difference by the largest of all three moments. Then two moments that are "
+      "nothing alike count as equal beside a huge third one: divide by the larger one of the two.",
+      "How equal is equal enough",
+      as({.equal =
+              [](double a, double b, const Scene& s, double tolerance) {
+                return (a - b) / s.moments.maxCoeff() * s.omega * s.duration <= tolerance;
+              }})},
      {"fraction of the smaller one",
       "You divided the difference by the smaller of the two moments. For nearly equal ones that is "
       "the same; these differ by a lot, and the contract divides by the larger one.",
