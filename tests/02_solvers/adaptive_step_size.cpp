@@ -118,6 +118,15 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
+  TEST_CASE("of high order: a tiny error is still no reason for the longest step") {
+    for (const int order : {12, 20})
+      for (const double error : {1e-10, 1e-12}) {
+        const double h = any_step();
+        REQUIRE(student::adaptive_step_size(h, error, order) ==
+                close_to(reference(h, error, order), rounding(h, error, order)));
+      }
+  }
+
   TEST_CASE("backwards in time the steps stay negative") {
     for (int n = 0; n < 8; ++n) {
       const int order = 1 + n;

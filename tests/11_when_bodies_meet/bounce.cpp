@@ -351,6 +351,9 @@ TEST_SUITE(TUMBLE_UNIT) {
       }
       s.ball.e = 1;
       REQUIRE(ask(s) == as_expected(s));
+      s.start.v.z() = -1.5;  // this contact is at t1, not after it
+      s.t1 = s.start.t;
+      REQUIRE(ask(s) == as_expected(s));
     }
   }
 

@@ -424,6 +424,9 @@ TEST_SUITE(TUMBLE_UNIT) {
         REQUIRE(answer == obeys("the bodies part", -rod.after(answer->impulse)[1],
                                 4 * rod.K.norm() * rounding(rod)));
       }
+    // On the border, in numbers that are not rounded: u_n doesn't grow.
+    const Contact border{(Mat2() << 2, 1, 1, 1).finished(), Vec2(1, -1), 0.5, 1};
+    REQUIRE(ask(border) == close_to(right(border), rounding(border)));
   }
 
   TEST_CASE("bodies that part, or neither part nor come together, get nothing and don't jam") {

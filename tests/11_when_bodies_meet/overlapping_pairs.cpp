@@ -158,9 +158,12 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (int n = 0; n < 6; ++n) REQUIRE(is_right(any_bodies(60, 0.25), some_meet));
   }
 
-  TEST_CASE("three boxes: two that touch, and one that stands apart") {
+  TEST_CASE(
+      "three boxes: two that touch, and one that stands apart; and two with one ulp between them") {
     const Bodies bodies{{{0, 0, 0}, {1, 1, 1}}, {{1, 0.5, 0.5}, {2, 2, 2}}, {{3, 0, 0}, {4, 1, 1}}};
     REQUIRE(is_right(bodies, all_meet));
+    const double next = std::nextafter(1., 2.);
+    REQUIRE(is_right({{{0, 0, 0}, {1, 1, 1}}, {{next, 0, 0}, {2, 1, 1}}}, all_meet));
   }
 
   TEST_CASE("touching counts: faces, edges and corners of cubes on a grid") {
