@@ -91,7 +91,8 @@ double slope_between(const Numbers& h, const Numbers& errors, std::size_t a, std
 TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("the slope of the line that fits best, for any table of steps and errors") {
     for (int n = 0; n < 20; ++n) {
-      const auto [h, errors] = any_table(3 + n % 6, any_number(0.5, 6), 0.5);
+      // Not three rows first: of three slopes the one from end to end is always the middle one.
+      const auto [h, errors] = any_table(3 + (n + 2) % 6, any_number(0.5, 6), 0.5);
       REQUIRE(student::observed_order(h, errors) ==
               close_to(reference(h, errors), rounding(h, errors)));
     }

@@ -11,7 +11,7 @@ set(tumble_judge_folder ${CMAKE_CURRENT_LIST_DIR})
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(TUMBLE_STUDENT_FLAGS -std=c++20 -O1 -ffp-contract=off -fno-finite-loops -DEIGEN_DONT_VECTORIZE
   -ftrivial-auto-var-init=pattern -DEIGEN_INITIALIZE_MATRICES_BY_NAN -D_GLIBCXX_ASSERTIONS
-  -Wall -Wextra -Wno-unused-parameter -Werror=return-type)
+  -Wall -Wextra -Wfloat-conversion -Wno-unused-parameter -Werror=return-type)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # clang stops after twenty by itself
   list(APPEND TUMBLE_STUDENT_FLAGS -fmax-errors=20)
 endif()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <sstream>
 #include <string_view>
 
@@ -26,6 +27,35 @@ std::string without(std::string text, const std::string& part) {
   return text;
 }
 
+/// "Vector3d" for 3 rows and 1 column; empty if it has no such name. −1 is any number.
+std::string name_of_matrix(int rows, int columns) {
+  const int size = rows == 1 ? columns : rows;
+  const bool has_name = size == -1 || (size >= 2 && size <= 4);
+  if (!has_name || (rows != 1 && columns != 1 && rows != columns)) return {};
+  const std::string kind = rows == 1 ? "RowVector" : columns == 1 ? "Vector" : "Matrix";
+  return "Eigen::" + kind + (size == -1 ? "X" : std::to_string(size)) + "d";
+}
+
+/// The types of a message with the names that a beginner writes: gcc and clang tell Eigen's with
+/// all of their parameters.
+std::string with_short_types(const std::string& line) {
+  constexpr std::size_t most_read = 2000;  // a regular expression takes stack for each character
+  static const std::regex quoted_source(R"(^ *\d+ \|)"), also_known_as(R"( \{aka [^{}]*\})"),
+      matrix(
+          R"(Eigen::Matrix<double, (-?\d{1,4}), (-?\d{1,4})(, \d{1,4}(, -?\d{1,4}, -?\d{1,4})?)?>)"),
+      entry(R"(Eigen::DenseCoeffsBase<[^<>]*>::Scalar)");
+  if (line.size() > most_read || std::regex_search(line, quoted_source)) return line;
+  std::string text;
+  auto from = line.cbegin();
+  for (std::sregex_iterator it(line.begin(), line.end(), matrix), end; it != end; ++it) {
+    const std::string name = name_of_matrix(std::stoi((*it)[1]), std::stoi((*it)[2]));
+    text.append(from, (*it)[0].first).append(name.empty() ? it->str() : name);
+    from = (*it)[0].second;
+  }
+  text.append(from, line.cend());
+  return std::regex_replace(std::regex_replace(text, also_known_as, ""), entry, "double");
+}
+
 }  // namespace
 
 std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
@@ -41,6 +71,10 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
     if (starts_message(line)) {
       // gcc indents why each overload of Eigen's does not fit: pages, and nothing of the student's.
       const bool why_not_this_one = line.find(": note:   ") != std::string::npos;
+      // "suggested alternatives:" has them in such notes, at places elsewhere.
+      if (const auto at = line.find(": note:   '");
+          at != std::string::npos && !about_source && kept.ends_with("alternatives:\n"))
+        kept.insert(kept.size() - 1, " " + line.substr(at + 10));
       keep = about_source && !why_not_this_one;
       const bool is_note = line.find(": note: ") != std::string::npos;
       if (keep && is_note && !elsewhere.empty()) {
@@ -59,7 +93,7 @@ std::string messages_about(const std::filesystem::path& source, const std::strin
     }
     const bool in_function = about_source && !starts_message(line);  // "a.cpp: In function 'f':"
     if (!keep && !in_function) continue;
-    kept += without(line, folder) + "\n";
+    kept += with_short_types(without(line, folder)) + "\n";
     ++lines;
   }
   return kept;
@@ -82,9 +116,17 @@ bool has_error_in(const std::filesystem::path& source, const std::string& compil
 }
 
 std::string advice_on(const std::string& compiler_output) {
-  return compiler_output.find("<unresolved overloaded function type>") == std::string::npos
-             ? ""
-             : "(Parentheses forgotten? With Eigen v.x and q.w are functions: v.x(), q.w().)\n";
+  // What both compilers say of Eigen::Quaterniond. Eigen/Core declares Quaternion, which leads on.
+  static const std::regex not_of_eigen(
+      "'(\\w{1,40})' is not a member of 'Eigen'|no member named '(\\w{1,40})' in namespace "
+      "'Eigen'");
+  std::string advice;
+  if (compiler_output.find("<unresolved overloaded function type>") != std::string::npos)
+    advice += "(Parentheses forgotten? With Eigen v.x and q.w are functions: v.x(), q.w().)\n";
+  if (std::smatch parts; std::regex_search(compiler_output, parts, not_of_eigen))
+    advice += "(An exercise has Eigen/Core alone, and " + parts[1].str() + parts[2].str() +
+              " is not in there: write out what you need of it.)\n";
+  return advice;
 }
 
 namespace {

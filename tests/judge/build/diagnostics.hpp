@@ -9,14 +9,14 @@
 namespace tumble::judge {
 
 /// Keeps the messages at places in `source` and, where `others`, the first line of errors
-/// elsewhere; shortens paths to file names. Nothing of a foreign file's text gets through.
+/// elsewhere; shortens paths to file names, and Eigen's types to the names that one writes. Nothing of a foreign file's text gets through.
 std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
                            bool others);
 
 /// Whether the compiler complains about a place in `source`, and not that it cannot work here.
 bool has_error_in(const std::filesystem::path& source, const std::string& compiler_output);
 
-/// In other words what gcc's messages don't tell a beginner: a line, or nothing.
+/// In other words what a compiler's messages don't tell a beginner: lines, or nothing.
 std::string advice_on(const std::string& compiler_output);
 
 /// Whether the compiler's driver says, as its last word, that one of its programs was killed. What

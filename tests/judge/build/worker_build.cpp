@@ -9,6 +9,7 @@
 #include "judge/build/inspection.hpp"
 #include "judge/build/link_failure.hpp"
 #include "judge/build/object_cache.hpp"
+#include "judge/build/static_assertions.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/course/contract.hpp"
 #include "support/text_file.hpp"
@@ -99,7 +100,9 @@ class Builder {
   bool succeeded(const Finished& step, WorkerBuild& result, bool others) const {
     if (step.ending == Ending{false, 0}) return true;
     result.explained = has_error_in(source(), step.output);
-    result.detail = messages_about(source(), step.output, others) + advice_on(step.output);
+    const std::string output =
+        static_assertions_at(source(), support::read_text(source()), step.output);
+    result.detail = messages_about(source(), output, others) + advice_on(output);
     result.outcome =
         ran_into_limits(step) ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
     return false;

@@ -89,7 +89,7 @@ class CommandLine {
     app.add_option("--seed", check_.seed,
                    "of the random inputs; another one each time if not given");
     app.add_option("--seeds", check_.seeds, "try this many, one after the other")
-        ->check(CLI::Range(1, 100000));
+        ->check(CLI::Range(1, 100000).description("1 to 100000"));
     app.add_option("--from", check_.from,
                    "folder or zip with the files to judge, instead of exercises/");
     CLI::Option* json =
@@ -164,7 +164,7 @@ class CommandLine {
         app.add_option("--student", grade_.students, "judge only these students"),
         app.add_option("--jobs", grade_.at_once,
                        "submissions at a time; as many as cores if not given")
-            ->check(CLI::Range(1, 1000)),
+            ->check(CLI::Range(1, 1000).description("1 to 1000")),
         app.add_option("--deadline", grade_.seconds, seconds_help)->check(CLI::PositiveNumber),
         app.add_flag("--strict", grade_.strict, strict_help),
         app.add_option(

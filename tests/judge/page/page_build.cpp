@@ -5,6 +5,7 @@
 #include "judge/build/diagnostics.hpp"
 #include "judge/build/link_failure.hpp"
 #include "judge/build/source_text.hpp"
+#include "judge/build/static_assertions.hpp"
 #include "judge/verdict/names_from_source.hpp"
 
 namespace tumble::judge {
@@ -40,10 +41,11 @@ std::string refusal(const Course& course, const Unit& unit, const std::string& s
 }
 
 void report_failure(BuildReport& report, const PageBuild& build, const Course& course,
-                    const Unit& unit) {
+                    const Unit& unit, const std::string& source) {
   report.outcome =
       build.step == "limit" ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
-  report.detail = messages_about(place_of(unit), build.output, true);
+  const std::string output = static_assertions_at(place_of(unit), source, build.output);
+  report.detail = messages_about(place_of(unit), output, true) + advice_on(output);
   if (build.step == "link")
     explain_link_failure(report, course, unit, build.output, build.functions);
 }
@@ -65,7 +67,7 @@ BuildReport report_of(const PageBuild& build, const Course& course, const Unit& 
   else if (contains_assembler(source))
     report.outcome = BuildOutcome::assembly;
   else if (!build.ok)
-    report_failure(report, build, course, unit);
+    report_failure(report, build, course, unit, source);
   else
     report.warnings = messages_about(place_of(unit), build.output, false);
   return report;

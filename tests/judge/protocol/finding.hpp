@@ -31,10 +31,18 @@ enum class Outcome {
 /// The word for an outcome in tables, JSON and tests: "not implemented", "out of memory", …
 std::string name_of(Outcome outcome);
 
+/// One evaluation, by the student's code, of a function that it was given.
+struct Evaluation {
+  FunctionId function;
+  List arguments;
+  Value result;
+};
+
 /// A question as the student can read and repeat it.
 struct Question {
   List arguments;
   std::size_t evaluations = 0;  ///< how often the student's code called the functions it was given
+  std::vector<Evaluation> first_evaluations = {};  ///< a few of them, to be shown
 };
 
 /// A misconception whose numbers are those that came back.
@@ -51,7 +59,8 @@ struct Finding {
   std::optional<Question> question;
   std::optional<Value> answer;
   std::optional<Value> demanded;  ///< absent when a law was tried, not a value
-  double tolerance = 0;           ///< how far the answer may be from `demanded`
+  double tolerance = 0;           ///< how far the answer may be from `demanded`, or from the law
+  double missed = 0;              ///< how far it is from the law, where a law was tried
   std::vector<Misconception> misconceptions;
   std::string printed;  ///< what the student's code printed in this case
   std::string place;    ///< file:line of a crash, where it could be found

@@ -38,6 +38,14 @@ double largest_difference(const Value& a, const Value& b) {
   return incomparable;
 }
 
+double largest_magnitude(const Value& value) {
+  if (const double* x = value.as<double>()) return std::isfinite(*x) ? std::abs(*x) : 0;
+  double largest = 0;
+  if (const List* list = value.as<List>())
+    for (const Value& element : *list) largest = std::fmax(largest, largest_magnitude(element));
+  return largest;
+}
+
 double difference_up_to_sign(const Value& a, const Value& b) {
   const List *x = a.as<List>(), *y = b.as<List>();
   if (!x || !y) return incomparable;

@@ -22,6 +22,8 @@ using Metric = double (*)(const Value& a, const Value& b);
 inline double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 double largest_difference(const Value& a, const Value& b);
+/// Of the finite numbers in a value; 0 if it has none.
+double largest_magnitude(const Value& value);
 /// The same for quaternions as rotations: q and −q are one.
 double difference_up_to_sign(const Value& a, const Value& b);
 /// q or −q, whichever is nearer to the answer.

@@ -103,6 +103,14 @@ bool is_argument(const Finding& finding) {
 bool is_huge(double x) { return std::abs(x) > 1e150; }
 bool is_large(double x) { return std::abs(x) > 1e30; }
 bool is_nan(double x) { return std::isnan(x); }
+
+/// The NaN that Eigen fills new matrices with, where computing gives another one: 0/0 has a sign on
+/// x86 and none elsewhere. (Minus 0/0 has none either: it may be this one.)
+bool is_nan_of_new_matrix(double x) {
+  volatile double zero = 0;
+  const double computed = zero / zero;
+  return std::isnan(x) && std::signbit(computed) && !std::signbit(x);
+}
 bool is_infinite(double x) { return std::isinf(x); }
 
 /// Whether the numbers of the question or of the right answer are so large that a mark is none.
@@ -121,6 +129,13 @@ std::vector<Misconception> names_of_content(const Finding& finding) {
          "Part of your answer comes from a variable that was never set, or that is gone: an auto "
          "may hold an expression of Eigen whose operands are. Such memory holds anything. Here it "
          "has a mark, so that it shows.",
+         ""}};
+  if (contains(answer, is_nan_of_new_matrix))
+    return {
+        {"not a number",
+         "Your answer contains NaN, of the kind that a vector or a matrix has here before it is "
+         "set. Look whether each of yours begins with a value: Eigen's don't begin with zeros. "
+         "(A minus before 0 / 0 can look the same.)",
          ""}};
   if (contains(answer, is_nan))
     return {

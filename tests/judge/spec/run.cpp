@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "judge/spec/general_misconceptions.hpp"
 #include "judge/spec/impostor.hpp"
@@ -157,10 +158,27 @@ class Explanations {
 
 }  // namespace
 
+namespace {
+
+bool is_wrong_answer(const Finding& finding) {
+  return finding.outcome == Outcome::wrong && finding.answer;
+}
+
+Misconception something_kept() {
+  return {
+      "something kept between calls",
+      "Asked the same by itself, your function gives another answer. It keeps something from one "
+      "call to the next: a static or a global variable, or one that was never set.",
+      ""};
+}
+
+}  // namespace
+
 std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
   Session session(run.unit, answerer, run.seed);
   std::vector<CaseResult> cases = run_cases(run, session);
   Explanations explanations(run, cases, session);
+  bool asked_alone = false;
   for (CaseResult& each : cases) {
     if (!each.finding) continue;
     std::vector<Misconception>& names = each.finding->misconceptions;
@@ -171,6 +189,9 @@ std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
     if (names.empty())
       names = general_misconceptions(*each.finding,
                                      each.number == 1 ? Inputs::general : Inputs::special);
+    if (names.empty() && is_wrong_answer(*each.finding) && !std::exchange(asked_alone, true) &&
+        session.answers_otherwise_alone(each.number))
+      names = {something_kept()};
   }
   return cases;
 }

@@ -18,14 +18,6 @@ namespace {
 
 Session* current_session = nullptr;
 
-double largest_magnitude(const Value& value) {
-  if (const double* x = value.as<double>()) return std::isfinite(*x) ? std::abs(*x) : 0;
-  double largest = 0;
-  if (const List* list = value.as<List>())
-    for (const Value& element : *list) largest = std::fmax(largest, largest_magnitude(element));
-  return largest;
-}
-
 bool is_finite(const Value& value) {
   if (const double* x = value.as<double>()) return std::isfinite(*x);
   const List* list = value.as<List>();
@@ -109,6 +101,13 @@ Value evaluated(const Call& call, FunctionId id, const List& arguments) {
   }
 }
 
+Question question_of(const Call& call) {
+  constexpr std::ptrdiff_t most_shown = 4;
+  const auto begin = call.evaluations.begin(), end = call.evaluations.end();
+  return {
+      call.arguments, call.evaluations.size(), {begin, begin + std::min(most_shown, end - begin)}};
+}
+
 }  // namespace
 
 std::size_t Session::ask(Call call) {
@@ -126,7 +125,7 @@ std::size_t Session::ask(Call call) {
     Finding finding;
     finding.outcome = why.outcome;
     finding.detail = why.what();
-    finding.question = Question{call.arguments, call.evaluations.size()};
+    finding.question = question_of(call);
     found(std::move(finding));
     throw;
   } catch (...) {
@@ -150,10 +149,11 @@ void Session::unusable(const std::string& why) {
   found(std::move(finding));
 }
 
-Finding Session::wrong_answer(std::size_t number, const CloseTo* unmet) const {
+Finding Session::wrong_answer(std::size_t number, const CloseTo* unmet) {
+  if (!finding_) cases_.back().wrong_call = number;
   const Call& call = calls_[number];
   Finding finding;
-  finding.question = Question{call.arguments, call.evaluations.size()};
+  finding.question = question_of(call);
   finding.answer = call.answer;
   finding.misconceptions = matching_misconceptions(number, unmet);
   return finding;
@@ -171,13 +171,30 @@ bool Session::demand(std::size_t number, const CloseTo& demand) {
   return false;
 }
 
+namespace {
+
+std::string short_size(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+/// "your answer misses it by 0.3 (allowed: 1e-12)". A law without a measure is kept or not.
+std::string how_it_misses(const Obeys& demand) {
+  const bool has_measure = std::isfinite(demand.error) && (demand.error != 1 || demand.bound != 0);
+  if (!has_measure) return "your answer does not keep to it";
+  return "your answer misses it by " + short_size(demand.error) +
+         (demand.bound > 0 ? " (allowed: " + short_size(demand.bound) + ")" : std::string());
+}
+
+}  // namespace
+
 bool Session::demand(std::size_t number, const Obeys& demand) {
   if (demand.error <= demand.bound) return true;
   Finding finding = wrong_answer(number);
-  char missed[32];
-  std::snprintf(missed, sizeof missed, "%.3g", demand.error);
-  finding.detail = demand.law + "; your answer misses it by " + missed;
+  finding.detail = demand.law + "; " + how_it_misses(demand);
   finding.tolerance = demand.bound;
+  finding.missed = demand.error;
   found(std::move(finding));
   return false;
 }
@@ -203,10 +220,27 @@ std::vector<Misconception> Session::matching_misconceptions(std::size_t number,
   return matching;
 }
 
-bool Session::gives_the_same_in_case(std::size_t number, std::size_t misconception) const {
+std::vector<Session::Case>::const_iterator Session::case_with(std::size_t number) const {
   const auto begun = std::find_if(cases_.begin(), cases_.end(),
                                   [&](const Case& each) { return each.number == number; });
   if (begun == cases_.end()) throw std::logic_error("that case has not begun");
+  return begun;
+}
+
+bool Session::answers_otherwise_alone(std::size_t number) {
+  const auto begun = case_with(number);
+  if (begun->wrong_call == begun->first_call) return false;
+  const Call& call = calls_[begun->wrong_call];
+  try {
+    answerer_.start_case();
+    return largest_difference(answerer_.ask(call, call.functions), call.answer) != 0;
+  } catch (const std::exception&) {
+    return false;  // no answer at all says nothing about the one that came
+  }
+}
+
+bool Session::gives_the_same_in_case(std::size_t number, std::size_t misconception) const {
+  const auto begun = case_with(number);
   const auto next = std::next(begun);
   return gives_the_same(misconception, begun->first_call,
                         next == cases_.end() ? calls_.size() : next->first_call);

@@ -18,13 +18,6 @@
 
 namespace tumble::judge {
 
-/// One evaluation, by the student's code, of a function that it was given.
-struct Evaluation {
-  FunctionId function;
-  List arguments;
-  Value result;
-};
-
 /// A question, and what came back.
 struct Call {
   List arguments;
@@ -57,6 +50,9 @@ class Session {
   /// What ended the case that ran last; the first finding counts.
   std::optional<Finding> take_finding();
   void found(Finding finding);
+  /// Whether the answer that case `number` was ended by is another one when its question is the
+  /// first of a program. Asks it once more; false where it was the first.
+  bool answers_otherwise_alone(std::size_t number);
   /// Whether misconception k gives the same to every question of case `number`.
   bool gives_the_same_in_case(std::size_t number, std::size_t misconception) const;
   /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong
@@ -79,7 +75,7 @@ class Session {
   void unusable(const std::string& why);
 
  private:
-  Finding wrong_answer(std::size_t number, const CloseTo* unmet = nullptr) const;
+  Finding wrong_answer(std::size_t number, const CloseTo* unmet = nullptr);
   /// The misconceptions that give the same numbers everywhere, and do not meet `unmet`.
   std::vector<Misconception> matching_misconceptions(std::size_t number,
                                                      const CloseTo* unmet) const;
@@ -92,7 +88,11 @@ class Session {
   std::vector<Call> calls_;
   struct Case {
     std::size_t number, first_call;
+    std::size_t wrong_call = first_call;  ///< that its finding is about
   };
+  /// @throws std::logic_error if it has not begun
+  std::vector<Case>::const_iterator case_with(std::size_t number) const;
+
   std::vector<Case> cases_;   ///< that have begun
   std::size_t recorded_ = 0;  ///< numbers that are kept of answers and evaluations
   std::optional<Finding> finding_;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ostream>
@@ -221,16 +222,46 @@ class Printer {
       out_ << "        " << name << " = "
            << TypedText{types_, type, 17, name.size() + 11, {}}.of(question.arguments[i]) << "\n";
     }
-    if (question.evaluations > 0)
-      out_ << "      Calls of the functions that it was given: " << question.evaluations << "\n";
+    explain_evaluations(question);
+  }
+
+  void explain_evaluations(const Question& question) {
+    if (question.evaluations == 0) return;
+    out_ << "      Calls of the functions that it was given: " << question.evaluations;
+    if (question.evaluations > question.first_evaluations.size()) out_ << ", the first of them";
+    out_ << "\n";
+    for (const Evaluation& each : question.first_evaluations) {
+      const std::string call =
+          name_of_function(question, each.function) + text_of(each.arguments, 9);
+      out_ << "        " << call << " = " << text_of(each.result, 9, call.size() + 11) << "\n";
+    }
+  }
+
+  /// The parameter that `function` came as.
+  std::string name_of_function(const Question& question, FunctionId function) const {
+    const std::size_t shown = std::min(question.arguments.size(), declaration_.parameters.size());
+    for (std::size_t i = 0; i < shown; ++i) {
+      const FunctionId* argument = question.arguments[i].as<FunctionId>();
+      if (argument && *argument == function) return declaration_.parameters[i];
+    }
+    return "function";
   }
 
   /// "Your answer has 0 numbers; 3 are demanded", if it is so.
   static std::string difference_in_size(const Value& answer, const Value& demanded) {
     const List *a = answer.as<List>(), *d = demanded.as<List>();
     if (!a || !d || a->size() == d->size()) return {};
-    return "It has " + std::to_string(a->size()) + " entries where " + std::to_string(d->size()) +
-           " are demanded.";
+    return "It has " + std::to_string(a->size()) + (a->size() == 1 ? " entry" : " entries") +
+           " where " + std::to_string(d->size()) + (d->size() == 1 ? " is" : " are") + " demanded.";
+  }
+
+  /// Nine, or all where the ninth does not show what is wrong.
+  static int digits_that_show(const Finding& finding) {
+    constexpr int few = 9, all = 17;
+    const bool is_near =
+        finding.demanded ? text_of(*finding.answer, few) == text_of(*finding.demanded, few)
+                         : finding.missed < 1e-8 * std::fmax(1, largest_magnitude(*finding.answer));
+    return is_near ? all : few;
   }
 
   void explain_wrong_answer(const Finding& finding) {
@@ -238,10 +269,7 @@ class Printer {
       out_ << "      " << one_line(finding.detail) << "\n";
       return;
     }
-    int digits = 9;
-    if (finding.demanded && text_of(*finding.answer, 9) == text_of(*finding.demanded, 9))
-      digits = 17;
-    TypedText text{types_, declaration_.result, digits, label_width, {}};
+    TypedText text{types_, declaration_.result, digits_that_show(finding), label_width, {}};
     if (finding.demanded)
       text.marked =
           furthest_member(types_, declaration_.result, *finding.answer, *finding.demanded);
@@ -252,17 +280,28 @@ class Printer {
       if (const std::string sizes = difference_in_size(*finding.answer, *finding.demanded);
           !sizes.empty())
         out_ << std::string(label_width, ' ') << sizes << "\n";
+      if (const std::string first =
+              hidden_difference(text, *finding.answer, *finding.demanded, finding.tolerance);
+          !first.empty())
+        out_ << label("First difference") << first << "\n";
       print_difference(finding);
     }
     if (!finding.detail.empty()) out_ << label("Demanded") << one_line(finding.detail) << "\n";
   }
 
+  /// The largest between real numbers: that a word, an index or a count is another one shows.
+  static double difference_of_reals(const Value& answer, const Value& demanded) {
+    if (answer.as<double>()) return largest_difference(answer, demanded);
+    const List *a = answer.as<List>(), *d = demanded.as<List>();
+    double largest = 0;
+    for (std::size_t i = 0; a && d && i < std::min(a->size(), d->size()); ++i)
+      largest = worse(largest, difference_of_reals((*a)[i], (*d)[i]));
+    return largest;
+  }
+
   void print_difference(const Finding& finding) {
-    const double apart = largest_difference(*finding.answer, *finding.demanded);
-    const bool is_word = finding.answer->as<std::int64_t>() &&
-                         text_of(*finding.answer, 9) !=
-                             TypedText{types_, declaration_.result, 9, 0, {}}.of(*finding.answer);
-    if (!(apart >= 0) || is_word) return;
+    const double apart = difference_of_reals(*finding.answer, *finding.demanded);
+    if (!(apart > 0)) return;
     out_ << label("Largest difference") << short_number(apart)
          << (finding.tolerance > 0 ? " (allowed: " + short_number(finding.tolerance) + ")"
                                    : " (it must be exact)")

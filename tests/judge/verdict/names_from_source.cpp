@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <regex>
 #include <set>
 #include <string_view>
 
@@ -191,6 +192,12 @@ std::string whole_quotient(const std::string& code) {
   return {};
 }
 
+/// Whether the code adds numbers up from a start of 0, not 0.0: then each sum is a whole number.
+bool sums_whole_numbers(const std::string& code) {
+  static const std::regex sum(R"(\b(?:accumulate|reduce)\s*\([^;]{0,200},\s*[+-]?\d{1,9}\s*[,)])");
+  return std::regex_search(code, sum);
+}
+
 /// Whether a word of the code is the name of what has 7 digits: a type of C++ or of Eigen, or a
 /// function of C for them.
 bool is_name_of_float(std::string_view word) {
@@ -288,6 +295,12 @@ void name_from_source(Finding& finding, const std::string& source) {
                                    ": in C++ the quotient of two whole numbers is "
                                    "a whole number, and what is left over is lost. Write 1. for 1.",
                                ""}};
+  else if (finding.misconceptions.empty() && sums_whole_numbers(code_of(source)))
+    finding.misconceptions = {
+        {"whole-number sum",
+         "Your sum starts from 0, a whole number: then each sum on the way is "
+         "cut to a whole number too. Start from 0.0.",
+         ""}};
   else if (finding.misconceptions.empty() && is_right_as_float(finding) && uses_float(source))
     finding.misconceptions = {
         {"float",

@@ -17,8 +17,7 @@ std::string number_text(double x, int digits) {
   return text;
 }
 
-constexpr std::size_t most_entries = 12;  // of a list that are shown
-constexpr std::size_t most_text = 60;     // bytes of a text inside a value
+constexpr std::size_t most_text = 60;  // bytes of a text inside a value
 constexpr int most_nesting = 3;
 
 std::string entry_text(const Value& value, int digits, int nesting);

@@ -9,6 +9,8 @@
 
 namespace tumble::judge {
 
+inline constexpr std::size_t most_entries = 12;  ///< of a list of numbers that are shown
+
 /// "(0.6, 0, 0.8)" for a vector; a matrix has a row on each line, indented by `indent` from the
 /// second on. Whatever a hostile worker sends, the text stays short.
 std::string text_of(const Value& value, int digits, std::size_t indent = 0);

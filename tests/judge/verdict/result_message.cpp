@@ -26,6 +26,23 @@ std::optional<Value> value_in(const json& j) {
   return values_in(j).at(0);
 }
 
+json message_of(const std::vector<Evaluation>& evaluations) {
+  List all;
+  for (const Evaluation& each : evaluations)
+    all.push_back(List{each.function, each.arguments, each.result});
+  return message_of(all);
+}
+
+std::vector<Evaluation> evaluations_in(const json& bytes) {
+  std::vector<Evaluation> all;
+  for (const Value& value : values_in(bytes)) {
+    const List& parts = std::get<List>(value.data);
+    all.push_back(
+        {std::get<FunctionId>(parts.at(0).data), std::get<List>(parts.at(1).data), parts.at(2)});
+  }
+  return all;
+}
+
 json json_of(const Misconception& each) {
   return {bytes_of(each.name), bytes_of(each.sentence), bytes_of(each.section)};
 }
@@ -35,13 +52,15 @@ json json_of(const Finding& finding) {
   for (const Misconception& each : finding.misconceptions) misconceptions.push_back(json_of(each));
   json question = nullptr;
   if (finding.question)
-    question = {message_of(finding.question->arguments), finding.question->evaluations};
+    question = {message_of(finding.question->arguments), finding.question->evaluations,
+                message_of(finding.question->first_evaluations)};
   return {{"outcome", static_cast<int>(finding.outcome)},
           {"detail", bytes_of(finding.detail)},
           {"question", question},
           {"answer", message_of(finding.answer)},
           {"demanded", message_of(finding.demanded)},
           {"tolerance", finding.tolerance},
+          {"missed", finding.missed},
           {"misconceptions", misconceptions},
           {"printed", bytes_of(finding.printed)},
           {"place", bytes_of(finding.place)}};
@@ -52,10 +71,12 @@ Finding finding_of(const json& j) {
   finding.outcome = static_cast<Outcome>(j.at("outcome").get<int>());
   finding.detail = text_in(j.at("detail"));
   if (const json& question = j.at("question"); !question.is_null())
-    finding.question = Question{values_in(question.at(0)), question.at(1)};
+    finding.question =
+        Question{values_in(question.at(0)), question.at(1), evaluations_in(question.at(2))};
   finding.answer = value_in(j.at("answer"));
   finding.demanded = value_in(j.at("demanded"));
   finding.tolerance = j.at("tolerance");
+  finding.missed = j.at("missed");
   for (const json& each : j.at("misconceptions"))
     finding.misconceptions.push_back(
         {text_in(each.at(0)), text_in(each.at(1)), text_in(each.at(2))});

@@ -23,6 +23,11 @@ struct TypedText {
   std::string of(const Value& value) const;
 };
 
+/// The first entry of a list that is not the one demanded, where the texts of both end before it:
+/// "[20] 3, demanded 4". Else empty.
+std::string hidden_difference(const TypedText& text, const Value& answer, const Value& demanded,
+                              double tolerance);
+
 /// The member of a struct in which two values are furthest apart; empty if `type` is no struct.
 std::string furthest_member(const ContractTypes& types, const std::string& type, const Value& a,
                             const Value& b);

@@ -43,6 +43,37 @@ TEST_CASE("a flood of messages is cut") {
   CHECK(messages_about("/tmp/w/a.cpp", output, true).size() < 2000);
 }
 
+TEST_CASE("types of Eigen have the names that one writes") {
+  CHECK(messages_about(
+            "/tmp/w/a.cpp",
+            "/tmp/w/a.cpp:3:5: error: cannot convert 'Eigen::Vector3d' {aka "
+            "'Eigen::Matrix<double, 3, 1>'} to 'Eigen::DenseCoeffsBase<Eigen::Matrix<double, "
+            "3, 3, 0, 3, 3>, 1>::Scalar' {aka 'double'}\n"
+            "    3 | Eigen::Matrix<double, 3, 1> v;\n",
+            false) ==
+        "a.cpp:3:5: error: cannot convert 'Eigen::Vector3d' to 'double'\n"
+        "    3 | Eigen::Matrix<double, 3, 1> v;\n");
+  CHECK(messages_about("/tmp/w/a.cpp",
+                       "/tmp/w/a.cpp:3:5: error: Eigen::Matrix<double, 2, 3> "
+                       "Eigen::Matrix<double, -1, -1> Eigen::Matrix<double, 1, 4> "
+                       "Eigen::Matrix<double, 99999999999, 1>\n",
+                       false) ==
+        "a.cpp:3:5: error: Eigen::Matrix<double, 2, 3> Eigen::MatrixXd Eigen::RowVector4d "
+        "Eigen::Matrix<double, 99999999999, 1>\n");
+}
+
+TEST_CASE("the alternatives that gcc suggests stand with the suggestion") {
+  CHECK(messages_about(
+            "/tmp/w/a.cpp",
+            "/tmp/w/a.cpp:3:5: error: 'Matrix3d' was not declared in this scope\n"
+            "/tmp/w/a.cpp:3:5: note: suggested alternatives:\n"
+            "/usr/include/eigen3/Eigen/src/Core/Matrix.h:506:1: note:   'Eigen::Matrix3d'\n"
+            "  506 | EIGEN_MAKE_TYPEDEFS_ALL_SIZES(double, d)\n",
+            true) ==
+        "a.cpp:3:5: error: 'Matrix3d' was not declared in this scope\n"
+        "a.cpp:3:5: note: suggested alternatives: 'Eigen::Matrix3d'\n");
+}
+
 TEST_CASE("the functions that a linker misses, whichever linker it is") {
   CHECK(tumble::judge::undefined_functions(
             "ld.lld: error: undefined symbol: quaternions::inverse(Eigen::Matrix<double, 4, 1>)\n"
@@ -73,6 +104,10 @@ TEST_CASE("forgotten parentheses are named, which gcc does not") {
                   "1>::Matrix(<unresolved overloaded function type>)'\n")
             .starts_with("(Parentheses forgotten?"));
   CHECK(advice_on("a.cpp:1:1: error: 'x' was not declared in this scope\n").empty());
+  for (const char* missing :
+       {"a.cpp:8:10: error: 'Quaterniond' is not a member of 'Eigen'\n",
+        "a.cpp:8:10: error: no member named 'Quaterniond' in namespace 'Eigen'\n"})
+    CHECK(advice_on(missing).find("Eigen/Core alone, and Quaterniond is not") != std::string::npos);
 }
 
 TEST_CASE("the functions that a linker finds twice, whichever linker it is") {

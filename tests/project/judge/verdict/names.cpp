@@ -182,3 +182,15 @@ TEST_CASE(
         "// auto x = a * b;", "auto [a, b] = pair;", "myauto x = a * b;", "auto f(int n) -> int"})
     CHECK_MESSAGE(!tumble::judge::keeps_an_expression(harmless), harmless);
 }
+
+TEST_CASE("names: a sum that starts from a whole number") {
+  const Finding finding = wrong(List{4., 5., 6.}, right);
+  CHECK(name_of_source(finding, "s = std::accumulate(x.begin(), x.end(), 0);") ==
+        "whole-number sum");
+  CHECK(name_of_source(finding, "s = std::accumulate(begin(x), end(x),\n  0, add);") ==
+        "whole-number sum");
+  for (const char* source :
+       {"s = std::accumulate(x.begin(), x.end(), 0.0);", "s = std::accumulate(a, b, 0.);",
+        "s = std::accumulate(a, b, zero);", "// std::accumulate(a, b, 0)\n", "accumulates(a, 0)"})
+    CHECK(name_of_source(finding, source) == "");
+}

@@ -55,6 +55,24 @@ TEST_CASE(
   const ContractTypes scenes = types_of("10_only_what_a_scene_needs");
   CHECK(TypedText{scenes, "Model", 9, 0, {}}.of(std::int64_t{2}) == "symmetric_top");
   CHECK(TypedText{scenes, "Model", 9, 0, {}}.of(std::int64_t{7}) == "7");
+  CHECK(TypedText{scenes, "std::vector<Model>", 9, 0, {}}.of(
+            List{std::int64_t{2}, std::int64_t{0}}) == "(symmetric_top, particle)");
   // A value of another shape than its type is shown as it is.
   CHECK(TypedText{types, "MassProperties", 9, 0, {}}.of(List{1., 2.}) == "(1, 2)");
+}
+
+TEST_CASE("typed text: a list of structs has a line for each, the first four") {
+  const ContractTypes types = types_of("11_when_bodies_meet");
+  const auto pair = [](std::int64_t a, std::int64_t b) { return Value(List{a, b}); };
+  const std::string type = "std::vector<Pair>";
+  CHECK(TypedText{types, type, 9, 2, {}}.of(List{}) == "()");
+  CHECK(TypedText{types, type, 9, 2, {}}.of(List{pair(0, 3), pair(1, 2)}) ==
+        "[0] {first = 0, second = 3}\n  [1] {first = 1, second = 2}");
+  const std::string five = TypedText{types, type, 9, 2, {}}.of(List(5, pair(0, 3)));
+  CHECK(hidden_difference({types, type, 9, 2, {}}, List(5, pair(0, 3)),
+                          List{pair(0, 3), pair(0, 3), pair(0, 3), pair(0, 3), pair(1, 3)},
+                          0) == "[4] {first = 0, second = 3}, demanded {first = 1, second = 3}");
+  CHECK(hidden_difference({types, type, 9, 2, {}}, List(5, pair(0, 3)), List(5, pair(1, 3)), 0) ==
+        "");
+  CHECK(five.ends_with("\n  [3] {first = 0, second = 3}\n  … 5 entries in all"));
 }

@@ -1,0 +1,146 @@
+#include "judge/build/static_assertions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace tumble::judge {
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+bool contains(const std::string& line, const char* words) {
+  return line.find(words) != std::string::npos;
+}
+
+/// What Eigen's words mean for who wrote the line; empty if they are rare.
+std::string meaning_of(const std::string& assertion) {
+  constexpr std::array<std::pair<const char*, const char*>, 6> meanings{
+      {{"YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES",
+        "vectors or matrices of different sizes are added, compared, assigned or returned"},
+       {"INVALID_VECTOR_VECTOR_PRODUCT",
+        "a vector times a vector: write a.dot(b) for the dot product, a.cwiseProduct(b) for entry "
+        "by "
+        "entry"},
+       {"INVALID_MATRIX_PRODUCT",
+        "a product needs as many columns on its left as rows on its right"},
+       {"THE_BRACKET_OPERATOR_IS_ONLY_FOR_VECTORS", "m[i] is for vectors: write m(i, j)"},
+       {"YOU_TRIED_CALLING_A_VECTOR_METHOD_ON_A_MATRIX",
+        "this function is for vectors, and is called on a matrix"},
+       {"THIS_METHOD_IS_ONLY_FOR_VECTORS_OF_A_SPECIFIC_SIZE",
+        "this function is for vectors of another size"}}};
+  for (const auto& [start, meaning] : meanings)
+    if (assertion.starts_with(start)) return meaning;
+  return {};
+}
+
+/// The text of the assertion that an error tells of: gcc's last words, or clang's in quotes.
+std::optional<std::string> assertion_in(const std::string& line) {
+  if (!contains(line, ": error: static assertion failed") &&
+      !contains(line, ": error: static_assert failed"))
+    return std::nullopt;
+  if (line.ends_with('"')) {
+    const std::size_t open = line.rfind('"', line.size() - 2);
+    if (open != std::string::npos) return line.substr(open + 1, line.size() - open - 2);
+  }
+  return line.substr(line.rfind(": ") + 2);
+}
+
+struct Place {
+  std::size_t line = 0, column = 0;
+};
+
+/// The place in `source` that a line of the compiler's begins with.
+std::optional<Place> place_at(const std::string& line, const std::string& source) {
+  if (!line.starts_with(source + ":")) return std::nullopt;
+  Place place;
+  const char* end = line.data() + line.size();
+  const auto number = std::from_chars(line.data() + source.size() + 1, end, place.line);
+  if (number.ec != std::errc{} || number.ptr == end || *number.ptr != ':') return std::nullopt;
+  const auto column = std::from_chars(number.ptr + 1, end, place.column);
+  return column.ec == std::errc{} ? std::optional(place) : std::nullopt;
+}
+
+/// "required from here" of gcc stands before its error, "requested here" of clang behind it.
+bool leads_to_header(const std::string& line) {
+  return contains(line, "required from") || contains(line, "note: in instantiation of");
+}
+
+class Rewriting {
+ public:
+  Rewriting(std::string source, const std::string& text, const std::string& output)
+      : source_(std::move(source)), text_(lines_of(text)), output_(lines_of(output)) {}
+
+  std::string result() {
+    std::string kept;
+    for (std::size_t i = 0; i < output_.size(); ++i) kept += rewritten(i);
+    return kept;
+  }
+
+ private:
+  std::string rewritten(std::size_t i) {
+    const std::string& line = output_[i];
+    const bool is_here = place_at(line, source_).has_value();
+    if (is_here && leads_to_header(line)) {
+      is_dropped_ = true;  // and the lines that it points at
+      return {};
+    }
+    is_dropped_ = is_dropped_ && line.starts_with(' ');
+    const std::optional<std::string> assertion = assertion_in(line);
+    const std::optional<Place> place =
+        assertion && !is_here ? place_of_error(i) : std::optional<Place>();
+    if (!place) return is_dropped_ ? "" : line + "\n";
+    is_dropped_ = true;
+    return told_.insert(place->line).second ? error_at(*place, *assertion) : "";
+  }
+
+  /// The place in the source that led to the error in line i.
+  std::optional<Place> place_of_error(std::size_t i) const {
+    const auto place = [&](std::size_t k) {
+      return leads_to_header(output_[k]) ? place_at(output_[k], source_) : std::nullopt;
+    };
+    for (std::size_t k = i; k-- > 0 && !contains(output_[k], ": error: ");)
+      if (contains(output_[k], "required from") && place(k)) return place(k);
+    for (std::size_t k = i + 1; k < output_.size() && !contains(output_[k], ": error: "); ++k)
+      if (contains(output_[k], "note: in instantiation of") && place(k)) return place(k);
+    return std::nullopt;
+  }
+
+  std::string error_at(const Place& place, const std::string& assertion) const {
+    const std::string line = std::to_string(place.line), meaning = meaning_of(assertion);
+    std::string error = source_ + ":" + line + ":" + std::to_string(place.column) + ": error: " +
+                        (meaning.empty() ? assertion : meaning + " (" + assertion + ")") + "\n";
+    if (place.line == 0 || place.line > text_.size() || place.column == 0) return error;
+    constexpr std::size_t width = 5;  // as gcc's
+    const std::string quoted =
+        std::string(width - std::min(width, line.size()), ' ') + line + " | ";
+    error += quoted + text_[place.line - 1] + "\n";
+    return error + std::string(quoted.size() - 2, ' ') + "| " + std::string(place.column - 1, ' ') +
+           "^\n";
+  }
+
+  std::string source_;
+  std::vector<std::string> text_, output_;
+  std::set<std::size_t> told_;  ///< lines of the source
+  bool is_dropped_ = false;
+};
+
+}  // namespace
+
+std::string static_assertions_at(const std::filesystem::path& source, const std::string& text,
+                                 const std::string& compiler_output) {
+  return Rewriting(source.string(), text, compiler_output).result();
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,62 @@
+/// @file
+/// A static assertion of Eigen's is told at the student's line, in other words.
+#include "judge/build/static_assertions.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using tumble::judge::static_assertions_at;
+
+namespace {
+
+const std::string source = "/tmp/w/a.cpp";
+const std::string text = "int f() {\n  return v * v;\n}\n";
+const std::string told =
+    "/tmp/w/a.cpp:2:12: error: a vector times a vector: write a.dot(b) for the dot product, "
+    "a.cwiseProduct(b) for entry by entry (INVALID_VECTOR_VECTOR_PRODUCT__IF)\n"
+    "    2 |   return v * v;\n"
+    "      |            ^\n";
+
+std::string seen(const std::string& output) { return static_assertions_at(source, text, output); }
+
+}  // namespace
+
+TEST_CASE("gcc tells of the student's line before its error, once is enough for a line") {
+  const std::string once =
+      "/usr/Eigen/Product.h: In instantiation of 'x':\n"
+      "/tmp/w/a.cpp:2:12:   required from here\n"
+      "/usr/Eigen/Product.h:415:3: error: static assertion failed: "
+      "INVALID_VECTOR_VECTOR_PRODUCT__IF\n"
+      "  415 |   EIGEN_STATIC_ASSERT(ProductIsValid)\n"
+      "      |   ^\n";
+  const std::string before = "/usr/Eigen/Product.h: In instantiation of 'x':\n";
+  CHECK(seen(once) == before + told);
+  CHECK(seen(once + once) == before + told + before);
+}
+
+TEST_CASE("clang tells of it in a note behind its error") {
+  CHECK(seen("/usr/Eigen/Product.h:415:3: error: static_assert failed due to requirement 'A || B' "
+             "\"INVALID_VECTOR_VECTOR_PRODUCT__IF\"\n"
+             "  EIGEN_STATIC_ASSERT(ProductIsValid)\n"
+             "/usr/Eigen/StaticAssert.h:33:40: note: expanded from macro 'EIGEN_STATIC_ASSERT'\n"
+             "/tmp/w/a.cpp:2:12: note: in instantiation of function template 'x' requested here\n"
+             "  return v * v;\n"
+             "           ^\n"
+             "/tmp/w/a.cpp:3:1: error: expected ';'\n") ==
+        told +
+            "/usr/Eigen/StaticAssert.h:33:40: note: expanded from macro 'EIGEN_STATIC_ASSERT'\n"
+            "/tmp/w/a.cpp:3:1: error: expected ';'\n");
+}
+
+TEST_CASE("what led nowhere in the file, or is no static assertion, stays as it is") {
+  for (const std::string output :
+       {"/usr/a.hpp:1:1: error: static assertion failed: X\n",
+        "/tmp/w/a.cpp:2:1: error: static assertion failed: mine\n 2 | static_assert(false);\n",
+        "/usr/a.hpp:1:1: error: 'x' was not declared\n", ""})
+    CHECK(seen(output) == output);
+  // Words that are rare are Eigen's own; a line that the file hasn't is not quoted.
+  CHECK(seen("/tmp/w/a.cpp:9:12:   required from here\n"
+             "/usr/a.hpp:1:1: error: static assertion failed: X\n") ==
+        "/tmp/w/a.cpp:9:12: error: X\n");
+}
