@@ -160,16 +160,18 @@ class Explanations {
 
 namespace {
 
-bool is_wrong_answer(const Finding& finding) {
-  return finding.outcome == Outcome::wrong && finding.answer;
+/// Whether asking once more may tell why: a question that takes its whole time is not asked again.
+bool is_told_by_answers(const Finding& finding) {
+  return (finding.outcome == Outcome::wrong && finding.answer) ||
+         finding.outcome == Outcome::crashed || finding.outcome == Outcome::threw;
 }
 
 Misconception something_kept() {
-  return {
-      "something kept between calls",
-      "Asked the same by itself, your function gives another answer. It keeps something from one "
-      "call to the next: a static or a global variable, or one that was never set.",
-      ""};
+  return {"something kept between calls",
+          "Asked the same by itself, your function does otherwise. Something stays from one call "
+          "to the "
+          "next: a static or a global variable, or memory that is not yours or was never set.",
+          ""};
 }
 
 }  // namespace
@@ -189,8 +191,8 @@ std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
     if (names.empty())
       names = general_misconceptions(*each.finding,
                                      each.number == 1 ? Inputs::general : Inputs::special);
-    if (names.empty() && is_wrong_answer(*each.finding) && !std::exchange(asked_alone, true) &&
-        session.answers_otherwise_alone(each.number))
+    if (names.empty() && is_told_by_answers(*each.finding) && !std::exchange(asked_alone, true) &&
+        session.answers_otherwise_alone(each.number, each.finding->answer))
       names = {something_kept()};
   }
   return cases;

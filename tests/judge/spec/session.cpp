@@ -126,6 +126,7 @@ std::size_t Session::ask(Call call) {
     finding.outcome = why.outcome;
     finding.detail = why.what();
     finding.question = question_of(call);
+    end_case_by(call, calls_.size() == cases_.back().first_call);
     found(std::move(finding));
     throw;
   } catch (...) {
@@ -150,8 +151,8 @@ void Session::unusable(const std::string& why) {
 }
 
 Finding Session::wrong_answer(std::size_t number, const CloseTo* unmet) {
-  if (!finding_) cases_.back().wrong_call = number;
   const Call& call = calls_[number];
+  end_case_by(call, number == cases_.back().first_call);
   Finding finding;
   finding.question = question_of(call);
   finding.answer = call.answer;
@@ -227,13 +228,17 @@ std::vector<Session::Case>::const_iterator Session::case_with(std::size_t number
   return begun;
 }
 
-bool Session::answers_otherwise_alone(std::size_t number) {
-  const auto begun = case_with(number);
-  if (begun->wrong_call == begun->first_call) return false;
-  const Call& call = calls_[begun->wrong_call];
+void Session::end_case_by(const Call& call, bool is_first) {
+  if (!finding_ && !is_first) cases_.back().ended_by = call;
+}
+
+bool Session::answers_otherwise_alone(std::size_t number, const std::optional<Value>& answer) {
+  const std::optional<Call>& call = case_with(number)->ended_by;
+  if (!call) return false;
   try {
     answerer_.start_case();
-    return largest_difference(answerer_.ask(call, call.functions), call.answer) != 0;
+    const Value alone = answerer_.ask(*call, call->functions);
+    return !answer || largest_difference(alone, *answer) != 0;
   } catch (const std::exception&) {
     return false;  // no answer at all says nothing about the one that came
   }

@@ -50,9 +50,9 @@ class Session {
   /// What ended the case that ran last; the first finding counts.
   std::optional<Finding> take_finding();
   void found(Finding finding);
-  /// Whether the answer that case `number` was ended by is another one when its question is the
-  /// first of a program. Asks it once more; false where it was the first.
-  bool answers_otherwise_alone(std::size_t number);
+  /// Whether the question that case `number` was ended by gets another answer than this one, or one
+  /// at all, where it is the first of a program. Asks it once more; false where it was the first.
+  bool answers_otherwise_alone(std::size_t number, const std::optional<Value>& answer);
   /// Whether misconception k gives the same to every question of case `number`.
   bool gives_the_same_in_case(std::size_t number, std::size_t misconception) const;
   /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong
@@ -75,6 +75,8 @@ class Session {
   void unusable(const std::string& why);
 
  private:
+  /// That the case is over, by this call, if it is not over yet.
+  void end_case_by(const Call& call, bool is_first);
   Finding wrong_answer(std::size_t number, const CloseTo* unmet = nullptr);
   /// The misconceptions that give the same numbers everywhere, and do not meet `unmet`.
   std::vector<Misconception> matching_misconceptions(std::size_t number,
@@ -88,7 +90,7 @@ class Session {
   std::vector<Call> calls_;
   struct Case {
     std::size_t number, first_call;
-    std::size_t wrong_call = first_call;  ///< that its finding is about
+    std::optional<Call> ended_by = {};  ///< a question behind the first
   };
   /// @throws std::logic_error if it has not begun
   std::vector<Case>::const_iterator case_with(std::size_t number) const;
