@@ -92,8 +92,9 @@ double adaptive_step_size(double h, double error, int order);
 /// @param y    state at the start, of any size, also empty or zero. In all that the judge tries,
 ///             Newton's method finds y₁ from here in at most 20 iterations
 /// @param h    step [s]: positive, zero, or negative to go back in time
-/// @return y₁, as exactly as rounding allows: you may stop after a correction below 1e-8 of y's
-///         size, since the next one would be about the square of that
+/// @return y₁, as exactly as rounding allows: you may stop after a correction below 1e-8 of the
+///         size of y or y₁, whichever is larger, since the next one would be about the square of
+///         that
 Eigen::VectorXd backward_euler_step(const Rhs& f, const Jacobian& dfdy, double t,
                                     const Eigen::VectorXd& y, double h);
 
@@ -102,7 +103,7 @@ Eigen::VectorXd backward_euler_step(const Rhs& f, const Jacobian& dfdy, double t
 /// near one: take the line with the smallest sum of squares of vertical distances.
 /// @param h      steps, positive, in any order; at least two are different, some may be equal
 /// @param errors the error at each of these steps, positive
-/// @return p; negative or zero if the errors fall or stay as h grows
+/// @return p; zero if the errors stay the same as h grows, negative if they fall
 double observed_order(const std::vector<double>& h, const std::vector<double>& errors);
 
 }  // namespace solvers

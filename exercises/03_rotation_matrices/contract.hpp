@@ -5,6 +5,9 @@
 /// R maps body → world: its columns are the body's axes x, y, z in world coordinates. A matrix that
 /// a solver has moved is not quite a rotation any more; you repair it in the last two exercises.
 ///
+/// The condition number of a matrix M is its largest stretch over its smallest one: of the lengths
+/// |M v| for all v of length 1 the largest, divided by the smallest.
+///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises. Other parts
 /// of Eigen are not there: no cross(), inverse(), determinant() or decomposition, no rotations.
 
