@@ -98,7 +98,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("where the error is C to the letter times h to the power p, the order is p") {
+  TEST_CASE("where the error is exactly C times h to the power p, the order is p") {
     for (const double order : {1., 2., 4., 5., 8.}) {
       const auto [h, errors] = any_table(6, order, 0);
       // The errors of the table are rounded too.

@@ -140,6 +140,17 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
         const Mat3 R = reference(M);
         return R * (R.transpose() * M).diagonal().asDiagonal();
       }},
+     {"lengths kept",
+      "Your columns are perpendicular, but x and y have kept their lengths, and z = x × y has the "
+      "product of both. The axes of a body have length 1.",
+      "Gram–Schmidt",
+      [](const Mat3& M) -> Mat3 {
+        Mat3 R = reference(M);
+        R.col(0) = M.col(0);
+        R.col(1) *= R.col(1).dot(M.col(1));
+        R.col(2) = R.col(0).cross(R.col(1));
+        return R;
+      }},
      {"rows for columns",
       "You have made the rows perpendicular one after the other, so the first row has kept its "
       "direction. The axes of the body are the columns.",
@@ -165,6 +176,17 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
         Mat3 R = M;
         R.col(1) = without(M.col(1), R.col(0));
         R.col(2) = without(M.col(2), R.col(0)) - R.col(1).dot(M.col(2)) * R.col(1);
+        return R.colwise().normalized();
+      }},
+     {"x not yet of length 1",
+      "You have taken y's part along x before x had length 1. Such a part is wrong by the square "
+      "of "
+      "that length, and z = x × y turns with y.",
+      "Gram–Schmidt",
+      [](const Mat3& M) -> Mat3 {
+        Mat3 R = M;
+        R.col(1) = without(M.col(1), R.col(0));
+        R.col(2) = R.col(0).cross(R.col(1));
         return R.colwise().normalized();
       }},
      {"z cleaned of x only",

@@ -133,12 +133,11 @@ bool agrees(const Answer<MassProperties>& answer, const MassProperties& expected
   const auto apart = [](const auto& a, const auto& b) {
     return (a - b).template lpNorm<Eigen::Infinity>();
   };
-  return answer ==
-             obeys("the mass is right", std::abs(answer->mass - expected.mass), allowed.mass) &&
+  return answer == obeys("the mass", std::abs(answer->mass - expected.mass), allowed.mass) &&
          answer ==
-             obeys("the centre is right", apart(answer->centre, expected.centre), allowed.centre) &&
-         answer == obeys("the inertia is right", apart(answer->inertia, expected.inertia),
-                         allowed.inertia);
+             obeys("the centre of mass", apart(answer->centre, expected.centre), allowed.centre) &&
+         answer == obeys("the inertia about the centre of mass",
+                         apart(answer->inertia, expected.inertia), allowed.inertia);
 }
 
 /// How far the points that were asked for are from the middles of the cells, at most; infinite if

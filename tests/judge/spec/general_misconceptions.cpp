@@ -119,6 +119,15 @@ bool is_about(const Finding& finding, bool (*kind)(double)) {
          (finding.question && contains(finding.question->arguments, kind));
 }
 
+/// Whether an argument, or what a given function returned, has such a number.
+bool is_given(const Finding& finding, bool (*kind)(double)) {
+  if (!finding.question) return false;
+  const std::vector<Evaluation>& told = finding.question->first_evaluations;
+  return contains(finding.question->arguments, kind) ||
+         std::any_of(told.begin(), told.end(),
+                     [&](const Evaluation& each) { return contains(each.result, kind); });
+}
+
 /// Names of the memory that an answer comes from, and of numbers that are none.
 std::vector<Misconception> names_of_content(const Finding& finding) {
   const Value& answer = *finding.answer;
@@ -130,6 +139,9 @@ std::vector<Misconception> names_of_content(const Finding& finding) {
          "may hold an expression of Eigen whose operands are. Such memory holds anything. Here it "
          "has a mark, so that it shows.",
          ""}};
+  if (contains(answer, is_nan) && is_given(finding, is_nan))
+    return {{"not a number", "What your function was given contains NaN, and so does your answer.",
+             ""}};
   if (contains(answer, is_nan_of_new_matrix))
     return {
         {"not a number",

@@ -35,3 +35,12 @@ TEST_CASE("the NaN of a new matrix is told from one that was computed, where the
   else
     CHECK(of_matrix == of_division);
 }
+
+TEST_CASE("a NaN that came in is nobody's division") {
+  Finding finding;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  finding.answer = Value(nan);
+  finding.question = Question{List{1., nan}, 0};
+  CHECK(general_misconceptions(finding, Inputs::general)[0].sentence ==
+        "What your function was given contains NaN, and so does your answer.");
+}
