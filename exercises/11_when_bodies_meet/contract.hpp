@@ -116,7 +116,7 @@ Separation separation(const Box& a, const Box& b);
 /// can't touch before the time d/speed from now. So go there, and look again.
 /// @param gap       their distance; the largest change per second is `speed`. Each evaluation is
 ///                  expensive: don't evaluate it twice at the same time, and don't make more than
-///                  twice as many steps as you must
+///                  twice as many steps as you must, which may be thousands
 /// @param speed     bound on |d gap/dt| [m/s], positive
 /// @param t0, t1    from when to when you look [s], t0 ≤ t1
 /// @param tolerance a gap that is not larger counts as touching [m]: positive, and large enough
