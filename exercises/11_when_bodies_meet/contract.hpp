@@ -103,11 +103,12 @@ std::vector<Pair> overlapping_pairs(const std::vector<Bounds>& bounds, const Mee
 /// an overlap, which is a negative gap. Give the largest gap of all directions. If it is positive,
 /// the boxes are apart, and a plane with this normal between them proves it. If it is negative, it
 /// is the least that you must move one of them to free it.
-/// @param a, b boxes anywhere, with edges of 1e-6 to 1e6 m. An edge of A and one of B are at 0.01
-///             rad or more to each other, or parallel to rounding: leave their product out then
+/// @param a, b boxes anywhere, with edges of 1e-6 to 1e6 m; their centres may be at one place. An
+///             edge of A and one of B are at 0.01 rad or more to each other, or parallel up to
+///             rounding, which is at most 1e-13 rad: leave their product out then
 /// @return the largest gap, to rounding of the places (you must lose no digit if both boxes are
 ///         1e8 m away from the origin), and its direction, from A to B. If several directions have
-///         the largest gap, give any of them
+///         the largest gap, give any of them; if the centres are equally far along it, either side
 Separation separation(const Box& a, const Box& b);
 
 // == 11.3 first_contact: the time at which two bodies touch
@@ -115,7 +116,7 @@ Separation separation(const Box& a, const Box& b);
 /// can't touch before the time d/speed from now. So go there, and look again.
 /// @param gap       their distance; the largest change per second is `speed`. Each evaluation is
 ///                  expensive: don't evaluate it twice at the same time, and don't make more than
-///                  twice as many steps as you must
+///                  twice as many steps as you must, which may be thousands
 /// @param speed     bound on |d gap/dt| [m/s], positive
 /// @param t0, t1    from when to when you look [s], t0 ≤ t1
 /// @param tolerance a gap that is not larger counts as touching [m]: positive, and large enough

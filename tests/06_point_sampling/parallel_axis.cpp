@@ -158,6 +158,32 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
+  TEST_CASE("points that lie close together are not the same, also far from the origin") {
+    for (const double apart : {1e-2, 1e-5, 1e-7}) {
+      for (const double far : {0., 1e8}) {
+        // On a grid: the differences are not rounded, and not zero.
+        const double step = far > 0 ? std::ldexp(1, -26) : std::ldexp(1, -40);
+        const auto near = [&, place = Vec3(far, -far, far)](const Vec3& way) -> Vec3 {
+          return place + step * (apart / step * way).array().round().matrix();
+        };
+        const auto holds = [&](const Vec3& centre, const Vec3& from, const Vec3& to) {
+          // So small a body that a shift of `apart` counts.
+          const double mass = any_number(0.5, 5);
+          const Mat3 I = mass * apart * apart * any_inertia() + point_inertia(mass, centre - from);
+          return student::parallel_axis(I, mass, centre, from, to) ==
+                 close_to(reference(I, mass, centre, from, to),
+                          rounding(I, mass, centre, from, to));
+        };
+        const Vec3 here = near(Vec3::Zero()), close = near(any_direction());
+        const Vec3 away = near(any_direction() / apart);
+        REQUIRE(holds(away, here, close));
+        REQUIRE(holds(here, close, away));
+        REQUIRE(holds(here, away, close));
+        REQUIRE(holds(here, close, near(any_direction())));
+      }
+    }
+  }
+
   TEST_CASE("points without extent, no mass, tiny and huge bodies") {
     const Vec3 centre = any_vector(3), from = any_vector(3), to = any_vector(3);
     const Mat3 I = point_inertia(2, centre - from);
@@ -253,6 +279,24 @@ const Misconceptions<decltype(point_sampling::parallel_axis)> misconceptions{
       "Parallel axes", with([](double mass, const Vec3& d) -> Mat3 {
         return mass * d.squaredNorm() * Mat3::Ones();
       })},
+     {"points close together taken for one",
+      "You return the tensor as it came where `from` and `to` are nearly equal. isApprox asks how "
+      "far apart they are in comparison with their distance from the origin: 1e8 m away it takes "
+      "0.1 mm for nothing. You need no such case: between equal points the law changes nothing.",
+      "Far from the origin",
+      [](const Mat3& I, double mass, const Vec3& centre, const Vec3& from, const Vec3& to) -> Mat3 {
+        return from.isApprox(to) ? I : reference(I, mass, centre, from, to);
+      }},
+     {"a point near the centre taken for it",
+      "You leave a leg of the way out where a point is nearly the centre of mass. isApprox asks "
+      "how "
+      "far apart they are in comparison with their distance from the origin: 1e8 m away it takes "
+      "0.1 mm for nothing. You need no such case: a leg without length changes nothing.",
+      "Far from the origin",
+      [](const Mat3& I, double mass, const Vec3& centre, const Vec3& from, const Vec3& to) {
+        const auto leg_end = [&](const Vec3& p) { return p.isApprox(centre) ? centre : p; };
+        return reference(I, mass, centre, leg_end(from), leg_end(to));
+      }},
      {"digits lost on the way over the origin",
       "Near the origin this is right. Far from it you have added a huge tensor and "
       "taken it away again, and rounding has eaten the small one in it. Go by way of "

@@ -176,6 +176,22 @@ TEST_SUITE(TUMBLE_UNIT) {
               close_to(reference(2, box, about), rounding(2, box, about)));
     }
   }
+
+  TEST_CASE("a point close to the centre is not the centre, also far from the origin") {
+    for (const double apart : {1e-2, 1e-5, 1e-7}) {
+      for (const double far : {0., 1e8}) {
+        Box box = any_box();
+        box.size *= apart;  // so small that a shift of `apart` counts
+        box.centre = Vec3(far, -far, far);
+        // On a grid: the difference is not rounded, and not zero.
+        const double step = far > 0 ? std::ldexp(1, -26) : std::ldexp(1, -40);
+        const Vec3 shift = step * (apart / step * any_direction()).array().round().matrix();
+        const Vec3 about = box.centre + shift;
+        REQUIRE(student::box_inertia(2, box, about) ==
+                close_to(reference(2, box, about), rounding(2, box, about)));
+      }
+    }
+  }
 }
 
 const Misconceptions<decltype(bounding_boxes::box_inertia)> misconceptions{
@@ -283,6 +299,16 @@ const Misconceptions<decltype(bounding_boxes::box_inertia)> misconceptions{
       "The inertia of a box",
       [](double mass, const Box& box, const Vec3& about) {
         return point_inertia(mass, box.centre - about);
+      }},
+     {"a point near the centre taken for it",
+      "You don't move the tensor where `about` is nearly the centre of the box. isApprox asks how "
+      "far "
+      "apart they are in comparison with their distance from the origin: 1e8 m away it takes 0.1 "
+      "mm "
+      "for nothing. You need no such case: a move by nothing adds nothing.",
+      "Far from the origin",
+      [](double mass, const Box& box, const Vec3& about) {
+        return reference(mass, box, about.isApprox(box.centre) ? box.centre : about);
       }},
      {"digits lost far from the origin",
       "Near the origin this is right. Far from it you have formed a huge tensor about "

@@ -168,6 +168,12 @@ const Misconceptions<decltype(rigid_body::derived)> misconceptions{
         const Mat3 R = Mat3::Identity() + 2 * (s.q[0] * V + V * V);
         return {R, s.P / body.mass, R * (body.I_body_inv * (R.transpose() * s.L))};
       }},
+     {"only the diagonal inverted",
+      "You divided by the diagonal of I_body. These body axes are not the principal ones, so the "
+      "tensor has products as well: multiply by its inverse, which the body has.",
+      "Derived quantities", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
+        return R * (R.transpose() * L).cwiseQuotient(body.I_body.diagonal());
+      })},
      {"momentum for velocity",
       "You returned P where v belongs. Of two bodies with the same momentum the heavier one is "
       "slower: which number do you have to bring in?",

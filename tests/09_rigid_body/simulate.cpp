@@ -345,6 +345,14 @@ const Misconceptions<decltype(rigid_body::simulate)> misconceptions{
         };
         return tumble::runge_kutta::rk4_step(repaired, t, y, h);
       })},
+     {"scalar made positive",
+      "You changed the sign of the quaternion where its scalar is negative. That is the same "
+      "rotation, but a jump in the numbers: touch nothing but the length.",
+      "The length of q", repaired_by([](const PackedState& y) {
+        PackedState repaired = with_unit_q(y);
+        if (repaired[3] < 0) repaired.segment<4>(3) *= -1;
+        return repaired;
+      })},
      {"whole state normalised",
       "You divided all thirteen numbers by the length of all of them together. Only the quaternion "
       "should have length 1.",

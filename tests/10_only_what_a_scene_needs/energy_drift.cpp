@@ -333,6 +333,20 @@ const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconcept
           largest = std::fmax(largest, std::abs(E[n] - E[n - 1]) / E[0]);
         return {largest, slope_of(relative(E)) / h};
       }})},
+     {"middle rounded down",
+      "Of an even number of states your line turns about the wrong middle: (n − 1)/2 of whole "
+      "numbers is rounded down. The middle lies between two states there.",
+      "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
+        const Numbers e = relative(E);
+        const auto middle = static_cast<double>((E.size() - 1) / 2);
+        double above = 0, below = 0;
+        for (std::size_t n = 0; n < e.size(); ++n) {
+          const double s = static_cast<double>(n) - middle;
+          above += s * e[n];
+          below += s * s;
+        }
+        return {largest_of(e), below > 0 ? above / below / h : 0};
+      }})},
      {"in joules",
       "Both of your numbers are differences of energies, not fractions of the first energy. A "
       "joule is much for a coin and nothing for a ship.",

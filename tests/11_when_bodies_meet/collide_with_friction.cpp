@@ -95,6 +95,13 @@ double stronge(const Course& course, double e) { return end_by_work(course, e * 
 double newton(const Course& course, double e) { return course.where_u_n_is(-e * course.u_n); }
 double poisson(const Course& course, double e) { return (1 + e) * course.closest(); }
 
+/// e² of the work since the slip has ended, or of all of it if that was later.
+double stronge_from_rest(const Course& course, double e) {
+  const double p = course.closest(), all = course.work(0, p);
+  const double part = course.rest < p ? course.work(course.rest, p) : all;
+  return end_by_work(course, all < 0 ? e * e * part / all : 0);
+}
+
 /// A friction per unit of p.
 using Friction = double (*)(const Contact& c);
 
@@ -466,6 +473,11 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
       "Either you stop the slip, or your friction is against the slip of the beginning to the end. "
       "That is what most tutorials do, and it can create energy: the slip may change on the way.",
       "The slip may turn round", as(usual_law)},
+     {"work of the last piece only",
+      "Where the slip ends while the bodies still come together, you count the work from there "
+      "only. "
+      "What the spring has taken before comes back as well.",
+      "Energy comes back by Stronge's law", as(Law{.end = stronge_from_rest})},
      {"friction after the slip has ended",
       "Your friction goes on in the same direction when the slip is at its end, so it drives the "
       "point the other way. Look at the slip again there.",

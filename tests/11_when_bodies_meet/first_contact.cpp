@@ -29,10 +29,10 @@ struct Search {
   double tolerance = 1e-6;
 };
 
-FirstContact advance(const Search& q, double factor = 1) {
+FirstContact advance(const Search& q, double factor = 1, int most = 3000) {
   double t = q.t0;
   // A wrong factor may make the steps tiny: then it is wrong, and must not hang.
-  for (int n = 0; n < 3000 && t <= q.t1; ++n) {
+  for (int n = 0; n < most && t <= q.t1; ++n) {
     const double distance = q.gap(t);
     if (distance <= q.tolerance) return {true, t};
     t += factor * distance / q.speed;
@@ -248,6 +248,12 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
+  TEST_CASE("a bound far above the speed: it takes 2000 steps, and they touch for all that") {
+    // Each step leaves the same part of the gap, all but 1/150.
+    const double d = any_number(1, 2), speed = any_number(1, 5);
+    REQUIRE(is_right({[=](double t) { return d - speed * t; }, 150 * speed, 0, 10, 1e-6}));
+  }
+
   TEST_CASE("two cars at a constant speed: one look, one step, and they touch") {
     for (int n = 0; n < 5; ++n) {
       const double d = any_number(1, 100), speed = any_number(1, 50);
@@ -339,6 +345,11 @@ const Misconceptions<decltype(when_bodies_meet::first_contact)> misconceptions{
      {"start not looked at",
       "You don't look at t0. Bodies that touch there have their contact there.", "When they touch",
       as(without_start)},
+     {"gives up",
+      "You give up after 1000 steps or fewer. If the bound is far above the speed there are more, "
+      "and "
+      "each leads on: only t1 ends the search.",
+      "When they touch", as([](const Search& q) { return advance(q, 1, 1000); })},
      {"end ignored", "You go on after t1. What happens later doesn't count.", "When they touch",
       as(without_end)},
      {"the time before",

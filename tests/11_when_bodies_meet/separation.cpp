@@ -58,6 +58,7 @@ struct Reader {
   Directions (*directions)(const Box& a, const Box& b) = fifteen;
   double (*reach)(const Box& box, const Vec3& n) = half_extent;
   bool (*better)(double gap, double best) = [](double gap, double best) { return gap > best; };
+  double (*side)(double along) = [](double along) { return std::copysign(1., along); };
 
   Separation operator()(const Box& a, const Box& b) const {
     Separation best{0, Vec3::Zero()};
@@ -65,7 +66,7 @@ struct Reader {
     for (const Vec3& n : directions(a, b)) {
       const double along = n.dot(b.centre - a.centre);
       const double gap = std::abs(along) - reach(a, n) - reach(b, n);
-      if (first || better(gap, best.gap)) best = {gap, std::copysign(1., along) * n};
+      if (first || better(gap, best.gap)) best = {gap, side(along) * n};
       first = false;
     }
     return best;
@@ -152,6 +153,15 @@ Two edge_on_edge(double gap) {
   return two;
 }
 
+/// The same two, all lengths `scale` times as long.
+Two scaled(Two two, double scale) {
+  for (Box* box : {&two.a, &two.b}) {
+    box->centre *= scale;
+    box->size *= scale;
+  }
+  return two;
+}
+
 /// Two long rods, edge over edge, that cross at a small angle.
 Two crossing_rods(double angle, double gap) {
   const Mat3 world = any_rotation();
@@ -183,7 +193,8 @@ TEST_SUITE(TUMBLE_UNIT) {
 
   TEST_CASE("edge over edge: only a product of two edges shows the light between them") {
     // At first an angle at which a product that was not normalised still wins.
-    for (const double angle : {0.8, 0.015, 0.03, 0.08}) {  // [rad]
+    // At last the smallest one that there may be; its sine is less than 0.01.
+    for (const double angle : {0.8, 0.015, 0.03, 0.08, 0.0100001}) {  // [rad]
       const auto [a, b] = crossing_rods(angle, any_number(0.05, 0.2));
       REQUIRE(is_right(a, b));
     }
@@ -255,6 +266,37 @@ TEST_SUITE(TUMBLE_UNIT) {
         const auto less = student::separation(a, still);
         REQUIRE(less == obeys("a shorter shift leaves an overlap", worse(0, less->gap), 0));
       }
+    }
+  }
+
+  TEST_CASE("centres at one place, or side by side: a normal all the same") {
+    const Box plate{any_vector(2), Mat3::Identity(), {4, 4, 0.25}};
+    Box beside = plate;
+    beside.centre.x() += 1;  // as high as the plate: nothing tells up from down
+    REQUIRE(is_right(plate, beside));
+    for (int n = 0; n < 4; ++n) {
+      const auto [a, b] = any_two(0);
+      REQUIRE(is_right(a, b));
+    }
+  }
+
+  TEST_CASE("huge overlaps and tiny ones: boxes of 1e6 m and of 1e-6 m in one another") {
+    for (const double scale : {1e-6, 5e5})
+      for (const double distance : {0., 0.3, 1.}) {
+        const auto [a, b] = scaled(any_two(distance), scale);
+        REQUIRE(is_right(a, b));
+      }
+  }
+
+  TEST_CASE("edges that are parallel up to rounding: far apart, their products would win") {
+    for (const double angle : {5e-14, 5e-15}) {  // [rad]
+      const Mat3 R = any_rotation();
+      const Vec3 diagonal = R * Vec3(1, 1, 1);
+      const Vec3 turn = angle * diagonal.normalized();
+      const Box a{any_vector(1), R, {1, 2, 3}};
+      Box b{a.centre + any_number(20, 40) * diagonal, R, {2, 1, 1}};
+      for (int k = 0; k < 3; ++k) b.R.col(k) += turn.cross(R.col(k));
+      REQUIRE(is_right(a, b));
     }
   }
 
@@ -370,6 +412,23 @@ const Misconceptions<decltype(when_bodies_meet::separation)> misconceptions{
       "to keep two boxes apart: keep the largest.",
       "A plane between two boxes",
       Reader{.better = [](double gap, double best) { return gap < best; }}},
+     {"the search begins at −1000",
+      "Your search begins with a gap of −1000, and these boxes overlap by more along every "
+      "direction. "
+      "Begin with a gap that is smaller than any other, or with the first direction.",
+      "A plane between two boxes",
+      [](const Box& a, const Box& b) {
+        const Separation best = reference(a, b);
+        return best.gap > -1000 ? best : Separation{-1000, Vec3::Zero()};
+      }},
+     {"no side, no normal",
+      "Your normal is 0 where the centres are equally far along the direction: there n·d is 0, and "
+      "so "
+      "is its sign. Give either side; the gap is the same.",
+      "A plane between two boxes",
+      Reader{.side = [](double along) { return along > 0   ? 1.
+                                               : along < 0 ? -1.
+                                                           : 0.; }}},
      {"full edges",
       "Your boxes reach too far. From its centre a box reaches by half of its size to either side.",
       "A plane between two boxes",
