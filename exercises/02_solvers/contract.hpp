@@ -91,9 +91,8 @@ double adaptive_step_size(double h, double error, int order);
 /// @param t    time at the start [s]
 /// @param y    state at the start, of any length, also empty, and in any unit: its numbers may be
 ///             zero, or as small as 1e-30, or as large as 1e30. In all that the judge tries,
-///             Newton's method finds y₁ from here in at most 20 iterations, and some of it takes
-///             more than
-///             10. If the equation has several solutions, y₁ is the one that it finds
+///             Newton's method finds y₁ from here in at most 20 iterations; sometimes it takes more
+///             than 10. If the equation has several solutions, y₁ is the one that it finds
 /// @param h    step [s]: positive, zero, or negative to go back in time
 /// @return y₁, as exactly as rounding allows: you may stop after a correction below 1e-8 of the
 ///         size of y or y₁, whichever is larger, since the next one would be about the square of
