@@ -359,8 +359,9 @@ TEST_SUITE(TUMBLE_UNIT) {
       const VectorXd y1 = 2 * y.array() / (1 + (1 + 4 * h * y.array()).sqrt());
       const auto answer = student::backward_euler_step(problem.f, problem.dfdy, t, y, h);
       REQUIRE(answer == close_to(y1, allowed(problem, t, y, h, y1, 0)));
-      REQUIRE(answer == obeys("f is evaluated at most 50 times", evaluations_of(answer, 0), 50));
-      REQUIRE(answer == obeys("dfdy is evaluated at most 50 times", evaluations_of(answer, 1), 50));
+      REQUIRE(answer == at_most("f is evaluated at most 50 times", evaluations_of(answer, 0), 50));
+      REQUIRE(answer ==
+              at_most("dfdy is evaluated at most 50 times", evaluations_of(answer, 1), 50));
     }
   }
 

@@ -57,10 +57,16 @@ struct Obeys {
   std::string law;  ///< "RᵀR = 1"
   double error;
   double bound;
+  bool is_count = false;  ///< of calls, say: then `error` is how many there are
 };
 
 inline Obeys obeys(std::string law, double error, double bound) {
   return {std::move(law), error, bound};
+}
+
+/// "f is evaluated at most 50 times": how many there are, and how many there may be.
+inline Obeys at_most(std::string law, double count, double most) {
+  return {std::move(law), count, most, true};
 }
 
 }  // namespace tumble::judge

@@ -182,6 +182,9 @@ std::string short_size(double x) {
 
 /// "your answer misses it by 0.3 (allowed: 1e-12)". A law without a measure is kept or not.
 std::string how_it_misses(const Obeys& demand) {
+  if (demand.is_count)
+    return "here it is " + short_size(demand.error) + " (allowed: " + short_size(demand.bound) +
+           ")";
   const bool has_measure = std::isfinite(demand.error) && (demand.error != 1 || demand.bound != 0);
   if (!has_measure) return "your answer does not keep to it";
   return "your answer misses it by " + short_size(demand.error) +
