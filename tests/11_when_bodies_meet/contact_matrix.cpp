@@ -2,6 +2,7 @@
 /// 11.4 contact_matrix: its laws, and what goes wrong.
 #include "tumble/contact/contact_matrix.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "11_when_bodies_meet/contract.hpp"
@@ -205,6 +206,17 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
       with_turning([](const Mat3& turning, const Body& body) -> Mat3 {
         return turning + Mat3::Identity() * (body.mass - 1 / body.mass);
       })},
+     {"not symmetric to the last bit",
+      "Your K is right up to rounding, but two numbers that mirror each other differ in their last "
+      "bits. Make both from the same mean. If you write that in place, K = (K + K.transpose()) / "
+      "2, "
+      "Eigen overwrites numbers that it still needs: evaluate the right side first.",
+      "How a point responds to an impulse",
+      [](const Body& body, const State& state, const Vec3& point) -> Mat3 {
+        Mat3 K = contact_matrix(body, state, point);
+        K(0, 1) *= 1 + 2 * eps;
+        return K;
+      }},
      {"arm from the origin",
       "You took the arm from the origin of the world. A body turns about its centre of mass, so "
       "the arm goes from there to the point.",
