@@ -20,8 +20,9 @@ class Contact {
 
   void run() {
     constexpr int max_steps = 100'000;  // some hundred do, where the slip turns and dies away
-    for (int i = 0; !ended_; ++i) {
-      if (i == max_steps) tumble::detail::throw_error<std::runtime_error>("impact: it has no end");
+    for (; !ended_; ++steps_) {
+      if (steps_ == max_steps)
+        tumble::detail::throw_error<std::runtime_error>("impact: it has no end");
       const Vec3 u = velocity();
       const Vec2 slip = u.head<2>();
       if (slip.norm() > rounding * speed_scale(K_, start_, j_))
@@ -55,7 +56,7 @@ class Contact {
     // What rounding leaves unsure of a slow slip's direction looks like turning, too.
     const double unsure = rounding * scale / speed * mu_ * K_.topLeftCorner<2, 2>().norm();
     // So slow that it comes to rest before a turn says anything, whichever way it spirals.
-    constexpr double last = 1e-10;
+    const double last = slowest();
     constexpr double straight = 1e-13, settled_within = 1e-12;
     if (turning <= straight * rate.norm())
       go_straight(u, press, rate, until_rest);
@@ -68,6 +69,10 @@ class Contact {
     else
       slide_in_a_curve();
   }
+
+  /// The slip that counts as rest, as a part of the velocities that it is the sum of. A slip that
+  /// has not settled after thousands of steps is led by rounding: it counts the sooner.
+  double slowest() const { return 1e-10 * std::pow(std::fmax(1, steps_ / 1000.), 3); }
 
   /// The direction d in which a slip turns no more, K_tn − μ K_tt d = λ d, by Newton's method. It
   /// draws slips beside it towards itself, if they return to it: within a normal impulse of
@@ -186,6 +191,7 @@ class Contact {
   double mu_, e_;
   Vec3 j_ = Vec3::Zero();
   double work_ = 0, target_ = 0, step_ = 0.1;
+  int steps_ = 0;
   bool coming_together_ = true, ended_ = false, jammed_ = false;
   Slip slip_ = Slip::none;
 };
