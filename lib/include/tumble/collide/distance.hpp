@@ -138,21 +138,27 @@ inline Distance overlap(const Difference& difference, const Simplex& inside, con
                         const Convex& b) {
   if (a.points().size() == 1 && b.points().size() == 1)  // balls with one centre: all are nearest
     return with_radii(difference, inside, 0, Vec3::UnitZ(), a, b);
-  Penetration deep = Polytope(difference, inside).grow();
+  Polytope polytope(difference, inside);
+  const Penetration deep = polytope.grow();
+  std::vector<Penetration> planes{deep};
   if (const auto gap = largest_gap(difference); gap && -gap->size <= deep.depth) {
-    deep.depth = -gap->size;
-    deep.outwards = -gap->normal;
-    deep.uncertain = 0;
+    if (deep.depth + gap->size > rounding_of(difference)) planes.clear();
+    planes.insert(planes.begin(), {-gap->normal, -gap->size, 0, deep.rounds});
   }
   Distance best{};
   best.uncertainty = std::numeric_limits<double>::infinity();
-  // Where faces are slivers, rounding moves their points, and those of the first touch are nearer.
-  for (const Simplex& points : {deep.face, inside}) {
-    Distance found = with_radii(difference, points, -deep.depth, -deep.outwards, a, b);
-    const Vec3 off = difference.offset() + found.arm_b - found.arm_a - found.gap * found.normal;
-    found.uncertainty = std::max(deep.uncertain, off.norm());
-    found.rounds = deep.rounds;
-    if (found.uncertainty < best.uncertainty) best = found;
+  for (const Penetration& plane : planes) {
+    // Where faces are slivers, rounding moves their points, and those of the first touch are
+    // nearer.
+    for (const Simplex& points : {polytope.touched_by(plane), inside}) {
+      Distance found = with_radii(difference, points, -plane.depth, -plane.outwards, a, b);
+      const Vec3 off = difference.offset() + found.arm_b - found.arm_a - found.gap * found.normal;
+      found.uncertainty = std::max(plane.uncertain, off.norm());
+      found.rounds = plane.rounds;
+      if (found.uncertainty < best.uncertainty) best = found;
+    }
+    // Of planes that are as near, the polytope may have grown to one only.
+    if (best.uncertainty <= rounding_of(difference)) break;
   }
   return best;
 }

@@ -15,7 +15,6 @@ namespace tumble::collide::detail {
 
 /// The nearest face of a difference.
 struct Penetration {
-  Simplex face;      ///< with the weights of the point nearest to the origin
   Vec3 outwards;     ///< unit normal, out of the difference
   double depth;      ///< of the plane with this normal that holds all of the difference [m]
   double uncertain;  ///< by how much the true depth may be less [m]
@@ -40,7 +39,7 @@ class Polytope {
 
   Penetration grow() {
     constexpr int max_rounds = 500;
-    Penetration best{{}, Vec3::UnitZ(), std::numeric_limits<double>::infinity(), 0, 0};
+    Penetration best{Vec3::UnitZ(), std::numeric_limits<double>::infinity(), 0, 0};
     for (int round = 1; round <= max_rounds; ++round) {
       const Face nearest = faces_[nearest_face()];
       const Corner next = difference_.nearest_along(-nearest.normal);
@@ -53,7 +52,22 @@ class Polytope {
       best.rounds = round;
       if (best.uncertain <= rounding_ || !add(next)) break;
     }
-    best.face = nearest_part(best.depth - best.uncertain);
+    return best;
+  }
+
+  /// Where the plane of a penetration touches the difference: a part of a face, with the weights of
+  /// the point that is nearest to the origin. Faces on the other side may be as near, as where the
+  /// bodies have one centre; and several triangles share a plane.
+  Simplex touched_by(const Penetration& plane) const {
+    const Vec3 foot = plane.depth * plane.outwards;
+    Simplex best;
+    for (const Face& face : faces_) {
+      Simplex all;
+      for (const int i : face.corners) all.add(corners_[static_cast<std::size_t>(i)]);
+      const Simplex part = nearest_in(all, rounding_);
+      if (best.size == 0 || (part.point() - foot).norm() < (best.point() - foot).norm())
+        best = part;
+    }
     return best;
   }
 
@@ -152,19 +166,6 @@ class Polytope {
       border.push_back(side);
     else
       border.erase(twin);
-  }
-
-  /// Of the triangles that share the nearest plane, the one under the origin.
-  Simplex nearest_part(double distance) const {
-    Simplex best;
-    for (const Face& face : faces_) {
-      if (face.distance > distance + rounding_) continue;
-      Simplex all;
-      for (const int i : face.corners) all.add(corners_[static_cast<std::size_t>(i)]);
-      const Simplex part = nearest_in(all, rounding_);
-      if (best.size == 0 || part.point().norm() < best.point().norm()) best = part;
-    }
-    return best;
   }
 
   const Difference& difference_;

@@ -55,7 +55,10 @@ inline ImpactResult collide_with_friction(const Impact& impact) {
   Vec3 after = impact.u + impact.K * impulse;
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
   if (energy_of(impact.u, after, impulse) > rounding * speed * impulse.norm()) {
-    impulse *= -2 * impact.u.dot(impulse) / impulse.dot(impact.K * impulse);
+    // E(c j) = c u·j + c² j·K j/2 is 0 for c = 2 w/v, and below 0 for less: by what rounding adds.
+    const double w = -impact.u.dot(impulse), v = impulse.dot(impact.K * impulse);
+    constexpr double sum = 8 * std::numeric_limits<double>::epsilon();
+    impulse *= 2 * w / v * (1 - sum * ease * impulse.squaredNorm() / w);
     after = impact.u + impact.K * impulse;
   }
   return {impulse, after, energy_of(impact.u, after, impulse), contact.slip(), contact.jammed()};

@@ -4,6 +4,7 @@
 /// for the law.
 
 #include <limits>
+#include <optional>
 
 #include "tumble/contact/friction_cone.hpp"
 #include "tumble/contact/impact.hpp"
@@ -19,8 +20,9 @@ class Contact {
 
   void run() {
     constexpr int max_steps = 100'000;  // some hundred do, where the slip turns and dies away
-    for (int i = 0; !ended_; ++i) {
-      if (i == max_steps) tumble::detail::throw_error<std::runtime_error>("impact: it has no end");
+    for (; !ended_; ++steps_) {
+      if (steps_ == max_steps)
+        tumble::detail::throw_error<std::runtime_error>("impact: it has no end");
       const Vec3 u = velocity();
       const Vec2 slip = u.head<2>();
       if (slip.norm() > rounding * speed_scale(K_, start_, j_))
@@ -54,16 +56,49 @@ class Contact {
     // What rounding leaves unsure of a slow slip's direction looks like turning, too.
     const double unsure = rounding * scale / speed * mu_ * K_.topLeftCorner<2, 2>().norm();
     // So slow that it comes to rest before a turn says anything, whichever way it spirals.
-    constexpr double last = 1e-10;
-    constexpr double straight = 1e-13;
+    const double last = slowest();
+    constexpr double straight = 1e-13, settled_within = 1e-12;
     if (turning <= straight * rate.norm())
       go_straight(u, press, rate, until_rest);
     else if (speed <= last * scale)
       leave_or_keep_rest(u);
+    else if (const auto settled = settled_direction(direction, settled_within * scale / speed))
+      follow(*settled, u);
     else if (turning <= unsure)
       go_straight(u, press, rate, along < 0 ? until_rest : speed / along);  // then it is surer
     else
       slide_in_a_curve();
+  }
+
+  /// The slip that counts as rest, as a part of the velocities that it is the sum of. A slip that
+  /// has not settled after thousands of steps is led by rounding: it counts the sooner.
+  double slowest() const { return 1e-10 * std::pow(std::fmax(1, steps_ / 1000.), 3); }
+
+  /// The direction d in which a slip turns no more, K_tn − μ K_tt d = λ d, by Newton's method. It
+  /// draws slips beside it towards itself, if they return to it: within a normal impulse of
+  /// |slip|/returning. Steps of a slow slip's curve can be no longer than that, and rounding keeps
+  /// them from ever arriving. So the slip follows d from when it is as near as steps can tell.
+  /// @param most the angle to it [rad]
+  std::optional<Vec2> settled_direction(const Vec2& from, double most) const {
+    constexpr int max_rounds = 8;  // each doubles the digits
+    Vec2 d = from;
+    for (int i = 0; i < max_rounds; ++i) {
+      const Vec2 across(-d.y(), d.x());
+      const Vec2 rate = K_.topRows<2>() * pressing(-mu_ * d);
+      const double returning = d.dot(rate) + mu_ * across.dot(K_.topLeftCorner<2, 2>() * across);
+      const double turning = across.dot(rate);
+      if (!(std::abs(turning) <= 2 * most * returning)) return {};
+      d = (d + turning / returning * across).normalized();
+    }
+    if ((d - from).norm() <= most) return d;
+    return {};
+  }
+
+  /// Along a direction that stays, to the end of this part, or of the slip.
+  void follow(const Vec2& direction, const Vec3& u) {
+    const Vec3 press = pressing(-mu_ * direction), rate = K_ * press;
+    const double along = direction.dot(rate.head<2>());
+    go_straight(u, press, rate, along < 0 ? direction.dot(u.head<2>()) / -along : never);
   }
 
   void leave_or_keep_rest(const Vec3& u) {
@@ -156,6 +191,7 @@ class Contact {
   double mu_, e_;
   Vec3 j_ = Vec3::Zero();
   double work_ = 0, target_ = 0, step_ = 0.1;
+  int steps_ = 0;
   bool coming_together_ = true, ended_ = false, jammed_ = false;
   Slip slip_ = Slip::none;
 };

@@ -40,7 +40,13 @@ class AnyForces {
         start_(start),
         task_(task),
         span_(task.t1 - task.t0),
-        breaks_(breaks_within(task)) {}
+        breaks_(breaks_within(task)) {
+    const double steps = span_ / task.longest_step;
+    require(steps <= most_steps, "simulate: longest_step = ", task.longest_step,
+            " s needs at least ", steps, " steps from t0 = ", task.t0, " to t1 = ", task.t1,
+            ", and at most ", most_steps, " are taken: give longest_step = ", span_ / most_steps,
+            " s or more; or say in breaks when forces begin, end or jump");
+  }
 
   /// The fine run; it meets the tolerance unless rounding forbids.
   TrajectoryOf<typename Rhs::State> trajectory() {

@@ -9,6 +9,9 @@
 
 namespace tumble::detail {
 
+/// That a run takes.
+inline constexpr double most_steps = 1e6;
+
 /// How a run goes from one end of the span to the other.
 struct RunSettings {
   double tolerance;                ///< of a step
@@ -18,7 +21,7 @@ struct RunSettings {
   bool moved = false;              ///< whether start and time are some roundings beside
   bool stiff = false;              ///< by Radau5
   bool watched = false;            ///< whether to stop where the scene turns out to be stiff
-  double max_steps = 1e6;
+  double max_steps = most_steps;
 };
 
 /// Why a run ended.

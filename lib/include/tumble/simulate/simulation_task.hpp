@@ -42,8 +42,8 @@ inline void require_valid_task(const SimulationTask& task) {
           " to t1 = ", task.t1, " is not a span of time");
   require(task.tolerance > 0 && std::isfinite(task.tolerance), "simulate: the tolerance ",
           task.tolerance, " is not positive and finite");
-  require(task.longest_step > 0, "simulate: the longest step ", task.longest_step,
-          " is not positive");
+  require(task.longest_step > 0, "simulate: longest_step = ", task.longest_step,
+          " s is not positive");
   for (const double t : task.breaks)
     require(std::isfinite(t), "simulate: a break at t = ", t, " is not a time");
 }

@@ -238,6 +238,25 @@ TEST_CASE("distance: hulls of many points, swapped, moved along the normal, and 
   }
 }
 
+TEST_CASE("distance: bodies with one centre, which several shifts free as well") {
+  test::Random rng(1118);
+  for (int i = 0; i < 500; ++i) {
+    TestBox a = any_box(rng, 0), b = any_box(rng, 0);
+    if (i % 3 == 0) b.pose.R = a.pose.R;
+    if (i % 3 == 1) b.size *= 1e-2;
+    const Convex ball = Convex::ball(rng.uniform(0.1, 1)), box = a.body(), other = b.body();
+    const double rounding = 300 * test::eps * 10;
+    const auto check = [&](const Convex& p, const Pose& at, const Convex& q, const Pose& there) {
+      const collide::Distance found = distance(p, at, q, there);
+      CHECK(found.uncertainty < rounding);
+      check_certificate(p, at, q, there, found, rounding);
+    };
+    check(box, a.pose, other, b.pose);
+    check(box, a.pose, ball, b.pose);
+    check(ball, a.pose, other, b.pose);
+  }
+}
+
 TEST_CASE("distance: from a floor or a wall, the mesh's hull, and what bounds hold") {
   test::Random rng(1117);
   const PolygonMesh mesh = shapes::torus_mesh(20, 10, 1, 0.3);

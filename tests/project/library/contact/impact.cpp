@@ -149,6 +149,64 @@ TEST_CASE("collide_with_friction: where friction nearly holds, rounding creates 
   }
 }
 
+TEST_CASE(
+    "collide_with_friction: where the slip hardly moves, and friction nearly holds, it ends") {
+  struct Case {
+    double K[6];  // below the diagonal and on it, row by row
+    Vec3 u;
+    double mu, e;
+  };
+  // K_tt is nearly singular. Steps of the curve were as long as the slip, without end.
+  const Case cases[] = {{{0.029036841516320674, -0.083889318280047753, 0.26950673607619835,
+                          -0.13635390050681346, 0.4336049007287906, 0.70656701972069624},
+                         {-2.457880274408306e-09, 2.8924886713799468e-08, -0.99999999999999956},
+                         1.5363192056119386,
+                         0},
+                        {{0.0090724488837672767, 0.043081674513582288, 0.20458158290362469,
+                          -0.084463182315632365, -0.40108826639903256, 0.78634620367264429},
+                         {3.574891058463091e-09, -4.8658711919499596e-10, -1},
+                         2.7071611669636009,
+                         1},
+                        {{0.28521341147743784, 0.38461791064909678, 0.51942994529362607,
+                          -0.23621858810611027, -0.31866974865744352, 0.19566478300661136},
+                         {-3.3392462604102716e-09, 3.8094225947154002e-10, -1},
+                         0.63206791100754178,
+                         0}};
+  for (const auto& [k, u, mu, e] : cases) {
+    Mat3 K;
+    K << k[0], k[1], k[3], k[1], k[2], k[4], k[3], k[4], k[5];
+    const ImpactResult result = collide_with_friction({K, u, Vec3::UnitZ(), e, mu});
+    CHECK(result.energy <= 0);
+    CHECK((result.u - u - K * result.impulse).norm() < 64 * eps * K.norm() * result.impulse.norm());
+    CHECK(result.u.z() > -1e-10);
+    CHECK(result.impulse.head<2>().norm() <= mu * result.impulse.z() * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("collide_with_friction: random impacts with friction near holding all end") {
+  test::Random rng(905);
+  for (int i = 0; i < test::tries(2000); ++i) {
+    Impact impact = Pair(rng).impact;
+    // Thin bodies: one direction along the surface is hardly moved.
+    const double thin = std::pow(10, rng.uniform(-6, 0));
+    const Mat3 axes = contact::detail::contact_axes(impact.normal),
+               R = rng.rotation().toRotationMatrix();
+    impact.K = R * Vec3(1, thin, std::pow(10, rng.uniform(-6, 0))).asDiagonal() * R.transpose();
+    impact.K = (impact.K + impact.K.transpose()).eval() / 2;
+    const double slip = std::pow(10, rng.uniform(-10, 0));
+    impact.u = axes * Vec3(slip * rng.uniform(-1, 1), slip * rng.uniform(-1, 1), -1);
+    const double holding =
+        contact::detail::holding_friction(axes.transpose() * impact.K * axes).norm();
+    impact.mu = holding * (1 + rng.uniform(-1, 1) * std::pow(10, rng.uniform(-15, -2)));
+    const ImpactResult result = collide_with_friction(impact);
+    const double along = result.impulse.dot(impact.normal);
+    const double size = impact.u.norm() * result.impulse.norm();
+    CHECK(energy_of(impact.u, impact.u + impact.K * result.impulse, result.impulse) < 1e-13 * size);
+    CHECK((result.impulse - along * impact.normal).norm() <= impact.mu * along * (1 + 1e-9));
+    CHECK(result.u.dot(impact.normal) > -1e-10);
+  }
+}
+
 TEST_CASE("collide_with_friction: without friction Newton's law, and alike in all directions") {
   test::Random rng(904);
   for (int i = 0; i < 200; ++i) {

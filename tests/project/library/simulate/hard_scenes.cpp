@@ -117,7 +117,9 @@ TEST_CASE("hard scenes: a pulse that nobody could find by chance, by a longest s
   CHECK(std::abs(run.end().L.z() - 1000 * (300.0013 - 300.0003)) <= 1e-10);
   CHECK(run.report().rejected == 0);  // no step went across a jump
   CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .breaks = {NAN}}, motor), "break", "nan");
-  CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .longest_step = 0}, motor), "longest step", "0");
+  CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .longest_step = 0}, motor), "longest_step", "0");
+  CHECK_REFUSED(simulate(unit_ball, {}, {.t1 = 1, .longest_step = 1e-9}, motor),
+                "longest_step = 1e-09", "1e+09 steps", "1e-06 s or more");
 }
 
 TEST_CASE("hard scenes: a force that acts in a thin region of space only is not flown past") {
