@@ -62,7 +62,7 @@ Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) 
           " is not a span of time: t1 must be finite, and not before t0");
   Meeting meeting;
   meeting.t = t0;
-  constexpr int lasting = 1000;  // looks in turn at bodies that touch, and neither meet nor part
+  constexpr int lasting = 100;  // looks in turn at bodies that touch, and neither meet nor part
   for (int touching = 0;;) {
     meeting.distance = things.look(meeting.t);
     ++meeting.queries;
@@ -95,7 +95,7 @@ namespace tumble::collide {
 /// The first time at which two bodies are no farther apart than the tolerance, and come together at
 /// one of the points where they touch. Before it they overlap nowhere by more than the tolerance,
 /// however fast they are. Bodies that touch and part do not meet. Bodies that stay in touch, as two
-/// that spin on each other, are looked at a thousand times, and then said to meet.
+/// that spin on each other, are looked at a hundred times, and then said to meet.
 /// @param t0, t1    from when to when [s]
 /// @param tolerance [m], positive
 /// @throws std::invalid_argument if t1 < t0 or the tolerance is not positive
