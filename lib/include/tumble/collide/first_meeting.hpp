@@ -62,14 +62,17 @@ Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) 
           " is not a span of time: t1 must be finite, and not before t0");
   Meeting meeting;
   meeting.t = t0;
-  while (true) {
+  constexpr int lasting = 100;  // looks in turn at bodies that touch, and neither meet nor part
+  for (int touching = 0;;) {
     meeting.distance = things.look(meeting.t);
     ++meeting.queries;
     const Vec3& n = meeting.distance.normal;
-    if (meeting.distance.gap <= tolerance) {
+    touching = meeting.distance.gap <= tolerance ? touching + 1 : 0;
+    if (touching > 0) {
       meeting.points = things.touching(meeting.distance, tolerance);
       for (const Vec3& arm : meeting.points)
         if (n.dot(things.parting(arm)) < 0) meeting.found = true;
+      meeting.found = meeting.found || touching == lasting;
       if (meeting.found) return meeting;
       meeting.points.clear();
     }
@@ -91,7 +94,8 @@ namespace tumble::collide {
 
 /// The first time at which two bodies are no farther apart than the tolerance, and come together at
 /// one of the points where they touch. Before it they overlap nowhere by more than the tolerance,
-/// however fast they are. Bodies that touch and part do not meet.
+/// however fast they are. Bodies that touch and part do not meet. Bodies that stay in touch, as two
+/// that spin on each other, are looked at a hundred times, and then said to meet.
 /// @param t0, t1    from when to when [s]
 /// @param tolerance [m], positive
 /// @throws std::invalid_argument if t1 < t0 or the tolerance is not positive

@@ -71,6 +71,26 @@ int number_of_throws() {
 
 }  // namespace
 
+TEST_CASE("simulate_contacts: bodies in touch that spin, slide or hardly part cost bounded work") {
+  test::Random rng(1121);
+  for (int i = 0; i < test::tries(20); ++i) {
+    CAPTURE(i);
+    const double gaps[] = {0, 1e-11, 5e-12}, ups[] = {0, 1e-9, -1e-9};
+    const Vec3 slide = i % 2 ? Vec3(rng.uniform(-1, 1), rng.uniform(-1, 1), 0) : Vec3(Vec3::Zero());
+    const Vec3 v = slide + ups[i % 3] * Vec3::UnitZ();
+    ContactScene scene;
+    scene.e = rng.uniform(0, 1);
+    scene.mu = 0.3;
+    const Vec3 x(0, 0, 0.5 + gaps[i / 3 % 3]), spin(0, 0, i % 5 ? rng.uniform(-5, 5) : 0);
+    scene.bodies = {
+        box("upper", Vec3::Ones(), x, Quat::Identity(), v, spin),
+        box("lower", Vec3::Ones(), Vec3(0, 0, -0.5), Quat::Identity(), Vec3::Zero(), Vec3::Zero())};
+    const ContactRun run = simulate_contacts(scene, {.until = 0.5, .max_impacts = 1000});
+    CHECK(run.queries < 1'000'000);
+    CHECK(run.energy.impacts <= 1e-12 * run.energy.start);
+  }
+}
+
 TEST_CASE("simulate_contacts: a ball dropped 5 m, e = 1, bounces ten times in 20 s at its times") {
   const auto scene = over_floor(ball("ball", 0.1, Vec3(0, 0, 5.1), Vec3::Zero()), 1);
   const ContactRun run = simulate_contacts(scene, {.until = 20});
