@@ -24,12 +24,12 @@ using support::Settings;
 constexpr double degree = pi / 180;
 
 enum Which { time, aim, law, around, above };
-constexpr std::array<Control, 5> controls{
-    {{"t", "time", "s", 0, longest, spacing, 1.2},
-     {"aim", "aimed to 10⁻ᵏ rad, k", "", 0.5, 6, 0.1, 2},
-     {"law", "law of motion", "", 0, 2, 1, 0, "the right one|gyroscopic term left out|put in twice"},
-     {"around", "you stand at", "°", -180, 180, 1, 30},
-     {"above", "above the floor by", "°", -80, 80, 1, 20}}};
+constexpr std::array<Control, 5> controls{{{"t", "time", "s", 0, longest, spacing, 1.2},
+                                           {"aim", "aimed to 10⁻ᵏ rad, k", "", 0.5, 6, 0.1, 2},
+                                           {"law", "law of motion", "", 0, 2, 1, 0,
+                                            "the right one|gyroscopic term left out|put in twice"},
+                                           {"around", "you stand at", "°", -180, 180, 1, 30},
+                                           {"above", "above the floor by", "°", -80, 80, 1, 20}}};
 /// The laws of the control, among all.
 constexpr std::array<std::size_t, 3> offered{0, 2, 3};
 
