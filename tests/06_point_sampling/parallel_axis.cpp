@@ -280,7 +280,7 @@ const Misconceptions<decltype(point_sampling::parallel_axis)> misconceptions{
         return mass * d.squaredNorm() * Mat3::Ones();
       })},
      {"points close together taken for one",
-      "You return the tensor as it came where `from` and `to` are nearly equal. isApprox asks how "
+      "You return the tensor as it came where “from” and “to” are nearly equal. isApprox asks how "
       "far apart they are in comparison with their distance from the origin: 1e8 m away it takes "
       "0.1 mm for nothing. You need no such case: between equal points the law changes nothing.",
       "Far from the origin",

@@ -301,7 +301,7 @@ const Misconceptions<decltype(bounding_boxes::box_inertia)> misconceptions{
         return point_inertia(mass, box.centre - about);
       }},
      {"a point near the centre taken for it",
-      "You don't move the tensor where `about` is nearly the centre of the box. isApprox asks how "
+      "You don't move the tensor where “about” is nearly the centre of the box. isApprox asks how "
       "far "
       "apart they are in comparison with their distance from the origin: 1e8 m away it takes 0.1 "
       "mm "

@@ -145,7 +145,9 @@ class Polytope {
     std::vector<std::array<int, 2>> border;
     std::vector<Face> kept;
     for (const Face& face : faces_) {
-      const bool seen = face.normal.dot(corner.w) > face.distance;
+      // In the plane of a face it does not see it: whether it would, only rounding says, and faces
+      // may turn over.
+      const bool seen = face.normal.dot(corner.w) > face.distance + rounding_;
       if (!seen) kept.push_back(face);
       for (const auto& side : sides)
         if (seen)
