@@ -9,7 +9,8 @@
 namespace tumble::judge {
 
 /// Keeps the messages at places in `source` and, where `others`, the first line of errors
-/// elsewhere; shortens paths to file names, and Eigen's types to the names that one writes. Nothing of a foreign file's text gets through.
+/// elsewhere; shortens paths to file names, and Eigen's types to the names that one writes. Nothing
+/// of a foreign file's text gets through.
 std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
                            bool others);
 
