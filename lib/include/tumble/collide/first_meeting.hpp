@@ -7,6 +7,8 @@
 /// which no point of one can reach a point of the other. The bound is quadratic in time, as the
 /// flight is: a ball meets a wall in one step, other bodies converge quadratically.
 
+#include <limits>
+
 #include "tumble/collide/first_contact.hpp"
 #include "tumble/collide/moving_gap.hpp"
 
@@ -54,6 +56,14 @@ double time_balls_apart(const Things& things, const Vec3& n) {
   return gap.value > 0 ? landing_time(gap.value, gap.rate, gap.acceleration) : 0;
 }
 
+/// Whether bodies that neither meet nor part stay in touch, as two that spin on each other: what
+/// parts at a fraction f of the fastest point's speed takes some 4/f looks to leave the tolerance.
+inline bool stay_in_touch(int looks, double parting, double speed) {
+  constexpr int few = 100, most = 100'000;
+  constexpr double least = 4. / most;  // of the speed
+  return looks >= most || (looks >= few && parting < least * speed);
+}
+
 /// The search, for two bodies or a body and a wall.
 template <class Things>
 Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) {
@@ -62,17 +72,17 @@ Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) 
           " is not a span of time: t1 must be finite, and not before t0");
   Meeting meeting;
   meeting.t = t0;
-  constexpr int lasting = 100;  // looks in turn at bodies that touch, and neither meet nor part
-  for (int touching = 0;;) {
+  for (int touching = 0;;) {  // looks in turn at bodies that touch
     meeting.distance = things.look(meeting.t);
     ++meeting.queries;
     const Vec3& n = meeting.distance.normal;
     touching = meeting.distance.gap <= tolerance ? touching + 1 : 0;
     if (touching > 0) {
       meeting.points = things.touching(meeting.distance, tolerance);
+      double parting = std::numeric_limits<double>::infinity();  // of the slowest point
       for (const Vec3& arm : meeting.points)
-        if (n.dot(things.parting(arm)) < 0) meeting.found = true;
-      meeting.found = meeting.found || touching == lasting;
+        parting = std::fmin(parting, n.dot(things.parting(arm)));
+      meeting.found = parting < 0 || stay_in_touch(touching, parting, things.speed(t1 - meeting.t));
       if (meeting.found) return meeting;
       meeting.points.clear();
     }
@@ -95,7 +105,8 @@ namespace tumble::collide {
 /// The first time at which two bodies are no farther apart than the tolerance, and come together at
 /// one of the points where they touch. Before it they overlap nowhere by more than the tolerance,
 /// however fast they are. Bodies that touch and part do not meet. Bodies that stay in touch, as two
-/// that spin on each other, are looked at a hundred times, and then said to meet.
+/// that spin on each other, are said to meet after some looks: a hundred if they part at less than
+/// 4e-5 of the fastest point's speed, else a hundred thousand.
 /// @param t0, t1    from when to when [s]
 /// @param tolerance [m], positive
 /// @throws std::invalid_argument if t1 < t0 or the tolerance is not positive
