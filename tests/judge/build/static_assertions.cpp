@@ -57,14 +57,14 @@ std::optional<std::string> assertion_in(const std::string& line) {
   return line.substr(line.rfind(": ") + 2);
 }
 
-struct Place {
+struct SourcePlace {
   std::size_t line = 0, column = 0;
 };
 
 /// The place in `source` that a line of the compiler's begins with.
-std::optional<Place> place_at(const std::string& line, const std::string& source) {
+std::optional<SourcePlace> place_at(const std::string& line, const std::string& source) {
   if (!line.starts_with(source + ":")) return std::nullopt;
-  Place place;
+  SourcePlace place;
   const char* end = line.data() + line.size();
   const auto number = std::from_chars(line.data() + source.size() + 1, end, place.line);
   if (number.ec != std::errc{} || number.ptr == end || *number.ptr != ':') return std::nullopt;
@@ -98,15 +98,15 @@ class Rewriting {
     }
     is_dropped_ = is_dropped_ && line.starts_with(' ');
     const std::optional<std::string> assertion = assertion_in(line);
-    const std::optional<Place> place =
-        assertion && !is_here ? place_of_error(i) : std::optional<Place>();
+    const std::optional<SourcePlace> place =
+        assertion && !is_here ? place_of_error(i) : std::optional<SourcePlace>();
     if (!place) return is_dropped_ ? "" : line + "\n";
     is_dropped_ = true;
     return told_.insert(place->line).second ? error_at(*place, *assertion) : "";
   }
 
   /// The place in the source that led to the error in line i.
-  std::optional<Place> place_of_error(std::size_t i) const {
+  std::optional<SourcePlace> place_of_error(std::size_t i) const {
     const auto place = [&](std::size_t k) {
       return leads_to_header(output_[k]) ? place_at(output_[k], source_) : std::nullopt;
     };
@@ -117,7 +117,7 @@ class Rewriting {
     return std::nullopt;
   }
 
-  std::string error_at(const Place& place, const std::string& assertion) const {
+  std::string error_at(const SourcePlace& place, const std::string& assertion) const {
     const std::string line = std::to_string(place.line), meaning = meaning_of(assertion);
     std::string error = source_ + ":" + line + ":" + std::to_string(place.column) + ": error: " +
                         (meaning.empty() ? assertion : meaning + " (" + assertion + ")") + "\n";

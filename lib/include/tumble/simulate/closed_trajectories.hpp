@@ -53,7 +53,7 @@ template <class Turning>
 Trajectory closed_trajectory(const Turning& turning, const steady::SteadyPath& path, double omega,
                              const SimulationTask& task, const SimulationReport& report) {
   const double span = task.t1 - task.t0;
-  const auto turned = turning.at(span);
+  const auto& turned = turning.at(span);
   if (!path.x(span).allFinite() || !path.P(span).allFinite() || !turned.q.coeffs().allFinite() ||
       !turned.L.allFinite() || !std::isfinite(report.error_estimate))
     throw_error<std::runtime_error>("simulate: the motion overflows a double before t = ", task.t1);
