@@ -13,14 +13,14 @@ namespace tumble::judge {
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
 }
 
-bool contains(const std::string& line, const char* words) {
+bool has(const std::string& line, const char* words) {
   return line.find(words) != std::string::npos;
 }
 
@@ -46,9 +46,8 @@ std::string meaning_of(const std::string& assertion) {
 }
 
 /// The text of the assertion that an error tells of: gcc's last words, or clang's in quotes.
-std::optional<std::string> assertion_in(const std::string& line) {
-  if (!contains(line, ": error: static assertion failed") &&
-      !contains(line, ": error: static_assert failed"))
+std::optional<std::string> static_assertion_in(const std::string& line) {
+  if (!has(line, ": error: static assertion failed") && !has(line, ": error: static_assert failed"))
     return std::nullopt;
   if (line.ends_with('"')) {
     const std::size_t open = line.rfind('"', line.size() - 2);
@@ -74,13 +73,13 @@ std::optional<SourcePlace> place_at(const std::string& line, const std::string& 
 
 /// "required from here" of gcc stands before its error, "requested here" of clang behind it.
 bool leads_to_header(const std::string& line) {
-  return contains(line, "required from") || contains(line, "note: in instantiation of");
+  return has(line, "required from") || has(line, "note: in instantiation of");
 }
 
 class Rewriting {
  public:
   Rewriting(std::string source, const std::string& text, const std::string& output)
-      : source_(std::move(source)), text_(lines_of(text)), output_(lines_of(output)) {}
+      : source_(std::move(source)), text_(split_lines(text)), output_(split_lines(output)) {}
 
   std::string result() {
     std::string kept;
@@ -97,7 +96,7 @@ class Rewriting {
       return {};
     }
     is_dropped_ = is_dropped_ && line.starts_with(' ');
-    const std::optional<std::string> assertion = assertion_in(line);
+    const std::optional<std::string> assertion = static_assertion_in(line);
     const std::optional<SourcePlace> place =
         assertion && !is_here ? place_of_error(i) : std::optional<SourcePlace>();
     if (!place) return is_dropped_ ? "" : line + "\n";
@@ -110,10 +109,10 @@ class Rewriting {
     const auto place = [&](std::size_t k) {
       return leads_to_header(output_[k]) ? place_at(output_[k], source_) : std::nullopt;
     };
-    for (std::size_t k = i; k-- > 0 && !contains(output_[k], ": error: ");)
-      if (contains(output_[k], "required from") && place(k)) return place(k);
-    for (std::size_t k = i + 1; k < output_.size() && !contains(output_[k], ": error: "); ++k)
-      if (contains(output_[k], "note: in instantiation of") && place(k)) return place(k);
+    for (std::size_t k = i; k-- > 0 && !has(output_[k], ": error: ");)
+      if (has(output_[k], "required from") && place(k)) return place(k);
+    for (std::size_t k = i + 1; k < output_.size() && !has(output_[k], ": error: "); ++k)
+      if (has(output_[k], "note: in instantiation of") && place(k)) return place(k);
     return std::nullopt;
   }
 

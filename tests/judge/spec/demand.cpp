@@ -58,7 +58,7 @@ Value with_sign_of(const Value& q, const Value& answer) {
   List other = *x;
   for (Value& each : other)
     if (const double* number = each.as<double>()) each = Value(-*number);
-  return Value(std::move(other));
+  return {std::move(other)};
 }
 
 }  // namespace tumble::judge

@@ -25,7 +25,8 @@ std::string entry_text(const Value& value, int digits, int nesting);
 std::string list_text(const List& list, int digits, int nesting) {
   if (nesting >= most_nesting) return "(…)";
   std::string text = "(";
-  const std::size_t shown = list.size() <= most_entries + 1 ? list.size() : most_entries;
+  const std::size_t shown =
+      list.size() <= most_numbers_shown + 1 ? list.size() : most_numbers_shown;
   for (std::size_t i = 0; i < shown; ++i)
     text += (i > 0 ? ", " : "") + entry_text(list[i], digits, nesting + 1);
   if (list.size() > shown) text += ", … " + std::to_string(list.size()) + " entries in all";
@@ -45,9 +46,9 @@ std::string entry_text(const Value& value, int digits, int nesting) {
 
 /// Rows of numbers, all of the same small size: anything else is shown as a list.
 bool is_matrix(const List& rows) {
-  if (rows.empty() || rows.size() > most_entries) return false;
+  if (rows.empty() || rows.size() > most_numbers_shown) return false;
   const List* first = rows.front().as<List>();
-  if (!first || first->empty() || first->size() > most_entries) return false;
+  if (!first || first->empty() || first->size() > most_numbers_shown) return false;
   return std::all_of(rows.begin(), rows.end(), [&](const Value& row) {
     const List* numbers = row.as<List>();
     return numbers && numbers->size() == first->size() &&

@@ -9,7 +9,7 @@
 
 namespace tumble::judge {
 
-inline constexpr std::size_t most_entries = 12;  ///< of a list of numbers that are shown
+inline constexpr std::size_t most_numbers_shown = 12;  ///< of a list of numbers that are shown
 
 /// "(0.6, 0, 0.8)" for a vector; a matrix has a row on each line, indented by `indent` from the
 /// second on. Whatever a hostile worker sends, the text stays short.

@@ -115,7 +115,8 @@ std::string hidden_difference(const TypedText& text, const Value& answer, const 
   const std::size_t common = std::min(a->size(), d->size());
   std::size_t i = 0;
   while (i < common && largest_difference((*a)[i], (*d)[i]) <= tolerance) ++i;
-  if (i == common || i < (has_names(text.types, element) ? most_elements : most_entries)) return {};
+  if (i == common || i < (has_names(text.types, element) ? most_elements : most_numbers_shown))
+    return {};
   return "[" + std::to_string(i) + "] " + inline_text((*a)[i], text.types, element, text.digits) +
          ", demanded " + inline_text((*d)[i], text.types, element, text.digits);
 }
