@@ -26,7 +26,8 @@ struct Call {
   /// What misconception k answers to the same question; its evaluations of the functions among the
   /// arguments go through `functions`.
   std::function<Value(std::size_t k, const CallBack& functions)> misconception;
-  /// The functions among the arguments.
+  /// The functions among the arguments. They are called after their case has ended as well, so
+  /// they capture by value.
   CallBack functions;
   /// What its demand calls equal; replaced when a demand is made.
   Metric metric = largest_difference;
