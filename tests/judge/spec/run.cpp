@@ -156,10 +156,6 @@ class Explanations {
   std::map<std::string, Verdict> verdicts_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Whether asking once more may tell why: a question that takes its whole time is not asked again.
 bool is_told_by_answers(const Finding& finding) {
   return (finding.outcome == Outcome::wrong && finding.answer) ||
@@ -169,8 +165,8 @@ bool is_told_by_answers(const Finding& finding) {
 Misconception something_kept() {
   return {"something kept between calls",
           "Asked the same by itself, your function does otherwise. Something stays from one call "
-          "to the "
-          "next: a static or a global variable, or memory that is not yours or was never set.",
+          "to the next: a static or a global variable, or memory that is not yours or was never "
+          "set.",
           ""};
 }
 

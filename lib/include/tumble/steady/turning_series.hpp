@@ -10,9 +10,8 @@
 /// A product of two series is a sum over pairs of coefficients; the three or four components of a
 /// vector lie side by side and go through it together.
 ///
-/// The coefficient of tᵏ has the unit 1/sᵏ: for a body that takes a day for a turn, or a
-/// nanosecond, it is no double any more. So time is counted in a unit in which the body turns by
-/// about one radian, a power of 2 seconds, with which nothing is rounded.
+/// The coefficient of tᵏ has the unit 1/sᵏ: if a turn takes a day, or a nanosecond, it is no double
+/// any more. So time counts in powers of 2 s in which the body turns by about one radian.
 ///
 /// Source: Jorba & Zou, "A software package for the numerical integration of ODEs by means of
 /// high-order Taylor methods", Experimental Mathematics 14 (2005), §2 and §3.
@@ -43,6 +42,7 @@ class TurningSeries {
   TurningSeries(const steady::SteadyTorque& torque, int order)
       : order_(order),
         instructions_(simd::best_instruction_set()),
+        rate_(torque.drag().cwiseAbs().maxCoeff()),
         drag_per_second_(four_lanes(torque.drag())) {
     const Vec3& J = torque.axes().moments;
     euler_ = four_lanes({(J[1] - J[2]) / J[0], (J[2] - J[0]) / J[1], (J[0] - J[1]) / J[2]});
@@ -56,7 +56,6 @@ class TurningSeries {
       rate_ = std::max(
           {rate_, std::sqrt(plus.cwiseAbs().maxCoeff()), std::sqrt(minus.cwiseAbs().maxCoeff())});
     }
-    rate_ = std::max(rate_, torque.drag().cwiseAbs().maxCoeff());
   }
 
   int order() const { return order_; }
@@ -90,7 +89,7 @@ class TurningSeries {
     return unit_ * h;
   }
 
-  /// The state a time h [s] after the one expanded about.
+  /// The state so many seconds after the one expanded about.
   steady::TurningState at(double seconds) const {
     const double h = seconds / unit_;
     FourDoubles q = q_[order_].q, w = w_[order_].xyz;
@@ -188,7 +187,7 @@ class TurningSeries {
 
   int order_;
   simd::InstructionSet instructions_;
-  double rate_ = 0, unit_ = 1;
+  double rate_, unit_ = 1;
   FourDoubles euler_, drag_per_second_, drag_{};
   Vec3 directions_[slots];
   FourDoubles plus_per_second_[slots], minus_per_second_[slots];  // the arms over J
