@@ -52,7 +52,7 @@ inline std::vector<PaintedFace> painted_faces(const PolygonMesh& mesh, const Mat
 
 /// Steel blue, from shadow to light; readable on white and on black.
 inline std::string shade_colour(int shade) {
-  const double s = 0.30 + 0.70 * shade / 15;
+  const double s = 0.42 + 0.58 * shade / 15;
   const auto channel = [&](double full) { return std::to_string(std::lround(full * s)); };
   return "rgb(" + channel(168) + "," + channel(194) + "," + channel(222) + ")";
 }

@@ -41,6 +41,13 @@ void read_parameters(const std::string& signature, Declaration& declaration) {
   finish();
 }
 
+std::string where_help_is(const Unit& unit, Help help) {
+  if (help == Help::buttons)
+    return "The contract above says what to write. Stuck? Hint, below. Done? Check.";
+  return "contract.hpp says what to write. Stuck? ./tumble hint " + unit.number +
+         " · Done? ./tumble check " + unit.number;
+}
+
 }  // namespace
 
 Declaration read_declaration(const Course& course, const Unit& unit) {
@@ -65,14 +72,13 @@ Declaration read_declaration(const Course& course, const Unit& unit) {
   throw std::runtime_error(file.string() + " does not declare " + unit.number + " " + unit.name);
 }
 
-std::string stub_of(const Course& course, const Unit& unit) {
+std::string stub_of(const Course& course, const Unit& unit, Help help) {
   const Declaration declaration = read_declaration(course, unit);
   const std::string space = unit.chapter.substr(unit.chapter.find('_') + 1);
   std::ostringstream stub;
   stub << "#include \"contract.hpp\"\n\nnamespace " << space << " {\n\n// " << unit.number << " "
        << unit.name << ": " << declaration.title << (declaration.title.ends_with("?") ? "" : ".")
-       << "\n// contract.hpp says what to write. Stuck? ./tumble hint " << unit.number
-       << " · Done? ./tumble check " << unit.number << "\n"
+       << "\n// " << where_help_is(unit, help) << "\n"
        << declaration.signature << " {\n  throw NotImplemented{};\n}\n\n}  // namespace " << space
        << "\n";
   return stub.str();

@@ -22,7 +22,10 @@ struct Declaration {
 /// @throws std::runtime_error naming the contract if the heading or the declaration is missing
 Declaration read_declaration(const Course& course, const Unit& unit);
 
+/// Where a student asks for a hint and a verdict: on the command line, or by the buttons of a page.
+enum class Help { commands, buttons };
+
 /// The untouched exercise: what `reset` writes, and what a test compares the files with.
-std::string stub_of(const Course& course, const Unit& unit);
+std::string stub_of(const Course& course, const Unit& unit, Help help = Help::commands);
 
 }  // namespace tumble::judge

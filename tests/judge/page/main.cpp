@@ -87,7 +87,7 @@ ordered_json description_of(const Course& course, const Unit& unit) {
           {"name", unit.name},
           {"title", declaration.title},
           {"signature", declaration.signature},
-          {"stub", stub_of(course, unit)},
+          {"stub", stub_of(course, unit, Help::buttons)},
           {"hints", read_hints(course, unit)}};
 }
 
