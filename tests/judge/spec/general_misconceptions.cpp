@@ -113,12 +113,6 @@ bool is_nan_of_new_matrix(double x) {
 }
 bool is_infinite(double x) { return std::isinf(x); }
 
-/// Whether the numbers of the question or of the right answer are so large that a mark is none.
-bool is_about(const Finding& finding, bool (*kind)(double)) {
-  return (finding.demanded && contains(*finding.demanded, kind)) ||
-         (finding.question && contains(finding.question->arguments, kind));
-}
-
 /// Whether an argument, or what a given function returned, has such a number.
 bool is_given(const Finding& finding, bool (*kind)(double)) {
   if (!finding.question) return false;
@@ -126,6 +120,11 @@ bool is_given(const Finding& finding, bool (*kind)(double)) {
   return contains(finding.question->arguments, kind) ||
          std::any_of(told.begin(), told.end(),
                      [&](const Evaluation& each) { return contains(each.result, kind); });
+}
+
+/// Whether what was given or the right answer has numbers so large that a mark is none.
+bool is_about(const Finding& finding, bool (*kind)(double)) {
+  return is_given(finding, kind) || (finding.demanded && contains(*finding.demanded, kind));
 }
 
 /// Names of the memory that an answer comes from, and of numbers that are none.
