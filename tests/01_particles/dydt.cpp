@@ -348,6 +348,31 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
         return mass * right_force(s, 1, v);
       })},
+     {"weight upwards",
+      "The weight has the wrong sign: your particles fall upwards. The acceleration of free fall "
+      "is "
+      "a vector that already points downwards.",
+      "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
+        return right_force(s, mass, v) - 2 * mass * s.gravity;
+      })},
+     {"linear drag forgotten",
+      "You have left out the drag that grows with the speed itself. Both drags act together.",
+      "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
+        return right_force(s, mass, v) + s.linear_drag * v;
+      })},
+     {"quadratic drag forgotten",
+      "You have left out the drag that grows with the square of the speed. Both drags act "
+      "together.",
+      "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
+        return right_force(s, mass, v) + s.quadratic_drag * v.norm() * v;
+      })},
+     {"drags exchanged",
+      "The two drags are exchanged: the linear one grows with the speed, the quadratic one with "
+      "its "
+      "square.",
+      "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
+        return mass * s.gravity - s.quadratic_drag * v - s.linear_drag * v.norm() * v;
+      })},
      {"drag along the velocity",
       "The drag has the wrong sign: it drives the particles on. It acts against the velocity.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
@@ -398,6 +423,13 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         s.rest_length = 0;
         return right_pull(s, l, rate);
       })},
+     {"stretch as a fraction",
+      "You have divided the stretch of the springs by their rest length. The stiffness is in "
+      "newtons per metre: it multiplies a length.",
+      "Forces", with_pull([](Spring s, const Vec3& l, const Vec3& rate) {
+        s.stiffness /= s.rest_length;
+        return right_pull(s, l, rate);
+      })},
      {"direction not of length 1",
       "You have multiplied the tension of a spring by the whole vector between its ends. A "
       "direction has length 1.",
@@ -410,6 +442,19 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
       "Forces", with_pull([](const Spring& s, const Vec3& l, const Vec3& rate) {
         if (l.isZero(0)) return opposite(Vec3::Zero());
         return opposite(-tension(s, l, Vec3::Zero()) * l.normalized() - s.damping * rate);
+      })},
+     {"damped by the speed",
+      "The damping grows with the speed of the ends against each other, in whatever direction they "
+      "move. What counts is the rate at which the spring gets longer; it can be negative.",
+      "Forces", with_pull([](const Spring& s, const Vec3& l, const Vec3& rate) {
+        return right_pull(s, l, rate.norm() * l.normalized());
+      })},
+     {"damping only pulls",
+      "You have dropped the sign of the rate at which a spring gets longer, so a spring that gets "
+      "shorter is pulled together even faster.",
+      "Forces", with_pull([](const Spring& s, const Vec3& l, const Vec3& rate) {
+        const Vec3 u = l.normalized();
+        return right_pull(s, l, std::abs(rate.dot(u)) * u);
       })},
      {"damping drives",
       "The damping has the wrong sign: it helps a spring that gets longer. It should resist.",
@@ -429,6 +474,20 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         const double pull = s.stiffness * (l.norm() - s.rest_length) + s.damping * rate.dot(u);
         return opposite(-pull * u);
       })},
+     {"damped by one end",
+      "You have taken the velocity of one end of the spring for the rate of its length. Both ends "
+      "move: their difference counts.",
+      "Forces",
+      [](const System& system, double, const VectorXd& y) {
+        VectorXd ydot = with_laws(system, y, right_force, right_pull);
+        for (const Spring& s : system.springs) {
+          const Vec3 u = (x_of(y, s.i) - x_of(y, s.j)).normalized();
+          const Vec3 missing = s.damping * v_of(y, s.j).dot(u) * u;
+          ydot.segment<3>(6 * s.i + 3) -= missing / mass_of(system, s.i);
+          ydot.segment<3>(6 * s.j + 3) += missing / mass_of(system, s.j);
+        }
+        return ydot;
+      }},
      {"last force only",
       "The force of a spring has replaced what was there before. Forces add up: weight, drag, and "
       "every spring that ends at the particle.",

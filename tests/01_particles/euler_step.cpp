@@ -81,7 +81,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("states of any size, an empty one too; tiny and huge ones") {
+  TEST_CASE("states of any size, an empty one too; tiny and huge ones, and tiny steps") {
     for (const int count : {0, 1, 60}) {
       const Rhs f = any_rhs();
       const VectorXd y = any_state(count);
@@ -92,6 +92,11 @@ TEST_SUITE(TUMBLE_UNIT) {
       const VectorXd y = any_state(3, size), slope = any_state(3, size);
       REQUIRE(student::euler_step(constant_slope(slope), 1, y, 0.5) ==
               close_to(VectorXd(y + slope / 2), 4 * eps * size * 3));
+    }
+    for (const double h : {1e-20, -1e-20}) {
+      const VectorXd y = any_state(3), slope = any_state(3);
+      REQUIRE(student::euler_step(constant_slope(slope / h), 1, y, h) ==
+              close_to(VectorXd(y + slope), 16 * eps * (size_of(y) + size_of(slope))));
     }
   }
 }
@@ -124,6 +129,19 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return reference(f, t + h, y, h);
+      }},
+     {"time halfway",
+      "You have taken the slope halfway through the step in time, with the state at the start. "
+      "Both "
+      "belong to the start.",
+      "Euler's method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + h * f(t + h / 2, y);
+      }},
+     {"h twice", "You have multiplied the slope by h twice: once is how far it leads.",
+      "Euler's method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return y + h * h * f(t, y);
       }},
      {"time always zero",
       "You have not told the right-hand side the time of the step: you evaluate it at 0.",

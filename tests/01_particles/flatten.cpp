@@ -178,6 +178,13 @@ const Misconceptions<decltype(particles::flatten)> misconceptions{
           y.segment<3>(3 * n) = list[static_cast<std::size_t>(n)].x;
         return y;
       }},
+     {"position twice",
+      "In the places of the velocities stand the positions once more. A copied line?", "The state",
+      [](const Particles& list) {
+        Particles copies = list;
+        for (auto& particle : copies) particle.v = particle.x;
+        return reference(copies);
+      }},
      {"last particle forgotten",
       "The numbers of the last particle are missing. Look at where the loop ends.", "The state",
       [](const Particles& list) {

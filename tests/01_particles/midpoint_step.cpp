@@ -95,7 +95,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("states of any size, an empty one too; tiny and huge ones") {
+  TEST_CASE("states of any size, an empty one too; tiny and huge ones, and tiny steps") {
     for (const int count : {0, 1, 60}) {
       const Rhs f = any_rhs();
       const VectorXd y = any_state(count);
@@ -107,6 +107,11 @@ TEST_SUITE(TUMBLE_UNIT) {
       REQUIRE(student::midpoint_step(constant_slope(slope), 1, y, 0.5) ==
               close_to(VectorXd(y + slope / 2), 4 * eps * size * 3));
     }
+    for (const double h : {1e-20, -1e-20}) {
+      const VectorXd y = any_state(3), slope = any_state(3);
+      REQUIRE(student::midpoint_step(constant_slope(slope / h), 1, y, h) ==
+              close_to(VectorXd(y + slope), 16 * eps * (size_of(y) + size_of(slope))));
+    }
   }
 }
 
@@ -117,6 +122,33 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
       "slope "
       "halfway.",
       "The midpoint method", euler},
+     {"half of the time itself",
+      "You have taken the second slope at (t + h)/2. Halfway through the step is half of h after "
+      "t: look at the brackets.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return step_with_slope_at(y, h, f, (t + h) / 2, euler(f, t, y, h / 2));
+      }},
+     {"half of the state itself",
+      "To look ahead you have halved the state as well. Only the step is halved: look at the "
+      "brackets.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return step_with_slope_at(y, h, f, t + h / 2, euler(f, t, y, h) / 2);
+      }},
+     {"looked back",
+      "You have looked at the slope half a step before the start. The step leads on from y, and so "
+      "does the look.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return step_with_slope_at(y, h, f, t + h / 2, euler(f, t, y, -h / 2));
+      }},
+     {"a quarter of a step",
+      "You have looked at the slope a quarter of a step ahead. Halfway is half a step.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return step_with_slope_at(y, h, f, t + h / 4, euler(f, t, y, h / 4));
+      }},
      {"time stands still",
       "You have taken both slopes at the time t. When the state goes half a step on, the time does "
       "too.",
@@ -173,11 +205,43 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return euler(f, t + h / 2, euler(f, t, y, h / 2), h / 2);
       }},
+     {"both slopes added",
+      "You have added both slopes, so the step leads about twice as far. Follow the second one "
+      "alone.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd k1 = f(t, y);
+        return y + h * k1 + h * f(t + h / 2, y + h / 2 * k1);
+      }},
+     {"h twice on the way", "To look ahead you have multiplied the first slope by h twice.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return step_with_slope_at(y, h, f, t + h / 2, euler(f, t, y, h * h / 2));
+      }},
+     {"h forgotten at the end",
+      "You have added the slope halfway to y without the step: h is missing in the last line.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return step_with_slope_at(y, 1, f, t + h / 2, euler(f, t, y, h / 2));
+      }},
+     {"only the change", "This is only the change in y. Add y to it, and return the new state.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        return reference(f, t, y, h) - y;
+      }},
      {"half a step only",
       "The slope halfway is right, but you have followed it for half of the step only.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step_with_slope_at(y, h / 2, f, t + h / 2, euler(f, t, y, h / 2));
+      }},
+     {"Ralston's method",
+      "This is Ralston's method, with a slope two thirds of the way. Its error falls as h² too, "
+      "but the midpoint method is another one.",
+      "The midpoint method",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd k1 = f(t, y), k2 = f(t + 2 * h / 3, y + 2 * h / 3 * k1);
+        return y + h * (k1 + 3 * k2) / 4;
       }},
      {"slopes at both ends averaged",
       "This averages the slopes at the start and at the end of Euler's step: Heun's method. Its "

@@ -144,7 +144,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("states of any size, an empty one too; tiny and huge ones") {
+  TEST_CASE("states of any size, an empty one too; tiny and huge ones, and tiny steps") {
     for (const int count : {0, 1, 60}) {
       const Rhs f = any_rhs();
       const VectorXd y = any_state(count);
@@ -155,6 +155,11 @@ TEST_SUITE(TUMBLE_UNIT) {
       const VectorXd y = any_state(3, size), slope = any_state(3, size);
       REQUIRE(student::rk4_step(constant_slope(slope), 1, y, 0.5) ==
               close_to(VectorXd(y + slope / 2), 8 * eps * size * 3));
+    }
+    for (const double h : {1e-20, -1e-20}) {
+      const VectorXd y = any_state(3), slope = any_state(3);
+      REQUIRE(student::rk4_step(constant_slope(slope / h), 1, y, h) ==
+              close_to(VectorXd(y + slope), 16 * eps * (size_of(y) + size_of(slope))));
     }
   }
 }
@@ -178,6 +183,21 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "The two slopes in the middle weigh half as much as the ones at the ends: your weights are "
       "the wrong way round.",
       "Runge–Kutta", with({.weights = {1 / 3., 1 / 6., 1 / 6., 1 / 3.}})},
+     {"third slope not used",
+      "In the average the second slope stands in place of the third. Each of the four has its "
+      "part.",
+      "Runge–Kutta", with({.weights = {1 / 6., 2 / 3., 0, 1 / 6.}})},
+     {"fourth slope not used",
+      "The fourth slope is missing in the average. It weighs as much as the first one.",
+      "Runge–Kutta", with({.weights = {1 / 6., 1 / 3., 1 / 3., 0}})},
+     {"three for two",
+      "The weights are 1, 2, 3, 1, which sum to 7: a slip of the pen? Both slopes in the middle "
+      "weigh the same.",
+      "Runge–Kutta", with({.weights = {1 / 6., 1 / 3., 1 / 2., 1 / 6.}})},
+     {"divided by four",
+      "You have divided the weighted sum by the number of slopes. Divide it by the sum of the "
+      "weights.",
+      "Runge–Kutta", with({.weights = {1 / 4., 1 / 2., 1 / 2., 1 / 4.}})},
      {"third slope from the first",
       "You have taken the third slope where the first one leads to, so it is the second one again. "
       "Each slope shows the way to the next.",
@@ -205,6 +225,39 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
      {"time of the middle too late",
       "You have taken the second and the third slope at the time t + h. They are halfway.",
       "Runge–Kutta", with({.at = {0, 1, 1, 1}})},
+     {"third slope too far ahead",
+      "To look at the third slope you have moved the state a whole step, to the time halfway. Time "
+      "and state belong together.",
+      "Runge–Kutta", with({.along = {0, 0.5, 1, 1}})},
+     {"third slope too late",
+      "You have taken the third slope at the time of the end, but moved the state only half of the "
+      "step. Time and state belong together.",
+      "Runge–Kutta", with({.at = {0, 0.5, 1, 1}})},
+     {"fourth slope too early",
+      "You have taken the fourth slope at the time halfway, with the state moved a whole step. "
+      "Time "
+      "and state belong together.",
+      "Runge–Kutta", with({.at = {0, 0.5, 0.5, 0.5}})},
+     {"half of the time itself",
+      "You have taken the two slopes in the middle at (t + h)/2. Halfway through the step is half "
+      "of h after t: look at the brackets.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const auto late = [&](double time, const VectorXd& place) {
+          return f(time == t + h / 2 ? (t + h) / 2 : time, place);
+        };
+        return reference(late, t, y, h);
+      }},
+     {"3/8 rule",
+      "This is the 3/8 rule, with slopes a third and two thirds of the way. Its error falls as h⁴ "
+      "too, but RK4 is another method.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd k1 = f(t, y), k2 = f(t + h / 3, y + h / 3 * k1),
+                       k3 = f(t + 2 * h / 3, y + h * (k2 - k1 / 3)),
+                       k4 = f(t + h, y + h * (k1 - k2 + k3));
+        return y + h / 8 * (k1 + 3 * k2 + 3 * k3 + k4);
+      }},
      {"stages piled up",
       "You have started for each slope from where the one before was. Start for all of them from "
       "the same y.",
@@ -221,6 +274,15 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return step({}, f, t, y, h, 1);
+      }},
+     {"h forgotten at the end",
+      "You have added the average of the slopes to y without the step: h is missing in the last "
+      "line.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const VectorXd k1 = f(t, y), k2 = f(t + h / 2, y + h / 2 * k1),
+                       k3 = f(t + h / 2, y + h / 2 * k2), k4 = f(t + h, y + h * k3);
+        return y + (k1 + 2 * k2 + 2 * k3 + k4) / 6;
       }},
      {"only the change", "This is only the change in y. Add y to it, and return the new state.",
       "Runge–Kutta",

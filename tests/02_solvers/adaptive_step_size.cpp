@@ -163,6 +163,27 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       "power q, that of a single one by one power more.",
       "Adaptive steps",
       with_factor([](double error, int order) { return 0.9 * std::pow(error, -1. / order); })},
+     {"root of one order too high",
+      "You have taken the root of the number q + 2. The error norm goes as |h| to the power q + 1: "
+      "take the root that undoes this power.",
+      "Adaptive steps", with_factor([](double error, int order) {
+        return 0.9 * std::pow(error, -1. / (order + 2));
+      })},
+     {"always the square root",
+      "You have taken the square root, whatever the order. That is right for order 1: the order is "
+      "one of the arguments.",
+      "Adaptive steps", with_factor([](double error, int) { return 0.9 / std::sqrt(error); })},
+     {"power for root",
+      "You have raised the error to the power q + 1. The error norm goes as that power of the "
+      "step, "
+      "so from the error to the step it is the root.",
+      "Adaptive steps",
+      with_factor([](double error, int order) { return 0.9 * std::pow(error, -(order + 1)); })},
+     {"brackets of the exponent forgotten",
+      "Your exponent is one over q, plus one. A division comes before a sum: the sum needs "
+      "brackets.",
+      "Adaptive steps",
+      with_factor([](double error, int order) { return 0.9 * std::pow(error, -1. / order + 1); })},
      {"no root",
       "You have divided the step by the error itself. With a step twice as long the error is not "
       "twice as large, but larger by a power of two that depends on the order.",
@@ -181,6 +202,17 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       "The factor of 0.9 is missing.",
       "Adaptive steps",
       with_factor([](double error, int order) { return factor_of(error, order) / 0.9; })},
+     {"divided by the safety",
+      "You have divided by 0.9, so each step is longer than the error allows. It multiplies the "
+      "step.",
+      "Adaptive steps",
+      with_factor([](double error, int order) { return factor_of(error, order) / 0.81; })},
+     {"safety times the error",
+      "You have multiplied the error by 0.9 before the root, which makes the step longer. The 0.9 "
+      "multiplies the step.",
+      "Adaptive steps", with_factor([](double error, int order) {
+        return std::pow(0.9 * error, -1. / (order + 1));
+      })},
      {"safety under the root",
       "You have put the 0.9 under the root, where little is left of it. It multiplies the step.",
       "Adaptive steps", with_factor([](double error, int order) {
@@ -239,6 +271,13 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
         return error <= 1 ? h * std::fmax(1, reference(1, error, order))
                           : reference(h, error, order);
       }},
+     {"as it is after a good step",
+      "After a step that may be kept you have left its length as it is. A small error is a reason "
+      "for a longer step, and an error of just 1 for a slightly shorter one.",
+      "Adaptive steps",
+      [](double h, double error, int order) {
+        return error <= 1 ? h : reference(h, error, order);
+      }},
      {"halved or doubled",
       "You have halved the step where the error is too large, and doubled it otherwise. How much "
       "too large the error is says more than that.",
@@ -250,6 +289,20 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       "Adaptive steps",
       [](double h, double error, int order) {
         return std::isnan(error) ? error : reference(h, error, order);
+      }},
+     {"NaN leads forwards",
+      "After an error of NaN the sign of h is lost: a step back in time is followed by one "
+      "forwards.",
+      "Adaptive steps",
+      [](double h, double error, int order) {
+        return std::isnan(error) ? 0.2 * std::abs(h) : reference(h, error, order);
+      }},
+     {"NaN changes nothing",
+      "After an error of NaN the same step comes again. Something went wrong in that step, and "
+      "will again: the next one is the shortest possible.",
+      "Adaptive steps",
+      [](double h, double error, int order) {
+        return std::isnan(error) ? h : reference(h, error, order);
       }},
      {"NaN taken for no error",
       "After an error of NaN the next step is the longest. A comparison with NaN is always false: "

@@ -78,8 +78,9 @@ TEST_SUITE(TUMBLE_UNIT) {
       const int count = 6 - n % 5;
       const VectorXd error = any_numbers(count, 1e-3);
       VectorXd y0 = any_numbers(count, 2), y1 = any_numbers(count, 2);
-      y0[0] /= 10;  // small: here the absolute tolerance counts most
-      y1[0] /= 10;
+      // Small and negative: here the absolute tolerance counts most, and a sign that is kept shows.
+      y0[0] = -std::abs(y0[0]) / 10;
+      y1[0] = -std::abs(y1[0]) / 10;
       y0[1] += 6;  // large: here the relative one does
       const Tolerances tolerances = any_tolerances();
       const double norm = reference(error, y0, y1, tolerances);
@@ -157,6 +158,18 @@ TEST_SUITE(TUMBLE_UNIT) {
               close_to(norm, rounding(error, norm)));
     }
   }
+
+  TEST_CASE("a component without an error takes part in the mean, and the others count as ever") {
+    const Tolerances tolerances = any_tolerances();
+    const VectorXd y0 = any_numbers(4, 2), y1 = any_numbers(4, 2);
+    for (int exact = 0; exact < 4; ++exact) {
+      VectorXd error = any_numbers(4, 1e-3);
+      error[exact] = 0;
+      const double norm = reference(error, y0, y1, tolerances);
+      REQUIRE(student::error_norm(error, y0, y1, tolerances) ==
+              close_to(norm, rounding(error, norm)));
+    }
+  }
 }
 
 const Misconceptions<decltype(solvers::error_norm)> misconceptions{
@@ -200,6 +213,23 @@ const Misconceptions<decltype(solvers::error_norm)> misconceptions{
         const double size = std::fmax(y0.norm(), y1.norm());
         return root_mean_square(error.array() / (tolerances.absolute + tolerances.relative * size));
       }},
+     {"largest number for every component",
+      "You have measured all components by the largest number of the state. A small one beside a "
+      "large one may then be all wrong: each has its own scale.",
+      "The error of a step",
+      [](const VectorXd& error, const VectorXd& y0, const VectorXd& y1,
+         const Tolerances& tolerances) {
+        const double size = std::fmax(y0.lpNorm<Eigen::Infinity>(), y1.lpNorm<Eigen::Infinity>());
+        return root_mean_square(error.array() / (tolerances.absolute + tolerances.relative * size));
+      }},
+     {"ratio of two means",
+      "You have divided the mean error of the whole state by the mean of what is allowed. Divide "
+      "component by component first, and then take the mean.",
+      "The error of a step",
+      [](const VectorXd& error, const VectorXd& y0, const VectorXd& y1,
+         const Tolerances& tolerances) {
+        return error.size() == 0 ? 0 : error.norm() / allowed(y0, y1, tolerances).norm();
+      }},
      {"size before only",
       "You have looked only at the size before the step. Of the sizes before and after it the "
       "larger "
@@ -224,11 +254,29 @@ const Misconceptions<decltype(solvers::error_norm)> misconceptions{
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return tolerances.absolute + tolerances.relative * (std::abs(y0) + std::abs(y1));
       })},
+     {"smaller size",
+      "You have taken the smaller one of the sizes before and after the step. The larger one "
+      "counts.",
+      "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
+        return tolerances.absolute + tolerances.relative * std::fmin(std::abs(y0), std::abs(y1));
+      })},
+     {"change for size",
+      "You have taken for the size how much the component changes in the step. Its size is how far "
+      "it is from zero.",
+      "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
+        return tolerances.absolute + tolerances.relative * std::abs(y1 - y0);
+      })},
      {"signs kept",
       "You have taken the larger of the two numbers, with its sign. A number such as −5 has the "
       "size 5: drop the signs first, then choose the larger one.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return tolerances.absolute + tolerances.relative * std::fmax(y0, y1);
+      })},
+     {"sign dropped too late",
+      "You have chosen the larger one of the two numbers with their signs, and dropped the sign of "
+      "that. Of −5 and 1 the size is 5: drop the signs first, then choose.",
+      "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
+        return tolerances.absolute + tolerances.relative * std::abs(std::fmax(y0, y1));
       })},
      {"tolerances swapped",
       "The relative and the absolute tolerance are swapped. Multiply the relative one by the size "
@@ -240,6 +288,19 @@ const Misconceptions<decltype(solvers::error_norm)> misconceptions{
       "You have taken the larger one of the absolute and the relative allowance. Add them.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         return std::fmax(tolerances.absolute,
+                         tolerances.relative * std::fmax(std::abs(y0), std::abs(y1)));
+      })},
+     {"both tolerances times the size",
+      "You have multiplied the absolute tolerance by the component's size as well. It stands "
+      "alone: look at the brackets.",
+      "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
+        const double size = std::fmax(std::abs(y0), std::abs(y1));
+        return (tolerances.absolute + tolerances.relative) * size;
+      })},
+     {"smaller tolerance for their sum",
+      "You have taken the smaller one of the absolute and the relative allowance. Add them.",
+      "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
+        return std::fmin(tolerances.absolute,
                          tolerances.relative * std::fmax(std::abs(y0), std::abs(y1)));
       })},
      {"absolute tolerance forgotten",

@@ -192,6 +192,9 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
       [](const Numbers& h, const Numbers& errors) {
         return slope_between(h, errors, 0, h.size() - 1);
       }},
+     {"first two points only",
+      "You have used only the first two rows of the table. All of them count.", "Observed order",
+      [](const Numbers& h, const Numbers& errors) { return slope_between(h, errors, 0, 1); }},
      {"mean of the slopes between neighbours",
       "You have averaged the slopes from each row to the next. In this way rows that are close "
       "together get too much weight.",
@@ -200,6 +203,17 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
         Numbers slopes;
         for (std::size_t i = 1; i < h.size(); ++i)
           slopes.push_back(slope_between(h, errors, i - 1, i));
+        return mean(slopes);
+      }},
+     {"mean of the slopes between all pairs",
+      "You have averaged the slopes of all pairs of rows. In this way rows that are close together "
+      "get too much weight.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) {
+        Numbers slopes;
+        for (std::size_t i = 0; i < h.size(); ++i)
+          for (std::size_t j = 0; j < i; ++j)
+            if (h[i] != h[j]) slopes.push_back(slope_between(h, errors, i, j));
         return mean(slopes);
       }},
      {"every step taken for half of the one before",
@@ -220,6 +234,37 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
         const Numbers x = logarithms(h), y = logarithms(errors);
         return products(x, 0, y, 0) / products(x, 0, x, 0);
       }},
+     {"number of rows forgotten",
+      "In the formula with plain sums the number of rows is missing, so a sum over the rows stands "
+      "beside the product of two such sums, which has n times as many terms.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) {
+        const Numbers x = logarithms(h), y = logarithms(errors);
+        const double n = static_cast<double>(h.size()), X = n * mean(x), Y = n * mean(y);
+        return (products(x, 0, y, 0) - X * Y) / (products(x, 0, x, 0) - X * X);
+      }},
+     {"correlation coefficient",
+      "This is the coefficient of correlation, which says how well a line fits. The slope of the "
+      "line is divided by the spread of the steps alone.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) {
+        return std::copysign(std::sqrt(reference(h, errors) * reference(errors, h)),
+                             reference(h, errors));
+      }},
+     {"ratio of the spreads",
+      "You have divided the spread of the errors by the spread of the steps. That is the slope "
+      "only "
+      "where the points lie on a line: the products of the deviations are missing.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) {
+        return std::sqrt(reference(h, errors) / reference(errors, h));
+      }},
+     {"never negative",
+      "Your order is never negative. Where the errors grow as h falls, the line falls, and the "
+      "order "
+      "has a minus.",
+      "Observed order",
+      [](const Numbers& h, const Numbers& errors) { return std::abs(reference(h, errors)); }},
      {"axes swapped",
       "This is the slope of log h against log error, one over the order. The error goes upwards, "
       "the step to the right.",

@@ -85,6 +85,14 @@ TEST_SUITE(TUMBLE_UNIT) {
       const Quaternion q(0, u.x(), u.y(), u.z());
       REQUIRE(student::from_matrix(reference::to_matrix(q)) == same_rotation(q, rounding));
     }
+    // Two entries of the diagonal are exactly the same here, and neither is larger than the other.
+    for (const Vec3& u : {Vec3(1, 1, 0), Vec3(1, 0, 1), Vec3(0, 1, 1), Vec3(1, -1, 0),
+                          Vec3(1, 0, -1), Vec3(0, 1, -1)}) {
+      const Mat3 R = u * u.transpose() - Mat3::Identity();
+      const Vec3 v = u / std::sqrt(2);
+      REQUIRE(student::from_matrix(R) ==
+              same_rotation(Quaternion(0, v.x(), v.y(), v.z()), rounding));
+    }
   }
 
   TEST_CASE("no turn is 1, a tiny turn is a tiny one") {

@@ -47,6 +47,14 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(student::product(a, one) == close_to(a, rounding(a, one)));
   }
 
+  TEST_CASE("what is close to 1, as the turn of a short step, is not 1") {
+    for (const double small : {1e-13, 1e-10, 1e-7}) {
+      const Quaternion a = any_quaternion(), b = one + small * any_quaternion();
+      REQUIRE(student::product(a, b) == close_to(reference::product(a, b), rounding(a, b)));
+      REQUIRE(student::product(b, a) == close_to(reference::product(b, a), rounding(b, a)));
+    }
+  }
+
   TEST_CASE("zero, tiny and huge factors: nothing is normalised, nothing is lost") {
     const Quaternion a = any_quaternion();
     for (const double size : {0., 1e-150, 1e150}) {
