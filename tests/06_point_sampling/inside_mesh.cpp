@@ -115,6 +115,12 @@ Trial in_front_of_a_large_triangle() {
   return {mapped(tetrahedron(corner, {9, 0, 0}, {0, 9, 0}, {0.2, 0.2, 1}), R), R * place};
 }
 
+/// Slanted pieces all around: each ray along an axis enters a piece by the triangle whose middle is
+/// farther away than that of the one by which it leaves.
+Trial among_slanted_pieces() {
+  return from_origin(six_times(tetrahedron({2, -1, 1}, {2, -1.1, -1}, {6, 3, 0.1}, {5, 1, -0.1})));
+}
+
 /// The same for lattice bodies: nothing is rounded.
 Trial from_lattice_origin(const Mesh& mesh) {
   const int x = any_index(9) - 4, y = any_index(9) - 4, z = any_index(9) - 4;
@@ -193,16 +199,27 @@ bool meets_open(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return areas.minCoeff() > 0 || areas.maxCoeff() < 0;
 }
 
+/// Does the edge from u to v, seen from above, cross the half-line from p towards +x? 1 if it does
+/// so towards +y, −1 if towards −y.
+int crossing(const Vec3& u, const Vec3& v, const Vec3& p) {
+  const bool up = v.y() > p.y();
+  if ((u.y() > p.y()) == up) return 0;
+  const double left = (v.x() - u.x()) * (p.y() - u.y()) - (v.y() - u.y()) * (p.x() - u.x());
+  return up ? (left > 0 ? 1 : 0) : (left < 0 ? -1 : 0);
+}
+
 /// Right but for rounding: on which side of an edge the line passes is found from where the edge
 /// begins, which is another end for the other triangle.
 bool meets_half_open(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-  const auto crossing = [&](const Vec3& u, const Vec3& v) {
-    const bool up = v.y() > p.y();
-    if ((u.y() > p.y()) == up) return 0;
-    const double left = (v.x() - u.x()) * (p.y() - u.y()) - (v.y() - u.y()) * (p.x() - u.x());
-    return up ? (left > 0 ? 1 : 0) : (left < 0 ? -1 : 0);
+  return crossing(a, b, p) + crossing(b, c, p) + crossing(c, a, p) != 0;
+}
+
+/// Right: both triangles of an edge find that from its lower end.
+bool meets(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  const auto from_below = [&](const Vec3& u, const Vec3& v) {
+    return u.y() < v.y() ? crossing(u, v, p) : -crossing(v, u, p);
   };
-  return crossing(a, b) + crossing(b, c) + crossing(c, a) != 0;
+  return from_below(a, b) + from_below(b, c) + from_below(c, a) != 0;
 }
 
 /// A place from which the ray along this half-axis is counted wrongly by who rounds like that.
@@ -247,9 +264,12 @@ TEST_SUITE(TUMBLE_UNIT) {
     // Off the axes: no ray along one meets these. On them, but so far away that they look small.
     const Mesh off = six_times(octahedron(0.5, {3, 2, -1.5})),
                on = six_times(octahedron(0.5, {6, 0.1, 0.2}));
-    std::vector<Trial> trials{tetrahedron_with_planes_ahead(), far_away_along_the_diagonal(),
-                              from_origin(off), from_origin(on),
-                              from_origin(joined({any_shell(0.9), off}))};
+    std::vector<Trial> trials{tetrahedron_with_planes_ahead(),
+                              far_away_along_the_diagonal(),
+                              from_origin(off),
+                              from_origin(on),
+                              from_origin(joined({any_shell(0.9), off})),
+                              among_slanted_pieces()};
     for (int n = 0; n < 4; ++n) {
       const Mesh pieces = six_times(any_piece(1, 3)), small = any_shell(0.9);
       const Mesh large = any_shell(20), wall = inside_out(any_shell(8));
@@ -375,13 +395,13 @@ const Misconceptions<decltype(point_sampling::inside_mesh)> misconceptions{
       "You have taken a point to be inside if its ray meets the surface. But a ray from "
       "outside may go in and out again: ask how often it does.",
       "Is a point inside?",
-      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets_half_open) > 0; }},
+      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets) > 0; }},
      {"exactly one hit",
       "You have taken a point to be inside if its ray meets the surface just once. But "
       "a ray from inside a body with notches, or of several parts, may leave, come in "
       "and leave again.",
       "Is a point inside?",
-      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets_half_open) == 1; }},
+      [](const Mesh& mesh, const Vec3& p) { return hits(mesh, p, meets) == 1; }},
      {"nothing is inside",
       "Your answer is always false. Do you count hits behind the point? A line goes in "
       "as often as it comes out, so its hits are never odd in number. A ray begins at "

@@ -80,13 +80,12 @@ Box around(const Points& points, const Mat3& R) {
 Mat3 axes_of(const Mat3& S) { return tumble::principal_axes(S).R; }
 
 /// How far two of the axes may be turned by an error of the scatter matrix of this size: it is
-/// divided by how much they differ in scatter. Where the points are on a line only one axis counts.
+/// divided by how much they differ in scatter. Where the points are on a line only one axis counts;
+/// what they scatter across it is no more than that error.
 double turned_by(double error, const Points& points) {
   const Vec3 spread = tumble::principal_axes(scatter(points, mean(points))).moments;
-  const double nothing = 1e-20 * spread.z();
-  const double gap = spread.y() <= nothing
-                         ? spread.z()
-                         : std::min(spread.y() - spread.x(), spread.z() - spread.y());
+  const double gap =
+      spread.y() <= error ? spread.z() : std::min(spread.y() - spread.x(), spread.z() - spread.y());
   return gap > 0 ? error / gap : 0;
 }
 

@@ -235,8 +235,9 @@ TEST_SUITE(TUMBLE_UNIT) {
   TEST_CASE("with no tolerance at all only equal moments are equal, at rest all are") {
     std::vector<Task> tasks;
     for (const Vec3& moments :
-         {Vec3(1, 1, 1), Vec3(1, 1, 1 - 1e-9), Vec3(1, 1 + 1e-9, 1), Vec3(1, 2, 1.5)}) {
+         {Vec3(1, 1, 1), Vec3(1, 1, 1 - 1e-14), Vec3(1, 1 + 1e-14, 1), Vec3(1, 2, 1.5)}) {
       Task task = any_task(0);
+      task.scene.duration = 1 / task.scene.omega;  // a radian: the difference itself decides
       task.scene.moments = shuffled(moments);
       tasks.push_back(task);
       task.scene.omega = 0;
@@ -306,6 +307,15 @@ const Misconceptions<decltype(only_what_a_scene_needs::choose_model)> misconcept
       "How equal is equal enough",
       as({.equal = [](double a, double b, const Scene& s,
                       double tolerance) { return (a - b) * s.omega * s.duration <= tolerance; }})},
+     {"divided by the turn",
+      "You divided the tolerance by the angle that the body turns by. At rest that angle is 0, and "
+      "without a tolerance 0/0 is not a number: no comparison with it is true. Multiply the "
+      "difference by the angle instead.",
+      "How equal is equal enough",
+      as({.equal =
+              [](double a, double b, const Scene& s, double tolerance) {
+                return (a - b) / a <= tolerance / (s.omega * s.duration);
+              }})},
      {"turn forgotten",
       "You compared the relative difference with the tolerance itself. But the tolerance is an "
       "angle, and the error grows with the angle that the body turns by.",

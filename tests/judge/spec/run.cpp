@@ -137,17 +137,21 @@ class Explanations {
 
   /// Not if a case passed that the misconception fails, nor if most wrong answers are other ones
   /// than its own. (Some may be: a file can have two mistakes.) Yes or no is soon the same by
-  /// chance: there all of them have to be its own.
+  /// chance: there all of them have to be its own, or a dozen more, not all the same, that were
+  /// asked at once.
   bool agrees(std::size_t k, const std::set<std::size_t>& failed) const {
     int same = 0, other = 0;
-    bool has_numbers = true;
+    bool has_numbers = true, is_chance = true;
     for (const CaseResult& each : cases_) {
       if (each.passed() && failed.contains(each.number)) return false;
       if (each.passed() || each.finding->outcome != Outcome::wrong) continue;
-      ++(session_.gives_the_same_in_case(each.number, k) ? same : other);
+      const bool is_its_own = session_.gives_the_same_in_case(each.number, k);
+      ++(is_its_own ? same : other);
+      if (is_its_own && session_.asked_behind_the_wrong_answer(each.number) >= 12)
+        is_chance = false;
       has_numbers = has_numbers && each.finding->answer && contains_number(*each.finding->answer);
     }
-    return has_numbers ? same >= other : other == 0;
+    return has_numbers ? same >= other : other == 0 || !is_chance;
   }
 
   const SpecRun& run_;

@@ -153,6 +153,7 @@ void Session::unusable(const std::string& why) {
 Finding Session::wrong_answer(std::size_t number, const CloseTo* unmet) {
   const Call& call = calls_[number];
   end_case_by(call, number == cases_.back().first_call);
+  if (!finding_) cases_.back().asked_behind = calls_.size() - 1 - number;
   Finding finding;
   finding.question = question_of(call);
   finding.answer = call.answer;
@@ -247,11 +248,21 @@ bool Session::answers_otherwise_alone(std::size_t number, const std::optional<Va
   }
 }
 
+std::size_t Session::end_of_case(std::size_t number) const {
+  const auto next = std::next(case_with(number));
+  return next == cases_.end() ? calls_.size() : next->first_call;
+}
+
 bool Session::gives_the_same_in_case(std::size_t number, std::size_t misconception) const {
-  const auto begun = case_with(number);
-  const auto next = std::next(begun);
-  return gives_the_same(misconception, begun->first_call,
-                        next == cases_.end() ? calls_.size() : next->first_call);
+  return gives_the_same(misconception, case_with(number)->first_call, end_of_case(number));
+}
+
+std::size_t Session::asked_behind_the_wrong_answer(std::size_t number) const {
+  const Case& asked = *case_with(number);
+  for (std::size_t i = asked.first_call; i < end_of_case(number); ++i)
+    if (largest_difference(calls_[i].answer, calls_[asked.first_call].answer) != 0)
+      return asked.asked_behind;
+  return 0;
 }
 
 bool Session::gives_the_same(std::size_t misconception, std::size_t first, std::size_t last) const {

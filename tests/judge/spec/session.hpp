@@ -56,6 +56,9 @@ class Session {
   bool answers_otherwise_alone(std::size_t number, const std::optional<Value>& answer);
   /// Whether misconception k gives the same to every question of case `number`.
   bool gives_the_same_in_case(std::size_t number, std::size_t misconception) const;
+  /// How many questions of case `number` stand behind the one with its first wrong answer: they
+  /// were asked before any was judged. 0 if all answers of the case are the same.
+  std::size_t asked_behind_the_wrong_answer(std::size_t number) const;
   /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong
   /// answer.
   void rethrow_judge_failure() const;
@@ -83,6 +86,7 @@ class Session {
   std::vector<Misconception> matching_misconceptions(std::size_t number,
                                                      const CloseTo* unmet) const;
   bool gives_the_same(std::size_t misconception, std::size_t first, std::size_t last) const;
+  std::size_t end_of_case(std::size_t number) const;
 
   std::string unit_;
   Answerer& answerer_;
@@ -92,6 +96,7 @@ class Session {
   struct Case {
     std::size_t number, first_call;
     std::optional<Call> ended_by = {};  ///< a question behind the first
+    std::size_t asked_behind = 0;       ///< questions behind the one with the first wrong answer
   };
   /// @throws std::logic_error if it has not begun
   std::vector<Case>::const_iterator case_with(std::size_t number) const;
