@@ -186,6 +186,41 @@ const Misconceptions<decltype(rotation_matrices::euler_angles_to_matrix)> miscon
       "You have converted the angles from degrees. They are in radians already.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(pi / 180 * a, axes); }},
+     {"half of each angle",
+      "Each turn is by half of its angle. The ½ belongs to quaternions; a matrix has the angle "
+      "itself.",
+      "Euler angles and their order",
+      [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(a / 2, axes); }},
+     {"sine and cosine exchanged",
+      "The sine and the cosine are exchanged: a turn by zero is not the identity.",
+      "Columns are axes",
+      [](const Vec3& a, const Axes& axes) -> Mat3 {
+        return reference(Vec3::Constant(pi / 2) - a, axes);
+      }},
+     {"sine without its sign",
+      "The sine of an angle beyond half a turn, or of a negative one, is negative. A root of 1 − "
+      "cos² is not.",
+      "Columns are axes",
+      [](const Vec3& a, const Axes& axes) -> Mat3 {
+        return reference(a.unaryExpr([](double angle) { return std::acos(std::cos(angle)); }),
+                         axes);
+      }},
+     {"cosine without its sign",
+      "The cosine of an angle beyond a quarter turn is negative. A root of 1 − sin² is not.",
+      "Columns are axes",
+      [](const Vec3& a, const Axes& axes) -> Mat3 {
+        return reference(a.unaryExpr([](double angle) { return std::asin(std::sin(angle)); }),
+                         axes);
+      }},
+     {"angles in the opposite order",
+      "The axes come in the right order, and the angles in the opposite one.",
+      "Euler angles and their order",
+      [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(a.reverse(), axes); }},
+     {"third turn left out", "You have turned about two of the three axes.",
+      "Euler angles and their order",
+      [](const Vec3& a, const Axes& axes) -> Mat3 {
+        return reference({a[0], a[1], 0}, axes);
+      }},
      {"angles picked by axis",
       "You have chosen the angles by the number of the axis. They come in the order of the turns: "
       "the first angle belongs to the first turn, whatever its axis is.",
@@ -196,6 +231,11 @@ const Misconceptions<decltype(rotation_matrices::euler_angles_to_matrix)> miscon
      {"always x y z", "You don't look at the axes: these are turns about x, then y, then z.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes&) -> Mat3 { return reference(a, xyz); }},
+     {"always z y x", "You don't look at the axes: these are turns about z, then y, then x.",
+      "Euler angles and their order",
+      [](const Vec3& a, const Axes&) -> Mat3 {
+        return reference(a, {2, 1, 0});
+      }},
      {"third axis assumed",
       "You have made the last turn about the axis that was still left. In sequences such as z x z "
       "the first axis comes back.",

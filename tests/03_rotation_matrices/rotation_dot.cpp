@@ -106,6 +106,23 @@ const Misconceptions<decltype(rotation_matrices::rotation_dot)> misconceptions{
       [](const Mat3& R, const Vec3& omega) -> Mat3 {
         return tumble::rotation::rotation_dot_body(R, omega);
       }},
+     {"ω turned into body axes first",
+      "You have turned ω into body axes, and multiplied it from the left, as if it were in world "
+      "axes. ω and the columns of R are both in world axes already.",
+      "Angular velocity",
+      [](const Mat3& R, const Vec3& omega) -> Mat3 { return reference(R, R.transpose() * omega); }},
+     {"Rᵀ for R",
+      "You have multiplied by Rᵀ: the rows of R, in columns. The axes of the body, which ω carries "
+      "along, are the columns of R.",
+      "Columns are axes",
+      [](const Mat3& R, const Vec3& omega) -> Mat3 { return reference(R.transpose(), omega); }},
+     {"matrix of ω in other axes",
+      "This is the matrix of ω turned to other axes, R [ω]× Rᵀ. The rate of an orientation has R "
+      "once.",
+      "Angular velocity",
+      [](const Mat3& R, const Vec3& omega) -> Mat3 {
+        return R * tumble::rotation::skew(omega) * R.transpose();
+      }},
      {"turned the other way",
       "Every number has the wrong sign: the body turns against ω. A point r of it moves as ω × r, "
       "not r × ω.",
@@ -142,6 +159,13 @@ const Misconceptions<decltype(rotation_matrices::rotation_dot)> misconceptions{
       "Drift",
       [](const Mat3& R, const Vec3& omega) -> Mat3 {
         return tumble::rotation::rotation_dot_body<double>(R, R.transpose() * omega);
+      }},
+     {"columns normalised on the way",
+      "Your rate belongs to columns of length 1. A rate takes the state as it is, also where it "
+      "has drifted; repair it between the steps.",
+      "Drift",
+      [](const Mat3& R, const Vec3& omega) -> Mat3 {
+        return reference(R.colwise().normalized(), omega);
       }},
      {"repaired on the way",
       "Your rate belongs to a rotation near R. A rate takes the state as it is; repair it between "

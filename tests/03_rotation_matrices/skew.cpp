@@ -91,6 +91,32 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
       [](const Vec3& a) -> Mat3 {
         return tumble::rotation::skew<double>({a.x(), -a.y(), a.z()});
       }},
+     {"sign of x",
+      "The two places of a's x component have the wrong sign. The first component of a cross "
+      "product is y times z minus z times y.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 {
+        return tumble::rotation::skew<double>({-a.x(), a.y(), a.z()});
+      }},
+     {"sign of z",
+      "The two places of a's z component have the wrong sign. The third component of a cross "
+      "product is x times y minus y times x.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 {
+        return tumble::rotation::skew<double>({a.x(), a.y(), -a.z()});
+      }},
+     {"x and y swapped",
+      "The x and y components of a stand in each other's places. The row for x holds everything "
+      "but a's x component.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 {
+        return tumble::rotation::skew<double>({a.y(), a.x(), a.z()});
+      }},
+     {"ones on the diagonal",
+      "There are ones on the diagonal, as in a rotation matrix. In a cross product no component of "
+      "b stays in its place.",
+      "Angular velocity",
+      [](const Vec3& a) -> Mat3 { return tumble::rotation::skew(a) + Mat3::Identity(); }},
      {"x and z swapped",
       "You have filled in the components in the order in which you read them, x first. But the row "
       "for x holds everything but a's x component.",
