@@ -98,6 +98,19 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
+  TEST_CASE("two points that are equally far from the centre do not have the same tensor") {
+    Body body;
+    body.centre = Vec3(1, -2, 3);  // nothing is rounded: both distances are 2 m to the last bit
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 from = body.centre + 2 * Vec3::Unit(k);
+      const Vec3 to = body.centre - 2 * Vec3::Unit((k + 1) % 3);
+      const Mat3 I = body.about(from);
+      REQUIRE(student::parallel_axis(I, body.mass, body.centre, from, to) ==
+              close_to(reference(I, body.mass, body.centre, from, to),
+                       rounding_near_origin(I, body.mass, body.centre, from, to)));
+    }
+  }
+
   TEST_CASE("from a point to itself, and there and back, nothing changes") {
     for (int n = 0; n < 10; ++n) {
       const Body body;
