@@ -20,6 +20,7 @@
 #include <limits>
 
 #include "tumble/contact/sliding.hpp"
+#include "tumble/simd/double_double.hpp"
 
 namespace tumble::contact::detail {
 
@@ -31,6 +32,21 @@ inline Mat3 contact_axes(const Vec3& normal) {
   axes.col(1) = normal.cross(axes.col(0));
   return axes;
 }
+
+/// What an impulse makes of the velocity, and the energy that it brings, with twice the digits:
+/// where K is nearly singular, both are what is left of much larger numbers.
+struct Outcome {
+  Outcome(const Impact& impact, const Vec3& impulse) {
+    using T = simd::DoubleDouble;
+    const Vector3<T> before = impact.u.cast<T>(), j = impulse.cast<T>();
+    const Vector3<T> after = before + impact.K.cast<T>() * j;
+    u = after.cast<double>();
+    energy = double((before + after).dot(j)) / 2;
+  }
+
+  Vec3 u;         ///< [m/s]
+  double energy;  ///< [J]
+};
 
 }  // namespace tumble::contact::detail
 
@@ -52,16 +68,17 @@ inline ImpactResult collide_with_friction(const Impact& impact) {
                           axes.transpose() * (impact.u / speed), impact.mu, impact.e);
   contact.run();
   Vec3 impulse = speed / ease * (axes * contact.impulse());
-  Vec3 after = impact.u + impact.K * impulse;
+  detail::Outcome outcome(impact, impulse);
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-  if (energy_of(impact.u, after, impulse) > rounding * speed * impulse.norm()) {
-    // E(c j) = c u·j + c² j·K j/2 is 0 for c = 2 w/v, and below 0 for less: by what rounding adds.
-    const double w = -impact.u.dot(impulse), v = impulse.dot(impact.K * impulse);
+  if (outcome.energy > rounding * speed * impulse.norm()) {
+    // E(c j) = c u·j + c² j·K j/2 is 0 for c = w/(w + E), w = −u·j, and below 0 for less: by what
+    // rounding c j adds.
+    const double w = -impact.u.dot(impulse);
     constexpr double sum = 8 * std::numeric_limits<double>::epsilon();
-    impulse *= 2 * w / v * (1 - sum * ease * impulse.squaredNorm() / w);
-    after = impact.u + impact.K * impulse;
+    impulse *= w / (w + outcome.energy) * (1 - sum * outcome.u.norm() * impulse.norm() / w);
+    outcome = detail::Outcome(impact, impulse);
   }
-  return {impulse, after, energy_of(impact.u, after, impulse), contact.slip(), contact.jammed()};
+  return {impulse, outcome.u, outcome.energy, contact.slip(), contact.jammed()};
 }
 
 /// @}

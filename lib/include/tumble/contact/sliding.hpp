@@ -70,8 +70,9 @@ class Contact {
       slide_in_a_curve();
   }
 
-  /// The slip that counts as rest, as a part of the velocities that it is the sum of. A slip that
-  /// has not settled after thousands of steps is led by rounding: it counts the sooner.
+  /// The slip that counts as rest, as a part of the speeds that add up to it: all goes on as after
+  /// a start with as much less slip, and collide_with_friction() takes away what energy this makes.
+  /// One that has not settled after thousands of steps is led by rounding: it counts the sooner.
   double slowest() const { return 1e-10 * std::pow(std::fmax(1, steps_ / 1000.), 3); }
 
   /// The direction d in which a slip turns no more, K_tn − μ K_tt d = λ d, by Newton's method. It

@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "tumble/core/require.hpp"
 
@@ -49,7 +50,7 @@ class StepBudget {
 /// @param advice what to do
 /// @throws std::runtime_error that says how many steps it would take, and where it was
 [[noreturn]] inline void refuse_hopeless(const char* who, const StepBudget& budget, double most,
-                                         double t, const char* advice) {
+                                         double t, const std::string& advice) {
   throw_error<std::runtime_error>(
       std::setprecision(3), who, ": too many steps: it would take about ",
       budget.predicted() > budget.steps() ? budget.predicted() : budget.steps(), ", and at most ",

@@ -47,8 +47,29 @@ class FreeAsymmetricTop {
   /// Body → world at time t [s], of any length and sign.
   Quat at(double t) const { return start_ * turned(t); }
 
+  /// About how much the orientation at time t errs [rad] if the principal axes do by a small angle.
+  ///
+  /// Beside the middle axis an error grows as sinh λt does. But no farther than this: it moves
+  /// G² − 2 T J₂ by the angle times how far L is from that axis, and with it k'²; and each quarter
+  /// of a period, K, comes late by half of what k'² changes relatively.
+  double error_by_axes(double angle, double t) const {
+    const elliptic::Polhode& p = polhode_;
+    const elliptic::ThetaValues v = values_at(p.u0);
+    const double from_middle = std::hypot(p.amplitudes[0] * v.cn, p.amplitudes[2] * v.dn);
+    const double speed = p.G / std::abs(p.lambda), u = std::abs(p.lambda * t);
+    const double per_separation = std::abs(p.J[2] - p.J[0]) / p.J.prod() * speed * speed;
+    const double change = angle * (from_middle + angle) * per_separation / p.modulus.kc2;
+    const double quarters = 1 + u / elliptic::complete_elliptic_k(std::sqrt(p.modulus.kc2));
+    const double fastest = p.amplitudes.cwiseQuotient(p.J).norm();
+    return speed * fastest * std::fmin(angle * std::sinh(u), quarters * change / 2);
+  }
+
  private:
   using Theta = std::variant<elliptic::ThetaSeries, elliptic::ComplementaryThetaSeries>;
+
+  elliptic::ThetaValues values_at(double u) const {
+    return std::visit([u](const auto& theta) { return theta(u); }, theta_);
+  }
 
   static Theta series_for(const elliptic::Polhode& p) {
     if (p.modulus.k2 <= p.modulus.kc2) return elliptic::ThetaSeries(p.modulus, p.eta);
@@ -57,8 +78,7 @@ class FreeAsymmetricTop {
 
   /// Body coordinates → coordinates with L along z.
   Quat turned(double t) const {
-    const double u = polhode_.lambda * t + polhode_.u0;
-    const elliptic::ThetaValues v = std::visit([u](const auto& theta) { return theta(u); }, theta_);
+    const elliptic::ThetaValues v = values_at(polhode_.lambda * t + polhode_.u0);
     const Vec3& m = polhode_.amplitudes;
     const Vec3 direction(m[0] * v.cn, m[1] * v.sn, m[2] * v.dn);
     const double sign = polhode_.pole_is_axis ? 1 : -1;

@@ -16,7 +16,9 @@ namespace tumble {
 /// A free body: set up once (about 1 µs), then asked for any time (about 0.1 µs).
 ///
 /// The error of the orientation is below 1e-13 · max(1, |ω| t) rad. (It is the error for the
-/// doubles given: near the separatrix another last digit at the start means another motion.)
+/// doubles given: near the separatrix another last digit at the start means another motion. If the
+/// tensor is not diagonal, what rounding leaves of its axes is another start: see simulate(), which
+/// states what comes of it.)
 class FreeTrajectory {
  public:
   /// @param start q of any length but zero; what comes out is of length 1

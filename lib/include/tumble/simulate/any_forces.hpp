@@ -14,6 +14,7 @@
 
 #include "tumble/simulate/computed_trajectory.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
+#include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
 
@@ -46,6 +47,12 @@ class AnyForces {
             " s needs at least ", steps, " steps from t0 = ", task.t0, " to t1 = ", task.t1,
             ", and at most ", most_steps, " are taken: give longest_step = ", span_ / most_steps,
             " s or more; or say in breaks when forces begin, end or jump");
+    const double jumps = jumps_by_rounding();
+    require_moments(jumps, std::max(std::abs(task.t0), std::abs(task.t1)));
+    constexpr double of_jumps = 0.01;
+    coarse_ = std::min(of_jumps * jumps, 1e-3);
+    lowest_ = std::max(lowest_, coarse_);
+    epsilon_ = std::max(epsilon_, lowest_);
   }
 
   /// The fine run; it meets the tolerance unless rounding forbids.
@@ -84,7 +91,7 @@ class AnyForces {
                          .stiff = stiff_,
                          .watched = !stiff_ && !stiff_in_vain_};
     // A step of Radau5 costs as much as ten.
-    if (stiff_) settings.max_steps = explicit_steps_ / 10;
+    if (stiff_) settings.max_steps = std::min(explicit_steps_, most_steps) / 10;
     return Run(rhs_, start_, task_.t0, span_, settings);
   }
 
@@ -112,6 +119,28 @@ class AnyForces {
     epsilon_ = lowest_ = std::min(coarsest, coarser * epsilon_);
   }
 
+  /// By how much forces that depend on the time jump where a late time is rounded, on average and
+  /// as a part of the largest that they are: steps that are to see less than that would be as short
+  /// as the times lie apart.
+  double jumps_by_rounding() const {
+    constexpr double little = 1e-9;
+    constexpr int looks = 64;
+    const double late = 4 * unit_roundoff * std::max(std::abs(task_.t0), std::abs(task_.t1));
+    if (late <= little * span_) return 0;
+    const auto y = rhs_.numbers(start_);
+    const auto rate = [&](double t) { return typename Rhs::Numbers(span_ * rhs_(t, y)); };
+    auto sizes = rhs_.least_squares(span_);
+    auto jumps = SquaredSizes<typename Rhs::Numbers>::Zero(sizes.size()).eval();
+    for (int i = 0; i < looks; ++i) {
+      const double t = task_.t0 + (i + 0.618) / looks * span_;
+      const auto here = rate(t);
+      sizes = sizes.cwiseMax(squared_sizes(here));
+      jumps += squared_sizes(typename Rhs::Numbers(rate(t + late) - here)) / looks;
+    }
+    const double part = std::sqrt(jumps.cwiseQuotient(sizes).maxCoeff());
+    return part > 0 ? part : 0;
+  }
+
   /// After a surprise we look closer: what comes and goes once may do so again.
   double looks(const Run& run) const {
     constexpr double at_first = 2048, closer = 8, most = 0x1p20;
@@ -123,7 +152,9 @@ class AnyForces {
   bool is_surprised(const Run& run) {
     constexpr int enough = 8;
     constexpr double least = 1e-11;  // below it, rounding surprises
-    const auto found = run.surprises(std::max(task_.tolerance, least), looks(run));
+    constexpr double above_jumps = 10;
+    const double part = std::max({task_.tolerance, least, above_jumps * coarse_});
+    const auto found = run.surprises(part, looks(run));
     constexpr double doubt = 4;  // a sum of samples
     unseen_ = 0;
     for (const auto& surprise : found) unseen_ += doubt * surprise.effect;
@@ -143,7 +174,7 @@ class AnyForces {
   double explicit_steps_ = 0;
   // Measured on random scenes: seldom is ε to be made smaller, and the error that is left is about
   // a thirtieth of what was asked.
-  double lowest_ = 2e-15;
+  double lowest_ = 2e-15, coarse_ = 0;
   double epsilon_ = std::clamp(1e-2 * task_.tolerance, lowest_, 1e-3);
   int rounds_ = 0;
   double unseen_ = 0;  ///< what forces do that the fine run has not seen, a part of the sizes

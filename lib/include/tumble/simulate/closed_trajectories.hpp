@@ -84,20 +84,33 @@ struct NoTurning {
   const steady::LagrangeTop::State& at(double) const { return start; }
 };
 
-/// @param torque of the body, which is not turned by it
+/// What a free turning loses because the moments of a tensor in turned axes are rounded, and the
+/// axes with them [rad].
+/// @param lost see rounding_of_moments()
+inline double lost_by_turning(const FreeRotation& rotation, double lost, double radians,
+                              double span) {
+  constexpr double everything = 4;
+  const auto* top = std::get_if<FreeAsymmetricTop>(&rotation);
+  const double by_axes = top && lost > 0 ? top->error_by_axes(lost, span) : 0;
+  return lost * radians + std::min(everything, by_axes);
+}
+
 inline Trajectory free_trajectory(const RigidBody<>& body, const PrincipalAxes& axes,
                                   const RigidBodyState<>& start, const steady::SteadyPath& path,
                                   const SimulationTask& task) {
   const FreeTurning turning{FreeFlow(axes).from(start.q, start.L), start.L};
-  const double omega = derived(body, start).omega.norm(), radians = omega * (task.t1 - task.t0);
+  const double span = task.t1 - task.t0;
+  const double omega = derived(body, start).omega.norm(), radians = omega * span;
   const ModelChoice choice = choose_model(axes);
   const double lost = rounding_of_moments(body.I_body(), axes.moments[0]);
-  return closed_trajectory(turning, path, omega, task,
-                           {.model = choice.model,
-                            .method = turning.name(),
-                            .why = "no torque; " + choice.why,
-                            .tolerance = task.tolerance,
-                            .error_estimate = 1e-14 * std::max(1.0, radians) + lost * radians});
+  return closed_trajectory(
+      turning, path, omega, task,
+      {.model = choice.model,
+       .method = turning.name(),
+       .why = "no torque; " + choice.why,
+       .tolerance = task.tolerance,
+       .error_estimate = 1e-14 * std::max(1.0, radians) +
+                         lost_by_turning(turning.rotation, lost, radians, span)});
 }
 
 inline Trajectory particle_trajectory(const RigidBodyState<>& start, const steady::SteadyPath& path,

@@ -12,6 +12,7 @@
 #include "tumble/core/step_budget.hpp"
 #include "tumble/ode/counted_rhs.hpp"
 #include "tumble/simulate/motion_record.hpp"
+#include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/stated_error.hpp"
 #include "tumble/simulate/trajectory.hpp"
 
@@ -49,8 +50,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   /// @throws std::runtime_error that says how many steps it would take
   [[noreturn]] void refuse() const {
     refuse_hopeless("simulate", budget_, settings_.max_steps, t0_ + steps_.back().s,
-                    "the body turns or swings too often, or its forces switch to and fro, as dry "
-                    "friction does; ask for a shorter time");
+                    why_so_many(breaks_.size(), budget_, t0_, steps_.back().s));
   }
 
   void account(SimulationReport& report) const {
@@ -92,6 +92,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
         keep(attempt.y, next, h);
         look_at(stepper, f, s, y, attempt.y, h);
         stepper.tolerances().grow(attempt.y);
+        require_range(stepper.tolerances().squares.maxCoeff(), t0_ + next);
         s = next;
         y = attempt.y;
       } else {
@@ -166,7 +167,10 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
 
   void count_step(double s) {
     budget_.count(s);
-    if (budget_.hopeless()) end_ = RunEnd::too_many_steps;
+    // The first steps of a stiff scene are far shorter than the others: they foretell nothing.
+    const bool hopeless =
+        settings_.stiff ? budget_.steps() >= settings_.max_steps : budget_.hopeless();
+    if (hopeless) end_ = RunEnd::too_many_steps;
   }
 
   [[noreturn]] void stop(const char* why, double s, double h) const {

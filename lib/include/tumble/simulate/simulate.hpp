@@ -92,7 +92,8 @@ Trajectory forwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& 
 /// @throws std::invalid_argument if a number is not finite, the quaternion zero or the tolerance
 ///         not positive, or if a force refuses what it was made of
 /// @throws std::runtime_error if the motion cannot be followed to t1: a force that is not finite, a
-///         singularity, more turns than there is time for, which it says at once
+///         singularity, growth beyond all bounds, more turns than there is time for, which it says
+///         at once; or if t0 is so large that its rounding hides how forces depend on the time
 template <BodyForce<double>... Forces>
 Trajectory simulate(const RigidBody<>& body, const RigidBodyState<>& start,
                     const SimulationTask& task, const Forces&... forces) {

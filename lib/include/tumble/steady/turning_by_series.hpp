@@ -57,7 +57,7 @@ class TurningBySeries {
       budget.count(next);
       if (budget.hopeless())
         detail::refuse_hopeless("turning by series", budget, max_steps, next,
-                                "the body turns by too many radians; ask for a shorter time");
+                                advice(torque, t1 - t0));
       t = next;
     }
   }
@@ -96,6 +96,14 @@ class TurningBySeries {
 
   /// Steps whose series are kept (20 MB); later ones are expanded anew.
   static constexpr std::size_t max_kept = 10'000;
+
+  static const char* advice(const SteadyTorque& torque, double span) {
+    constexpr double stiff = 1e5;  // times that drag would have stopped a free body
+    if (torque.drag().maxCoeff() * span > stiff)
+      return "its angular drag makes it stiff; ask for a shorter time, or give simulate() the drag "
+             "as a function: then it takes a method for stiff scenes";
+    return "the body turns by too many radians; ask for a shorter time";
+  }
 
   [[noreturn]] static void stop(double t, double next) {
     detail::throw_error<std::runtime_error>(

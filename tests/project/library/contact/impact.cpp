@@ -10,6 +10,7 @@
 #include "project/harness/sanitized.hpp"
 #include "tumble/contact/contact_matrix.hpp"
 #include "tumble/contact/friction_impulse.hpp"
+#include "tumble/simd/double_double.hpp"
 
 using namespace tumble;
 using namespace tumble::contact;
@@ -34,6 +35,18 @@ RigidBodyState<> any_state(test::Random& rng, const RigidBody<>& body) {
 Vec3 velocity_at(const RigidBody<>& body, const RigidBodyState<>& state, const Vec3& point) {
   const Derived<> now = derived(body, state);
   return now.v + now.omega.cross(point - now.x);
+}
+
+/// The energy that an impulse brings [J]. Long doubles would have too few digits.
+double exact_energy(const Impact& impact, const Vec3& impulse) {
+  using T = simd::DoubleDouble;
+  T sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    T velocity = impact.u[i];
+    for (int k = 0; k < 3; ++k) velocity += T(impact.K(i, k)) * (impulse[k] / 2);
+    sum += velocity * impulse[i];
+  }
+  return double(sum);
 }
 
 /// Two bodies that come together at a point.
@@ -188,7 +201,8 @@ TEST_CASE("collide_with_friction: random impacts with friction near holding all 
   for (int i = 0; i < test::tries(2000); ++i) {
     Impact impact = Pair(rng).impact;
     // Thin bodies: one direction along the surface is hardly moved.
-    const double thin = std::pow(10, rng.uniform(-6, 0));
+    const double thin = std::pow(10, rng.uniform(-8, 0));
+    if (i % 2) impact.e = 1;
     const Mat3 axes = contact::detail::contact_axes(impact.normal),
                R = rng.rotation().toRotationMatrix();
     impact.K = R * Vec3(1, thin, std::pow(10, rng.uniform(-6, 0))).asDiagonal() * R.transpose();
@@ -201,7 +215,7 @@ TEST_CASE("collide_with_friction: random impacts with friction near holding all 
     const ImpactResult result = collide_with_friction(impact);
     const double along = result.impulse.dot(impact.normal);
     const double size = impact.u.norm() * result.impulse.norm();
-    CHECK(energy_of(impact.u, impact.u + impact.K * result.impulse, result.impulse) < 1e-13 * size);
+    CHECK(exact_energy(impact, result.impulse) <= 64 * eps * size);
     CHECK((result.impulse - along * impact.normal).norm() <= impact.mu * along * (1 + 1e-9));
     CHECK(result.u.dot(impact.normal) > -1e-10);
   }

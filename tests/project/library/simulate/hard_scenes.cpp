@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "project/harness/refusal.hpp"
@@ -260,6 +261,60 @@ TEST_CASE("hard scenes: what would never end is refused soon, with the number of
   CHECK(asked < 100'000);
 }
 
+TEST_CASE("hard scenes: a refusal names what takes so many steps") {
+  RigidBodyState<> start;
+  start.x = start.P = Vec3(1, 0, 0);
+  const auto refusal = [&](const SimulationTask& task, const AnyForce& force) {
+    return test::message_of<std::runtime_error>([&] { simulate(unit_ball, start, task, force); });
+  };
+  // x grows as eᵗ does.
+  CHECK(test::mentions(refusal({0, 1000, 1e-6}, centre_spring(-1)), "the motion grows", "1e150"));
+  detail::StepBudget budget(0, 100, 1e6);
+  for (int i = 0; i < 1024; ++i) budget.count(0.01 * i);
+  CHECK(test::mentions(detail::why_so_many(1, budget, 1e15, 10), "0.125 s apart"));
+  CHECK(test::mentions(detail::why_so_many(100'000, budget, 0, 10), "100000 times"));
+  CHECK(test::mentions(detail::why_so_many(1, budget, 0, 10), "dry friction"));
+}
+
+TEST_CASE("hard scenes: so late that the time is rounded coarsely, and the error says so, soon") {
+  int asked = 0;
+  const AnyForce sine = [&](double t, const RigidBody<>&, const Derived<>&) -> Wrench<> {
+    ++asked;
+    return {.force = Vec3(std::sin(t), 0, 0)};
+  };
+  for (const double t0 : {1e11, 1e13}) {
+    CAPTURE(t0);
+    asked = 0;
+    const Trajectory motion = simulate(unit_ball, {}, {t0, t0 + 100, 1e-6}, sine);
+    const double error = std::abs(motion.end().P.x() - (std::cos(t0) - std::cos(t0 + 100)));
+    CHECK(error <= 2 * motion.report().error_estimate);  // a part of the largest P, at most 2
+    CHECK(asked < 1'000'000);
+  }
+  CHECK(test::mentions(test::message_of<std::runtime_error>([&] {
+                         simulate(unit_ball, {}, {1e15, 1e15 + 100, 1e-6}, sine);
+                       }),
+                       "0.125 s apart", "count the time from"));
+}
+
+TEST_CASE("hard scenes: a needle in turned axes, aimed at its middle axis, says its error") {
+  Mat3 I;
+  I << 0.9632081440742137, 0.20029988103229746, 0.009621990643785976,   //
+      0.20029988103229746, 0.09036507546496658, -0.008183153750629633,  //
+      0.009621990643785976, -0.008183153750629633, 1.008287783890131;
+  const RigidBodyState<> start{
+      Vec3::Zero(),
+      Quat(0.45824470084573116, 0.7096921522733847, 0.4498691008502808, -0.2897699695422857),
+      Vec3::Zero(), Vec3(-0.45603847743328974, -0.8536902704267284, 0.2514792820076165)};
+  // From a run with 45 digits. The last digits of the axes say when it flips: 8e-13 was stated.
+  const Quat truth(0.35412740888058067, -0.54216955370366577, -0.30066163049324639,
+                   -0.70017750411266177);
+  const Trajectory motion = simulate(RigidBody<>(1, I), start, {0, 43.25, 1e-9});
+  const double error = angle_between(motion.end().q, truth);
+  CHECK(error > 1e-9);  // else this test shows nothing
+  CHECK(error <= motion.report().error_estimate);
+  CHECK(motion.report().error_estimate < 0.1);
+}
+
 TEST_CASE("hard scenes: a stiff scene is done by the method for stiff ones") {
   int asked = 0;
   const AnyForce damped_spring = [&](double, const RigidBody<>&, const Derived<>& now) {
@@ -278,6 +333,27 @@ TEST_CASE("hard scenes: a stiff scene is done by the method for stiff ones") {
     CAPTURE(t);
     CHECK(std::abs(motion.at(t).x.x() - std::exp(slow * t)) <= 2e-6);
   }
+}
+
+TEST_CASE("hard scenes: stiff scenes begin with steps that are far shorter than the others") {
+  for (const double drag : {1e6, 1e8}) {
+    CAPTURE(drag);
+    const AnyForce braked = [drag](double, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
+      return {Vec3(0, 0, -9.81) - drag * now.v.norm() * now.v, -drag * now.omega};
+    };
+    RigidBodyState<> start;
+    start.P = Vec3(10, 2, -3);
+    start.L = Vec3(1, 2, -1.5);
+    const Trajectory motion = simulate(unit_ball, start, {0, 10, 1e-6}, braked);
+    CHECK(motion.report().reached());
+    CHECK(std::abs(motion.end().P.norm() / std::sqrt(9.81 / drag) - 1) <= 1e-3);
+  }
+  // By a series in time, steps stay short.
+  const std::string refusal = test::message_of<std::runtime_error>([] {
+    const ForceAtBodyPoint pull{Vec3(0, 0, -5), Vec3(0.1, 0, 1)};
+    simulate(unit_ball, {}, {0, 10, 1e-6}, BodyDrag{0, 1e8}, pull);
+  });
+  CHECK(test::mentions(refusal, "angular drag makes it stiff", "as a function"));
 }
 
 TEST_CASE("hard scenes: the method for stiff scenes does not jump over what comes and goes") {
