@@ -132,8 +132,7 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       }},
      {"time halfway",
       "You have taken the slope halfway through the step in time, with the state at the start. "
-      "Both "
-      "belong to the start.",
+      "Both belong to the start.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return y + h * f(t + h / 2, y);

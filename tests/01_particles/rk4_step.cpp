@@ -235,8 +235,7 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "Runge–Kutta", with({.at = {0, 0.5, 1, 1}})},
      {"fourth slope too early",
       "You have taken the fourth slope at the time halfway, with the state moved a whole step. "
-      "Time "
-      "and state belong together.",
+      "Time and state belong together.",
       "Runge–Kutta", with({.at = {0, 0.5, 0.5, 0.5}})},
      {"half of the time itself",
       "You have taken the two slopes in the middle at (t + h)/2. Halfway through the step is half "
