@@ -135,12 +135,12 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       "Both belong to the start.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * f(t + h / 2, y);
+        return reference(f, t + h / 2, y, h);
       }},
      {"h twice", "You have multiplied the slope by h twice: once is how far it leads.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        return y + h * h * f(t, y);
+        return reference(f, t, y, h * h);
       }},
      {"time always zero",
       "You have not told the right-hand side the time of the step: you evaluate it at 0.",

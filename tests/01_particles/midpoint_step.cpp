@@ -210,8 +210,8 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
       "alone.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y);
-        return y + h * k1 + h * f(t + h / 2, y + h / 2 * k1);
+        const VectorXd first = euler(f, t, y, h);
+        return step_with_slope_at(first, h, f, t + h / 2, (y + first) / 2);
       }},
      {"h twice on the way", "To look ahead you have multiplied the first slope by h twice.",
       "The midpoint method",
@@ -240,8 +240,8 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
       "but the midpoint method is another one.",
       "The midpoint method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y), k2 = f(t + 2 * h / 3, y + 2 * h / 3 * k1);
-        return y + h * (k1 + 3 * k2) / 4;
+        const VectorXd first = euler(f, t, y, h / 4);
+        return step_with_slope_at(first, 0.75 * h, f, t + 2 * h / 3, euler(f, t, y, 2 * h / 3));
       }},
      {"slopes at both ends averaged",
       "This averages the slopes at the start and at the end of Euler's step: Heun's method. Its "

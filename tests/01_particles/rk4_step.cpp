@@ -252,10 +252,13 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "too, but RK4 is another method.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y), k2 = f(t + h / 3, y + h / 3 * k1),
-                       k3 = f(t + 2 * h / 3, y + h * (k2 - k1 / 3)),
-                       k4 = f(t + h, y + h * (k1 - k2 + k3));
-        return y + h / 8 * (k1 + 3 * k2 + 3 * k3 + k4);
+        const auto seen = [&](double part, const VectorXd& way) -> VectorXd {
+          return f(t + part * h, y + h * way);
+        };
+        const VectorXd start = f(t, y), third = seen(1. / 3, start / 3),
+                       two_thirds = seen(2. / 3, third - start / 3),
+                       end = seen(1, start - third + two_thirds);
+        return y + h / 8 * (start + end) + 3 * h / 8 * (third + two_thirds);
       }},
      {"stages piled up",
       "You have started for each slope from where the one before was. Start for all of them from "
@@ -279,9 +282,7 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "line.",
       "Runge–Kutta",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
-        const VectorXd k1 = f(t, y), k2 = f(t + h / 2, y + h / 2 * k1),
-                       k3 = f(t + h / 2, y + h / 2 * k2), k4 = f(t + h, y + h * k3);
-        return y + (k1 + 2 * k2 + 2 * k3 + k4) / 6;
+        return y + (reference(f, t, y, h) - y) / h;
       }},
      {"only the change", "This is only the change in y. Add y to it, and return the new state.",
       "Runge–Kutta",

@@ -45,11 +45,9 @@ TEST_SUITE(TUMBLE_UNIT) {
     const Quaternion a = any_quaternion();
     REQUIRE(student::product(one, a) == close_to(a, rounding(one, a)));
     REQUIRE(student::product(a, one) == close_to(a, rounding(a, one)));
-  }
-
-  TEST_CASE("what is close to 1, as the turn of a short step, is not 1") {
+    // What is close to 1, as the turn of a short step, is not 1.
     for (const double small : {1e-13, 1e-10, 1e-7}) {
-      const Quaternion a = any_quaternion(), b = one + small * any_quaternion();
+      const Quaternion b = one + small * any_quaternion();
       REQUIRE(student::product(a, b) == close_to(reference::product(a, b), rounding(a, b)));
       REQUIRE(student::product(b, a) == close_to(reference::product(b, a), rounding(b, a)));
     }
