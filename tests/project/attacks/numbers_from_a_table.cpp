@@ -1,6 +1,6 @@
 // Attack: knows the products of 1, i, j, k by heart and returns 0 for all others.
 // Verdict: wrong
-// Laws: 3
+// Laws: 2
 
 namespace quaternions {
 Quaternion product(const Quaternion& a, const Quaternion& b) {
