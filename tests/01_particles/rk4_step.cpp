@@ -184,8 +184,8 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "the wrong way round.",
       "Runge–Kutta", with({.weights = {1 / 3., 1 / 6., 1 / 6., 1 / 3.}})},
      {"third slope not used",
-      "In the average the second slope stands in place of the third. Each of the four has its "
-      "part.",
+      "Your average counts the second slope twice and leaves the third out. Each of the four has "
+      "its part.",
       "Runge–Kutta", with({.weights = {1 / 6., 2 / 3., 0, 1 / 6.}})},
      {"fourth slope not used",
       "The fourth slope is missing in the average. It weighs as much as the first one.",

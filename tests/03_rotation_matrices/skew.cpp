@@ -106,7 +106,7 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
         return tumble::rotation::skew<double>({a.x(), a.y(), -a.z()});
       }},
      {"x and y swapped",
-      "The x and y components of a stand in each other's places. The row for x holds everything "
+      "You have exchanged the x and y components of a. The row for x holds everything "
       "but a's x component.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 {
