@@ -51,6 +51,13 @@ double rounding(const Vec3& angles) { return (48 + 2 * angles.lpNorm<1>()) * eps
 
 Vec3 any_angles() { return any_vector(pi); }
 
+/// The right matrix of angles of which each has been changed.
+auto of_angles(double (*changed)(double)) {
+  return [changed](const Vec3& a, const Axes& axes) -> Mat3 {
+    return reference(a.unaryExpr(changed), axes);
+  };
+}
+
 }  // namespace
 
 TEST_SUITE(TUMBLE_UNIT) {
@@ -200,18 +207,10 @@ const Misconceptions<decltype(rotation_matrices::euler_angles_to_matrix)> miscon
      {"sine without its sign",
       "The sine of an angle beyond half a turn, or of a negative one, is negative. A root of 1 − "
       "cos² is not.",
-      "Columns are axes",
-      [](const Vec3& a, const Axes& axes) -> Mat3 {
-        return reference(a.unaryExpr([](double angle) { return std::acos(std::cos(angle)); }),
-                         axes);
-      }},
+      "Columns are axes", of_angles([](double angle) { return std::acos(std::cos(angle)); })},
      {"cosine without its sign",
       "The cosine of an angle beyond a quarter turn is negative. A root of 1 − sin² is not.",
-      "Columns are axes",
-      [](const Vec3& a, const Axes& axes) -> Mat3 {
-        return reference(a.unaryExpr([](double angle) { return std::asin(std::sin(angle)); }),
-                         axes);
-      }},
+      "Columns are axes", of_angles([](double angle) { return std::asin(std::sin(angle)); })},
      {"angles in the opposite order",
       "The axes come in the right order, and the angles in the opposite one.",
       "Euler angles and their order",
