@@ -38,7 +38,7 @@ Table times_table() {
   };
   add_box("box along the axes", boxes::aligned_box);
   add_box("principal box", boxes::principal_box);
-  add_box("smaller box", boxes::fit_oriented_box);
+  add_box("smaller box", boxes::small_oriented_box);
   const double density = body.density;
   add_sum("exact sum, fast", [density](const PolygonMesh& mesh) {
     return unchecked_mass_properties(mesh, density, Accuracy::fast);

@@ -54,7 +54,7 @@ Table errors_table() {
     add(body, "upright", errors_of(boxes::aligned_box(body.points()), body));
     add(body, "askew", errors_askew(body));
     add(body, "principal", errors_of(boxes::principal_box(body.points()), body));
-    add(body, "smaller", errors_of(boxes::fit_oriented_box(body.points()), body));
+    add(body, "smaller", errors_of(boxes::small_oriented_box(body.points()), body));
   }
   return table;
 }

@@ -81,7 +81,7 @@ Table flight_table() {
         off_after_a_second(body, [](std::size_t) -> Mat3 { return Mat3::Identity(); });
     table.add({body.name, off(boxes::aligned_box(body.points())), whole_degrees(askew),
                off(boxes::principal_box(body.points())),
-               off(boxes::fit_oriented_box(body.points())), whole_degrees(ball)});
+               off(boxes::small_oriented_box(body.points())), whole_degrees(ball)});
   }
   return table;
 }
@@ -112,7 +112,7 @@ std::string rule_figure() {
     return list;
   });
   add("smaller", [](const Thing& body) {
-    return List{at_true_mass(boxes::fit_oriented_box(body.points()), body).inertia};
+    return List{at_true_mass(boxes::small_oriented_box(body.points()), body).inertia};
   });
   add("upright", [](const Thing& body) {
     return List{at_true_mass(boxes::aligned_box(body.points()), body).inertia};

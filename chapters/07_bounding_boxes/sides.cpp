@@ -94,7 +94,7 @@ std::string sides_figure() {
   draw(boxes::principal_box(mug().points()), 2, "c6", "principal: ", 225);
   look(572, 1);
   draw(upright, 1, "c0", "along the axes: ", 200);
-  draw(boxes::fit_oriented_box(mug().points()), 1, "c2", "smaller: ", 225);
+  draw(boxes::small_oriented_box(mug().points()), 1, "c2", "smaller: ", 225);
   return sketch.svg();
 }
 
@@ -127,7 +127,7 @@ std::string valley_figure() {
   plot.series.push_back(curve);
   const boxes::OrientedBox upright = boxes::aligned_box(mug().points());
   plot.series.push_back({"along the axes", {0}, {volume(upright)}, support::Look::dots});
-  const boxes::OrientedBox smaller = boxes::fit_oriented_box(mug().points());
+  const boxes::OrientedBox smaller = boxes::small_oriented_box(mug().points());
   plot.series.push_back(
       {"smaller", {turn_of(smaller) / degree}, {volume(smaller)}, support::Look::dots});
   const double mirrored = pi / 2 - turn_of(smaller);

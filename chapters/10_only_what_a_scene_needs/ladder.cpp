@@ -37,7 +37,7 @@ Table chosen_table() {
     const double asymmetry = nearest_symmetric_top(body).asymmetry;
     table.add({name, part(0) + " : " + part(1) + " : 1",
                asymmetry > 0 && asymmetry < 1e-12 ? "rounding" : number(asymmetry, 2),
-               name_of(choose_model(body).model), name_of(choose_model(body, 0.02).model)});
+               name_of(model_of_moments(body).model), name_of(model_of_moments(body, 0.02).model)});
   }
   return table;
 }
@@ -46,7 +46,7 @@ Table why_table() {
   Table table({"body", "model", "why"});
   for (const auto& [name, body] :
        {Named{"die", die()}, Named{"coin", coin()}, Named{"mug", mug()}}) {
-    const ModelChoice choice = choose_model(body);
+    const ModelChoice choice = model_of_moments(body);
     table.add({name, name_of(choice.model), choice.why});
   }
   return table;

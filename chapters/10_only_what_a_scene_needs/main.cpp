@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
       "10_only_what_a_scene_needs",
       "Only what a scene needs: simpler models, and error against cost");
   chapter.table("chosen", "What bodies are", chosen_table);
-  chapter.table("why", "What choose_model() says", why_table);
+  chapter.table("why", "What model_of_moments() says", why_table);
   chapter.table("spin", "A golf ball with back-spin after two seconds", spin_table);
   chapter.table("ladder", "The same answer, for less", ladder_table);
   chapter.measured("rungs", "What a rung costs", rungs_table);

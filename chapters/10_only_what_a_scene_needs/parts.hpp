@@ -108,7 +108,7 @@ Table series_table();
 
 /// What bodies are.
 Table chosen_table();
-/// What choose_model() says, and why.
+/// What model_of_moments() says, and why.
 Table why_table();
 /// What simulate() chooses for a scene, and what the full body needs for the same.
 Table ladder_table();

@@ -33,7 +33,7 @@ inline std::optional<double> promised_by_closed_form(const KnownTurning& known) 
 }
 
 inline Scene scene_of(const KnownTurning& known) {
-  Scene made{choose_model(known.body).model, promised_by_closed_form(known), {}};
+  Scene made{model_of_moments(known.body).model, promised_by_closed_form(known), {}};
   made.curves.push_back(by_fixed_steps(known, of_method<Rk4>(known, "RK4", 4), range));
   made.curves.push_back(by_tolerances<Dop853>(known, "DOP853", range));
   if (known.forces.at_point.empty()) return made;

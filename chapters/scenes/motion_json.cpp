@@ -40,7 +40,7 @@ Json report_json(const SceneBody& body, const SimulationReport& report) {
 
 Json flights_json(const Scene& scene, const Motions& motions, std::size_t i) {
   const SceneBody& body = scene.bodies[i];
-  const ModelChoice choice = choose_model(body.body);
+  const ModelChoice choice = model_of_moments(body.body);
   return {{"name", body.name},
           {"model", name_of(choice.model)},
           {"method", flights_method},

@@ -68,7 +68,7 @@ void measure_boxes(const Subject& subject, Measurements& all, support::Plot& plo
   point("box along the axes",
         [&] { return boxes::box_mass_properties(boxes::aligned_box(mesh.vertices), mass); });
   point("oriented box",
-        [&] { return boxes::box_mass_properties(boxes::fit_oriented_box(mesh.vertices), mass); });
+        [&] { return boxes::box_mass_properties(boxes::small_oriented_box(mesh.vertices), mass); });
   point("box of the true volume", [&] {
     return boxes::box_mass_properties(boxes::shrunk_to(boxes::aligned_box(mesh.vertices), volume),
                                       mass);

@@ -61,17 +61,17 @@ inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
 ///                  that it makes wrong grows as tolerance · |ω| · t, so choose it for the time
 ///                  span. For a spin perpendicular to the axis of a near-symmetry it grows as t²
 /// @throws std::invalid_argument if the tolerance is negative or not finite
-inline ModelChoice choose_model(const PrincipalAxes& axes, double tolerance = 0) {
-  require(tolerance >= 0 && std::isfinite(tolerance), "choose_model: the tolerance is ", tolerance,
-          ", not a finite number ≥ 0");
+inline ModelChoice model_of_moments(const PrincipalAxes& axes, double tolerance = 0) {
+  require(tolerance >= 0 && std::isfinite(tolerance), "model_of_moments: the tolerance is ",
+          tolerance, ", not a finite number ≥ 0");
   const SymmetricMoments top = nearest_symmetric_top(axes);
   if (top.asymmetry > tolerance) return {Model::full_body, "no two principal moments are equal"};
   if (std::abs(top.axial - top.transverse) > tolerance * std::max(top.axial, top.transverse))
     return {Model::symmetric_top, "two principal moments are equal"};
   return {Model::ball, "all principal moments are equal"};
 }
-inline ModelChoice choose_model(const RigidBody<>& body, double tolerance = 0) {
-  return choose_model(principal_axes(body.I_body()), tolerance);
+inline ModelChoice model_of_moments(const RigidBody<>& body, double tolerance = 0) {
+  return model_of_moments(principal_axes(body.I_body()), tolerance);
 }
 
 /// @}

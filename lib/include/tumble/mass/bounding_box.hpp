@@ -82,7 +82,7 @@ inline OrientedBox refined_box(std::span<const Vec3> points, OrientedBox box) {
 /// A small box around points: the smallest of those found from the principal axes, the coordinate
 /// axes, and turns spread over all there are.
 /// @throws std::invalid_argument as box_around()
-inline OrientedBox fit_oriented_box(std::span<const Vec3> points) {
+inline OrientedBox small_oriented_box(std::span<const Vec3> points) {
   constexpr int starts = 24;
   OrientedBox best = aligned_box(points);
   const std::vector<Vec3> extreme = detail::extreme_points(points);

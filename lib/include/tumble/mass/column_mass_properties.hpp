@@ -43,9 +43,11 @@ namespace tumble::detail {
 
 /// ∫ {1, x, y, z, …} dz from height 0 to z on the line through (x, y), times `sign`.
 inline Moments<double> moments_below(double x, double y, double z, double sign) {
-  const double one = sign * z, half = one * z / 2;  // ∫ dz, ∫ z dz
-  return {one,         x * one,        y * one,     half,     x * x * one,
-          y * y * one, half * z / 1.5, x * y * one, y * half, x * half};
+  const double one = sign * z;            // ∫ dz
+  const double of_z = one * z / 2;        // ∫ z dz
+  const double of_zz = 2 * of_z * z / 3;  // ∫ z² dz
+  return {one,         x * one, y * one,     of_z,     x * x * one,
+          y * y * one, of_zz,   x * y * one, y * of_z, x * of_z};
 }
 
 /// The box around a mesh when its middle is taken as the origin [m].

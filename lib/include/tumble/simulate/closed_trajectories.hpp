@@ -101,7 +101,7 @@ inline Trajectory free_trajectory(const RigidBody<>& body, const PrincipalAxes& 
   const FreeTurning turning{FreeFlow(axes).from(start.q, start.L), start.L};
   const double span = task.t1 - task.t0;
   const double omega = derived(body, start).omega.norm(), radians = omega * span;
-  const ModelChoice choice = choose_model(axes);
+  const ModelChoice choice = model_of_moments(axes);
   const double lost = rounding_of_moments(body.I_body(), axes.moments[0]);
   return closed_trajectory(
       turning, path, omega, task,

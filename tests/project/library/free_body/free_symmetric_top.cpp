@@ -29,9 +29,9 @@ RigidBody<> top(double A, double C, test::Random& rng) {
 
 }  // namespace
 
-TEST_CASE("choose_model: by how many moments are equal, and to what tolerance") {
+TEST_CASE("model_of_moments: by how many moments are equal, and to what tolerance") {
   const auto model = [](double a, double b, double c, double tolerance) {
-    return choose_model(RigidBody<>(1, Mat3(Vec3(a, b, c).asDiagonal())), tolerance).model;
+    return model_of_moments(RigidBody<>(1, Mat3(Vec3(a, b, c).asDiagonal())), tolerance).model;
   };
   CHECK(model(1, 1, 1, 0) == Model::ball);
   CHECK(model(1, 1, 1.5, 0) == Model::symmetric_top);

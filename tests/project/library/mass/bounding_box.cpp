@@ -56,14 +56,14 @@ TEST_CASE("OrientedBox: contains its corners moved in, not moved out, and its bo
   }
 }
 
-TEST_CASE("principal_box, fit_oriented_box: find a turned box again, wherever it is") {
+TEST_CASE("principal_box, small_oriented_box: find a turned box again, wherever it is") {
   test::Random rng(101);
   for (int i = 0; i < 20; ++i) {
     const Mat3 R = Eigen::AngleAxisd(rng.uniform(-3, 3), rng.direction()).toRotationMatrix();
     const PolygonMesh mesh = test::mapped(test::box_mesh(Vec3(1, 2, 4)), R, 10 * rng.vector());
     CAPTURE(R);
     for (const boxes::OrientedBox& box :
-         {boxes::principal_box(mesh.vertices), boxes::fit_oriented_box(mesh.vertices)}) {
+         {boxes::principal_box(mesh.vertices), boxes::small_oriented_box(mesh.vertices)}) {
       check_inside(box, mesh.vertices);
       CHECK(std::abs(box.volume() - 8) <= 1000 * eps * 8);  // 10 away: 10 eps a coordinate and edge
       CHECK((box.R.transpose() * box.R - Mat3::Identity()).norm() <= 32 * eps);
@@ -89,22 +89,22 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("fit_oriented_box: never larger than the box along the axes or the principal axes") {
+TEST_CASE("small_oriented_box: never larger than the box along the axes or the principal axes") {
   test::Random rng(102);
   for (int i = 0; i < 30; ++i) {
     std::vector<Vec3> points;
     for (int k = 0; k < 12; ++k) points.push_back(rng.vector());
-    const boxes::OrientedBox box = boxes::fit_oriented_box(points);
+    const boxes::OrientedBox box = boxes::small_oriented_box(points);
     check_inside(box, points);
     CHECK(box.volume() <= boxes::aligned_box(points).volume());
     CHECK(box.volume() <= boxes::principal_box(points).volume());
   }
 }
 
-TEST_CASE("fit_oriented_box: finds a turned cube, whose principal axes say nothing") {
+TEST_CASE("small_oriented_box: finds a turned cube, whose principal axes say nothing") {
   const PolygonMesh cube = test::mapped(test::box_mesh(Vec3(1, 1, 1)), askew());
   // The last turn is by 1e-3 at most: cos + sin of that on two edges, 0.2 % each at most.
-  CHECK(boxes::fit_oriented_box(cube.vertices).volume() <= 1.004);
+  CHECK(boxes::small_oriented_box(cube.vertices).volume() <= 1.004);
 }
 
 TEST_CASE("shrunk_to: keeps place and proportions, and is nearer to the truth for a ball") {
@@ -126,7 +126,7 @@ TEST_CASE("boxes: refuse what makes none, and say which point") {
   const std::vector<Vec3> nothing, bad{Vec3(0, 0, 0), Vec3(0, std::nan(""), 1)},
       line{Vec3(0, 0, 0), Vec3(1, 0, 0)};
   CHECK_REFUSED(boxes::aligned_box(nothing), "no points");
-  CHECK_REFUSED(boxes::fit_oriented_box(nothing), "no points");
+  CHECK_REFUSED(boxes::small_oriented_box(nothing), "no points");
   CHECK_REFUSED(boxes::principal_box(bad), "point 1 at (0, nan, 1)");
   CHECK_REFUSED(boxes::box_mass_properties(boxes::aligned_box(line), 1), "the box's edge is 0");
   CHECK_REFUSED(boxes::shrunk_to(boxes::aligned_box(line), 1), "the box's volume is 0");
@@ -135,5 +135,5 @@ TEST_CASE("boxes: refuse what makes none, and say which point") {
     CHECK_REFUSED(boxes::box_mass_properties(box, value), "the mass is");
     CHECK_REFUSED(boxes::shrunk_to(box, value), "the volume is");
   }
-  CHECK(boxes::fit_oriented_box(line).volume() <= eps);
+  CHECK(boxes::small_oriented_box(line).volume() <= eps);
 }
