@@ -47,30 +47,34 @@ inline bool reaches(const collide::Parabola& a, const collide::Parabola& b, doub
   return !((apart + nearest * v).norm() > radii + rounding);
 }
 
-/// The same of two bodies of a scene.
-inline bool reach_each_other(const ContactBody& a, const ContactBody& b, const Vec3& gravity,
-                             double until) {
-  return reaches(free_path(a, gravity), free_path(b, gravity), a.shape.reach() + b.shape.reach(),
-                 until);
+/// What a ball passes, as one sees it who falls along: gravity moves all of them alike.
+inline collide::Bounds swept_falling_along(const collide::Parabola& path, double until,
+                                           double radius) {
+  return collide::swept_bounds({path.x, path.v, Vec3::Zero()}, until, radius);
 }
 
-/// Whether any two bodies meet. Of many, those are looked at whose swept bounds overlap.
+/// Whether any two bodies meet. Of many, those are compared whose swept bounds overlap.
 inline bool any_pair_meets(const ContactScene& scene, double until) {
-  constexpr std::size_t few = 4;
+  constexpr std::size_t few = 24;
   const std::vector<ContactBody>& bodies = scene.bodies;
-  if (bodies.size() <= few) {
-    for (auto a = bodies.begin(); a != bodies.end(); ++a)
-      for (auto b = bodies.begin(); b != a; ++b)
-        if (reach_each_other(*a, *b, scene.gravity, until)) return true;
-    return false;
+  if (bodies.size() < 2) return false;
+  std::vector<collide::Parabola> paths;
+  for (const ContactBody& b : bodies) paths.push_back(free_path(b, scene.gravity));
+  bool meet = false;
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    meet = meet ||
+           reaches(paths[a], paths[b], bodies[a].shape.reach() + bodies[b].shape.reach(), until);
+  };
+  if (paths.size() <= few) {
+    for (std::size_t a = 1; a < paths.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) compare(a, b);
+    return meet;
   }
   std::vector<collide::Bounds> swept;
-  swept.reserve(bodies.size());
-  for (const ContactBody& b : bodies)
-    swept.push_back(collide::swept_bounds(free_path(b, scene.gravity), until, b.shape.reach()));
-  bool meet = false;
-  collide::sort_and_sweep(swept, [&](int i, int j) {
-    meet = meet || reach_each_other(scene.body(i), scene.body(j), scene.gravity, until);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    swept.push_back(swept_falling_along(paths[i], until, bodies[i].shape.reach()));
+  collide::sort_and_sweep(swept, [&](int a, int b) {
+    compare(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
   });
   return meet;
 }

@@ -4,6 +4,7 @@
 
 #include "project/bench/contact/crowd.hpp"
 #include "project/bench/contact/jamming.hpp"
+#include "project/bench/contact/nothing_meets.hpp"
 #include "project/bench/contact/problem.hpp"
 #include "project/bench/contact/standing.hpp"
 #include "project/bench/report.hpp"
@@ -72,6 +73,13 @@ void show_jamming(const std::vector<Stepper>& steppers) {
   require(all.broken.empty(), "jamming", all.broken);
 }
 
+void show_nothing_meets(const Options& options) {
+  const NothingMeets all = nothing_meets(options.budget);
+  std::cout << "APART: bodies that nothing meets in 10 s, and the question whether it can\n"
+            << all.table.text() << std::endl;
+  require(all.broken.empty(), "apart", all.broken);
+}
+
 void run(const Options& options) {
   std::vector<Stepper> steppers;
   if (options.with_peers) add_peers(steppers);
@@ -79,6 +87,7 @@ void run(const Options& options) {
     if (options.wants(problem.name)) show(problem, steppers, options);
   if (options.wants("crowd")) show_crowd(steppers, options);
   if (options.wants("jamming")) show_jamming(steppers);
+  if (options.wants("apart")) show_nothing_meets(options);
 }
 
 }  // namespace
@@ -92,7 +101,7 @@ int main(int argc, char** argv) {
       "./tumble bench contact");
   app.add_option("--only", options.only, "one scene")
       ->check(CLI::IsMember({"ball", "bounces", "stops", "rolls", "slips", "cradle", "rod", "brick",
-                             "break", "room", "crowd", "jamming"}));
+                             "break", "room", "crowd", "jamming", "apart"}));
   app.add_option("--svg-dir", options.svg_folder, "draw error against time into this folder")
       ->check(CLI::ExistingDirectory);
   bool is_quick = false, no_peers = false;
