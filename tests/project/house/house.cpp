@@ -106,6 +106,10 @@ TEST_CASE("a circle of folders is found, of two and of three") {
                     {"lib/include/tumble/b/b.hpp", including("tumble/a/c.hpp")},
                     {"lib/include/tumble/a/c.hpp", ""}})
             .size() == 1);
+  CHECK(circles_in({{"tests/project/a/a.hpp", including("project/b/b.hpp")},
+                    {"tests/project/b/b.hpp", including("project/a/c.hpp")},
+                    {"tests/project/a/c.hpp", ""}})
+            .size() == 1);
   const auto three = circles_in({{"tests/judge/a/a.hpp", including("judge/b/b.hpp")},
                                  {"tests/judge/b/b.hpp", including("judge/c/c.hpp")},
                                  {"tests/judge/c/c.hpp", including("judge/a/a.hpp")}});

@@ -148,7 +148,7 @@ using Arrows = std::map<std::string, std::set<std::string>>;
 inline Arrows arrows_between_folders(const std::vector<Include>& includes) {
   Arrows arrows;
   for (const Include& include : includes) {
-    if (include.resolved.empty() || tree_of(include.from) == Tree::project) continue;
+    if (include.resolved.empty()) continue;
     const std::string from = room_of(include.from), to = room_of(include.resolved);
     if (from != to) arrows[from].insert(to);
   }
@@ -190,7 +190,6 @@ inline std::vector<std::string> broken_laws(const std::vector<Include>& includes
 }
 
 /// The folders that include each other in a circle, as "a → b → a"; empty if there are none.
-/// Folders of tests/project/ do not count: nobody includes them.
 inline std::vector<std::string> circles(const std::vector<Include>& includes) {
   const detail::Arrows arrows = detail::arrows_between_folders(includes);
   std::vector<std::string> found, way;
