@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tumble/body/rigid_body.hpp"
+#include "tumble/body/state.hpp"
 
 namespace tumble::objects {
 

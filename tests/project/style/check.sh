@@ -65,7 +65,7 @@ if have clang-tidy; then
     check scenes tidy scenes $(sources chapters/scenes)
     check book tidy book $(sources chapters/book/tool)
   } &
-  check library tidy library lib/include/tumble/tumble.hpp
+  check library tidy library lib/include/tumble/tumble.hpp lib/include/tumble/collide.hpp lib/include/tumble/contact.hpp
   # shellcheck disable=SC2046
   check commands tidy commands $(sources tests/judge/commands tests/judge/mine)
   wait

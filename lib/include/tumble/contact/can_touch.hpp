@@ -59,6 +59,7 @@ inline bool any_pair_meets(const ContactScene& scene, double until) {
   const std::vector<ContactBody>& bodies = scene.bodies;
   if (bodies.size() < 2) return false;
   std::vector<collide::Parabola> paths;
+  paths.reserve(bodies.size());
   for (const ContactBody& b : bodies) paths.push_back(free_path(b, scene.gravity));
   bool meet = false;
   const auto compare = [&](std::size_t a, std::size_t b) {
@@ -71,6 +72,7 @@ inline bool any_pair_meets(const ContactScene& scene, double until) {
     return meet;
   }
   std::vector<collide::Bounds> swept;
+  swept.reserve(bodies.size());
   for (std::size_t i = 0; i < paths.size(); ++i)
     swept.push_back(swept_falling_along(paths[i], until, bodies[i].shape.reach()));
   collide::sort_and_sweep(swept, [&](int a, int b) {
