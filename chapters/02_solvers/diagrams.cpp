@@ -2,6 +2,7 @@
 /// What a formula cannot show: errors in units of what is allowed, and how an implicit step is
 /// found.
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -34,6 +35,15 @@ Path ellipse_of(double a, double b) {
   return path;
 }
 
+/// How far an error may go along each axis, and what that is called.
+void draw_allowances(Sketch& sketch, const Vec2& allowed, const std::array<std::string, 2>& names) {
+  const support::Pen pen{"ink", 2.2};
+  sketch.arrow({0, 0}, {allowed.x(), 0}, pen);
+  sketch.arrow({0, 0}, {0, allowed.y()}, pen);
+  sketch.words({allowed.x() / 2, 0}, {0, 19}, names[0], "ink", "middle");
+  sketch.words({0, allowed.y() / 2}, {-7, 5}, names[1], "ink", "end");
+}
+
 }  // namespace
 
 // ── The error norm ──
@@ -46,16 +56,16 @@ std::string norm_figure() {
   sketch.curve(ellipse_of(std::sqrt(2) * allowed.x(), std::sqrt(2) * allowed.y()),
                {"c2", 2.2, 1, 0.1});
   sketch.frame(-allowed, allowed, {"faint", 1.2});
-  sketch.words({allowed.x(), 0}, {6, -6}, "a₁", "ink");
-  sketch.words({0, -allowed.y()}, {8, -5}, "a₂", "ink");
+  draw_allowances(sketch, allowed, {"a₁", "a₂"});
   sketch.dot(good, "c0", 5);
   sketch.dot(bad, "c1", 5);
   sketch.look({560, 160, 72});
   draw_axes(sketch, {-2.2, -1.9}, {2.4, 1.9}, {0, 0}, "e₁/a₁", "e₂/a₂");
   sketch.curve(ellipse_of(std::sqrt(2), std::sqrt(2)), {"c2", 2.2, 1, 0.1});
   sketch.frame({-1, -1}, {1, 1}, {"faint", 1.2});
+  draw_allowances(sketch, {1, 1}, {"1", "1"});
   sketch.dot(good.cwiseQuotient(allowed), "c0", 5);
-  sketch.words(good.cwiseQuotient(allowed), {6, 21}, "kept", "c0");
+  sketch.words(good.cwiseQuotient(allowed), {-4, 22}, "kept", "c0", "middle");
   sketch.dot(bad.cwiseQuotient(allowed), "c1", 5);
   sketch.words(bad.cwiseQuotient(allowed), {10, 12}, "rejected", "c1");
   return sketch.svg();

@@ -277,9 +277,12 @@ std::string spin_figure() {
       const double t = 0.25 * i;
       sketch.look({760 * (i + 0.5) / pictures, y, 800});
       draw_flown_mug(sketch, each.I, t, each.colour);
-      sketch.words({0, 0}, {0, 422 - y}, number(t) + " s", "ink", "middle");
     }
     y += 208;
+  }
+  for (int i = 0; i < pictures; ++i) {
+    sketch.look({760 * (i + 0.5) / pictures, 422, 800});
+    sketch.words({0, 0}, {0, 0}, number(0.25 * i) + " s", "ink", "middle");
   }
   return sketch.svg();
 }

@@ -30,8 +30,8 @@ std::string machine_figure() {
     const double x = 44 + 190. * static_cast<double>(i);
     box(sketch, {x, 142}, {x + 102, 202}, boxes[i][0], boxes[i][1], i == 2 ? "c2" : "c1");
   }
-  flow(sketch, {95, 306}, {95, 204}, {8, -8}, "t, y", "start");
-  flow(sketch, {665, 204}, {665, 304}, {-8, 0}, "ẏ", "end");
+  flow(sketch, {95, 306}, {95, 204}, {8, 24}, "t, y", "start");
+  flow(sketch, {665, 204}, {665, 304}, {-8, 24}, "ẏ", "end");
   flow(sketch, {148, 172}, {232, 172}, {0, -8}, "x, q, P, L");
   flow(sketch, {338, 172}, {422, 172}, {0, -8}, "R, v, ω");
   flow(sketch, {528, 172}, {612, 172}, {0, -8}, "F, τ");
@@ -56,7 +56,7 @@ void draw_axes(Sketch& sketch, const Mat3& view, const Vec3& origin, const Mat3&
   for (Eigen::Index i = 0; i < 3; ++i) {
     const Vec2 from = (view * origin).head<2>(), to = (view * (origin + axes.col(i))).head<2>();
     sketch.arrow(from, to, {colour, 1.8});
-    sketch.words(to, {6, -4}, names[static_cast<std::size_t>(i)], colour);
+    sketch.words_on_lines(to, {6, -4}, names[static_cast<std::size_t>(i)], colour);
   }
 }
 
@@ -74,13 +74,13 @@ std::string frames_figure() {
   const auto seen = [&view](const Vec3& point) -> Vec2 { return (view * point).head<2>(); };
   draw_mug(sketch, view, now, {"faint", 1.5});
   draw_axes(sketch, view, Vec3::Zero(), 0.07 * Mat3::Identity(), {"x", "y", "z"}, "ink");
-  draw_axes(sketch, view, now.x, 0.075 * now.R, {"x_body", "y_body", "z_body"}, "c2");
   sketch.arrow({0, 0}, seen(now.x), {"c0", 2.4});
   sketch.words(seen(now.x / 2), {0, 24}, "x", "c0", "middle");
   sketch.arrow(seen(now.x), seen(p), {"c1", 2.4});
   sketch.words(seen((now.x + p) / 2), {4, 30}, "R p_body", "c1", "start");
   sketch.arrow({0, 0}, seen(p), {"c3", 2.4});
   sketch.words(seen(0.56 * p), {-10, -10}, "p = x + R p_body", "c3", "end");
+  draw_axes(sketch, view, now.x, 0.075 * now.R, {"x_body", "y_body", "z_body"}, "c2");
   sketch.dot(seen(p), "ink", 4);
   sketch.words({0, 0}, {-14, 22}, "world", "ink", "middle");
   return sketch.svg();

@@ -30,6 +30,13 @@ const tumbleMoving = (function () {
     });
   }
 
+  // The page's first picture holds the style of all, and may be one that is drawn anew.
+  function keepStyle() {
+    const style = document.createElement("style");
+    style.textContent = document.querySelector("[data-figure] style")?.textContent ?? "";
+    document.head.append(style);
+  }
+
   function load(name) {
     modules[name] ??= new Promise((resolve, reject) => {
       arrivals[name] = (base64) => instantiate(base64).then(resolve, reject);
@@ -122,8 +129,10 @@ const tumbleMoving = (function () {
       if (!this.playing) this.link = setTimeout(() => this.writeLink(), 300);
     }
 
+    // The style of all figures stands in the page once: a new one in each frame would make the browser
+    // look at every element of the page again.
     draw() {
-      this.place.innerHTML = this.module.draw();
+      this.place.innerHTML = this.module.draw().replace(/<style>[^]*?<\/style>/, "");
       this.showValues();
     }
 
@@ -231,6 +240,7 @@ const tumbleMoving = (function () {
     },
     /// figures: file of the picture → [chapter, name]
     page(figures) {
+      keepStyle();
       for (const place of document.querySelectorAll("[data-figure]")) {
         const found = figures[place.dataset.figure];
         if (!found) continue;

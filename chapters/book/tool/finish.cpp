@@ -98,19 +98,27 @@ void close_up_formulas(std::string& text) {
   }
 }
 
+/// Text whose links of a kind are words.
+std::string unlinked(std::string text, const std::string& link) {
+  for (auto at = text.find(link); at != std::string::npos; at = text.find(link, at)) {
+    text.erase(at, text.find('>', at) + 1 - at);
+    text.erase(text.find("</a>", at), 4);
+  }
+  return text;
+}
+
 /// What a reader is to write has the name of something in the library now and then, and is not
 /// that: Doxygen's link to it goes, its text stays.
 void unlink_signatures(std::string& text) {
-  const std::string box = "class=\"now-write\"", link = "<a class=\"code hl_function\"";
+  const std::string box = "class=\"now-write\"", code = "<a class=\"code hl_";
   for (auto at = text.find(box); at != std::string::npos; at = text.find(box, at + 1)) {
     const auto begin = text.find("<div class=\"fragment\">", at);
-    for (auto found = text.find(link, begin);
-         found < std::min(text.find("<!-- fragment -->", begin), text.find(box, at + 1));
-         found = text.find(link, found)) {
-      text.erase(found, text.find('>', found) + 1 - found);
-      text.erase(text.find("</a>", found), 4);
-    }
+    const auto end = std::min(text.find("<!-- fragment -->", begin), text.find(box, at + 1));
+    if (begin < end)
+      text.replace(begin, end - begin, unlinked(text.substr(begin, end - begin), code));
   }
+  const bool only_exercises = text.find("<title>Exercises: ") != std::string::npos;
+  if (only_exercises) text = unlinked(unlinked(text, code), "<a class=\"el\"");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "book/tool/exercises.hpp"
 #include "book/tool/finish.hpp"
 #include "book/tool/html.hpp"
+#include "book/tool/page_numbers.hpp"
 #include "book/tool/prepare.hpp"
 #include "book/tool/printed.hpp"
 #include "book/tool/reference_links.hpp"
@@ -71,6 +72,9 @@ int main(int argc, char** argv) {
   CLI::App* exercises = app.add_subcommand("exercises", "put editors into a site that is there");
   exercises->add_option("site", file, "the folder with index.html")->required();
   exercises->add_option("folder", made, "what was made for the exercises")->required();
+  CLI::App* numbering = app.add_subcommand("number", "page numbers into the printed contents");
+  numbering->add_option("page", file, "print.html")->required();
+  numbering->add_option("pdf", made, "that page, printed")->required();
   for (CLI::App* each : {preparing, finishing}) each->add_option("site", file)->required();
   return tumble::support::run_command_line(app, argc, argv, [&] {
     if (*checking) return print_mistakes(mistakes_in(places));
@@ -78,6 +82,8 @@ int main(int argc, char** argv) {
     if (*filter) std::cout << for_doxygen(places.root, read_page(file));
     if (*preparing) prepare_site(places.root, theme, file);
     if (*exercises) add_editors(file, made);
+    if (*numbering)
+      write_text(file, with_page_numbers(text_of(file), pages_of_places(text_of(made))));
     if (*finishing) return finish(places.root, file);
     return tumble::support::exit_status::achieved;
   });

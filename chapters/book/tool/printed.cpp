@@ -57,6 +57,11 @@ std::string relinked(const std::string& text, const std::vector<std::string>& pa
   return result + text.substr(at);
 }
 
+/// A link of the contents, and room for the number of its page.
+std::string entry(const std::string& id, const std::string& title) {
+  return link_html("#" + id, inline_html(title)) + "<span>000</span>";
+}
+
 /// The entry of a page in the contents: its title, and those of its sections.
 std::string contents_of(const fs::path& root, const Page& page) {
   const std::vector<Fence> fences = fences_of(page);
@@ -64,11 +69,8 @@ std::string contents_of(const fs::path& root, const Page& page) {
   for (std::size_t i = 1; i < page.lines.size(); ++i)
     if (const Heading heading = heading_in(page.lines[i]);
         heading.level == 2 && !is_inside(fences, i))
-      sections += "<li>" +
-                  link_html("#" + heading_id(root, page, heading.text), inline_html(heading.text)) +
-                  "</li>";
-  return "<li>" +
-         link_html("#" + page_id(root, page.file), inline_html(heading_in(page.lines[0]).text)) +
+      sections += "<li>" + entry(heading_id(root, page, heading.text), heading.text) + "</li>";
+  return "<li>" + entry(page_id(root, page.file), heading_in(page.lines[0]).text) +
          (sections.empty() ? "" : "<ul>" + sections + "</ul>") + "</li>";
 }
 

@@ -213,4 +213,10 @@ TEST_CASE("the signature of an exercise leads nowhere, other code leads to the l
           "<div class=\"now-write\"><p>4.3</p><div class=\"fragment\">turn(p);</div><!-- fragment "
           "--></div>" +
           linked);
+  project.write("html/e.html",
+                "<title>Exercises: 4</title>" + linked + "<a class=\"el\">cross()</a>");
+  finish_site(project.path(), project.path() / "html");
+  CHECK(
+      text_of(project.path() / "html/e.html") ==
+      "<title>Exercises: 4</title><div class=\"fragment\">turn(p);</div><!-- fragment -->cross()");
 }

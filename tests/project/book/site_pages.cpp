@@ -9,6 +9,7 @@
 #include "book/tool/dead_ends.hpp"
 #include "book/tool/exercise_pages.hpp"
 #include "book/tool/html.hpp"
+#include "book/tool/page_numbers.hpp"
 #include "book/tool/prepare.hpp"
 #include "book/tool/printed.hpp"
 #include "book/tool/reference_links.hpp"
@@ -170,6 +171,21 @@ TEST_CASE("what is printed: unfolded, without what steers a screen, with links i
         "<article id=\"one\"><h1>1 One</h1>\n<div class=\"contents\"><details open=\"open\">"
         "<a href=\"#two\">a</a><a href=\"#two-b\">b</a></details><a >c</a>"
         "<a href=\"https://d\">d</a></div></article>\n");
+}
+
+TEST_CASE("what is printed: the contents have the pages on which the PDF has their places") {
+  const std::string pdf =
+      "3 0 obj\n<</Type /Page\n>>\n11 0 obj\n<</Type /Page\n>>\n12 0 obj\n<</Type /Pages\n>>\n"
+      "13 0 obj\n<</one [3 0 R /XYZ 0 8 0]\n/one-a#25E2#2580#2593b [11 0 R /XYZ 0 4 0]>>\n";
+  const std::map<std::string, int> pages = pages_of_places(pdf);
+  CHECK(pages == std::map<std::string, int>{{"one", 1}, {"one-a–b", 2}});
+  const std::string html =
+      "<nav><ul><li><a href=\"#one\">1</a><span>000</span></li>"
+      "<li><a href=\"#one-a–b\">a</a><span>000</span></li></ul></nav><a href=\"#two\">x</a>";
+  CHECK(with_page_numbers(html, pages) ==
+        "<nav class=\"numbered\"><ul><li><a href=\"#one\">1</a><span>1</span></li>"
+        "<li><a href=\"#one-a–b\">a</a><span>2</span></li></ul></nav><a href=\"#two\">x</a>");
+  CHECK_REFUSED(with_page_numbers(html, {{"one", 1}}), "one-a");
 }
 
 TEST_CASE("the search knows the library's names, without its internals") {

@@ -43,11 +43,11 @@ namespace tumble::detail {
 
 /// ∫ {1, x, y, z, …} dz from height 0 to z on the line through (x, y), times `sign`.
 inline Moments<double> moments_below(double x, double y, double z, double sign) {
-  const double one = sign * z;            // ∫ dz
-  const double of_z = one * z / 2;        // ∫ z dz
-  const double of_zz = 2 * of_z * z / 3;  // ∫ z² dz
-  return {one,         x * one, y * one,     of_z,     x * x * one,
-          y * y * one, of_zz,   x * y * one, y * of_z, x * of_z};
+  const double length = sign * z;         // ∫ dz
+  const double first = length * z / 2;    // ∫ z dz
+  const double second = first * z / 1.5;  // ∫ z² dz, as 2 · 1.5 is 3
+  return {length,         x * length, y * length,     first,     x * x * length,
+          y * y * length, second,     x * y * length, y * first, x * first};
 }
 
 /// The box around a mesh when its middle is taken as the origin [m].

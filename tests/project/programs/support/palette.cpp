@@ -91,11 +91,12 @@ TEST_CASE("palette: any two colours of curves stay apart, whatever cones an eye 
         }
 }
 
-TEST_CASE("palette: names of curves can be read") {
-  for (std::size_t i = 0; i < series_colours; ++i) {
-    CAPTURE(palette[i].name);
-    CHECK(contrast(palette[i].light, paint("paper").light) > 4.5);
-    CHECK(contrast(palette[i].dark, paint("paper").dark) > 4.5);
+TEST_CASE("palette: names of curves and other words can be read") {
+  for (const Paint& each : palette) {
+    if (each.name == "paper" || each.name == "grid" || each.name == "solid") continue;
+    CAPTURE(each.name);
+    CHECK(contrast(each.light, paint("paper").light) > 4.5);
+    CHECK(contrast(each.dark, paint("paper").dark) > 4.5);
   }
 }
 
