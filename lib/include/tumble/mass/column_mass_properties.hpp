@@ -43,9 +43,9 @@ namespace tumble::detail {
 
 /// ∫ {1, x, y, z, …} dz from height 0 to z on the line through (x, y), times `sign`.
 inline Moments<double> moments_below(double x, double y, double z, double sign) {
-  const double length = sign * z;         // ∫ dz
-  const double first = length * z / 2;    // ∫ z dz
-  const double second = first * z / 1.5;  // ∫ z² dz, as 2 · 1.5 is 3
+  const double length = sign * z;           // ∫ dz
+  const double first = length * z / 2;      // ∫ z dz
+  const double second = 2 * first * z / 3;  // ∫ z² dz
   return {length,         x * length, y * length,     first,     x * x * length,
           y * y * length, second,     x * y * length, y * first, x * first};
 }
