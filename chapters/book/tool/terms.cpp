@@ -17,11 +17,21 @@ bool begins_sentence(const std::string& text, std::size_t i) {
   return text[i - 1] == ' ' && std::string(".?!").find(last) != std::string::npos;
 }
 
-/// The sentence around a place of a paragraph, with the words of its links and without bold.
+std::size_t begin_of_sentence(const std::string& text, std::size_t place) {
+  while (!begins_sentence(text, place)) --place;
+  return place;
+}
+
+/// The sentence around a term, with the words of its links and without bold. A short one that ends
+/// with the term, "We call this force drag.", leans on the one before it.
+/// @param place of its first asterisk
 std::string sentence_around(const std::string& text, std::size_t place) {
-  std::size_t begin = place, end = place + 1;
-  while (!begins_sentence(text, begin)) --begin;
+  constexpr std::size_t short_one = 72, short_rest = 24;  // bytes
+  std::size_t begin = begin_of_sentence(text, place), end = place + 1;
   while (end < text.size() && !begins_sentence(text, end)) ++end;
+  const std::size_t rest = end - text.find("**", place + 2);
+  if (begin > 0 && end - begin < short_one && rest < short_rest)
+    begin = begin_of_sentence(text, begin - 1);
   if (begin == 0 && text.starts_with("- ")) begin = 2;
   std::string sentence = text.substr(begin, end - begin), plain;
   std::size_t at = 0;

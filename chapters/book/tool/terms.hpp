@@ -13,7 +13,7 @@ namespace tumble::book {
 
 struct Term {
   std::string name;
-  std::string sentence;  ///< the one that introduces it
+  std::string sentence;  ///< the one that introduces it, and the one before a short one
   fs::path page;
   std::string section;  ///< the heading above
   std::size_t line = 0;

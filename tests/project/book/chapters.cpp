@@ -201,6 +201,9 @@ TEST_CASE("terms are in bold once, and listed with the sentence that introduces 
              "- [associative](../02_two/README.md#2-two): A sum is associative: brackets "
              "make no difference.\n"));
   CHECK_FALSE(says(list, "Try it"));
+  book.write("chapters/02_two/README.md",
+             with("You and us.", "You feel wind. We call it **drag**."));
+  CHECK(says(joined(fresh_terms(book.path())), "): You feel wind. We call it drag.\n"));
   CHECK(says(book.mistakes(with("You and us.", "You know **associative** sums.")),
              "is in bold already at"));
   const std::string page = "chapters/02_two/README.md";
