@@ -59,17 +59,22 @@ std::string failed_assertion(const std::string& printed) {
   return last;
 }
 
-bool is_about_index(const std::string& assertion) {
-  return assertion.find("index") != std::string::npos ||
-         assertion.find("__n < this->size()") != std::string::npos ||
-         assertion.find("__n < size()") != std::string::npos;
+/// Of an assertion, or of what at() throws: libc++ says only "vector".
+bool is_about_index(const std::string& text) {
+  return text == "vector" || text.find("index") != std::string::npos ||
+         text.find("_M_range_check") != std::string::npos ||
+         text.find("__n < this->size()") != std::string::npos ||
+         text.find("__n < size()") != std::string::npos;
+}
+
+std::string with_what_it_is_about(const std::string& text) {
+  return text.substr(0, most_detail) + (is_about_index(text) ? " (an index out of range)" : "");
 }
 
 std::string abort_text(const std::string& printed) {
   const std::string assertion = failed_assertion(printed);
   if (assertion.empty()) return signal_text(SIGABRT);
-  return "an assertion failed, " + assertion.substr(0, most_detail) +
-         (is_about_index(assertion) ? " (an index out of range)" : "");
+  return "an assertion failed, " + with_what_it_is_about(assertion);
 }
 
 }  // namespace
@@ -83,6 +88,8 @@ NoAnswer computed_too_long(int seconds) {
 NoAnswer too_much_memory(std::uint64_t bytes_allowed) {
   return {Outcome::out_of_memory, "more than " + std::to_string(bytes_allowed >> 20) + " MB"};
 }
+
+NoAnswer threw(const std::string& what) { return {Outcome::threw, with_what_it_is_about(what)}; }
 
 NoAnswer exited(int status) { return {Outcome::exited, "with status " + std::to_string(status)}; }
 

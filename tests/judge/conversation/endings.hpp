@@ -17,6 +17,8 @@ inline constexpr std::size_t flood = 1 << 20;         ///< printed in one case: 
 NoAnswer flooded();
 NoAnswer computed_too_long(int seconds);
 NoAnswer too_much_memory(std::uint64_t bytes_allowed);
+/// Ended by an exception that nothing has caught.
+NoAnswer threw(const std::string& what);
 NoAnswer exited(int status);
 /// Ended by a signal, or by what would be one in a process. `printed` may say why.
 NoAnswer crashed(int signal, const std::string& printed);

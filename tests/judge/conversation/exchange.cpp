@@ -14,7 +14,7 @@ NoAnswer malformed(const std::string& why) { return {Outcome::malformed, why}; }
 
 std::string first_text(const List& content) {
   const std::string* text = content.empty() ? nullptr : content[0].as<std::string>();
-  return text ? text->substr(0, most_detail) : std::string();
+  return text ? *text : std::string();
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ Value Exchange::answer_of(const Message& message) const {
     case Kind::not_implemented:
       throw NoAnswer(Outcome::not_implemented, "");
     case Kind::threw:
-      throw NoAnswer(Outcome::threw, first_text(message.content));
+      throw threw(first_text(message.content));
     case Kind::out_of_memory:
       throw too_much_memory(memory_bytes_);
     default:

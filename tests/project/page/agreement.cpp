@@ -55,6 +55,17 @@ Json without_words_of_compiler(Json verdict) {
   return verdict;
 }
 
+/// And without what another standard library says in its assertions and exceptions.
+Json without_words_of_library(Json verdict) {
+  for (Json& each : verdict.at("cases"))
+    if (each.value("outcome", "") == "crashed" || each.value("outcome", "") == "threw")
+      each.erase("detail");
+  std::string& text = verdict.at("explanation").get_ref<std::string&>();
+  static const std::regex words("(an assertion failed|Your code threw an exception)[,:] .*");
+  text = std::regex_replace(text, words, "$1");
+  return verdict;
+}
+
 /// Says what differs; nothing if nothing does.
 std::string difference(const Json& page, const Json& native) {
   std::string text;
@@ -69,7 +80,8 @@ std::string difference(const Json& page, const Json& native) {
 
 /// Mistakes whose verdicts are not the same to the letter, and why that is so.
 const std::map<std::string, std::string> differs_by_nature{
-    {"01_particles/flatten throws_for_none", "an exception of the library has the library's words"},
+    {"03_rotation_matrices/euler_angles_to_matrix turn_kept",
+     "the order of calls in one expression is the compiler's"},
     {"07_bounding_boxes/fit_oriented_box last_point_only", "axes that only rounding chooses"},
     {"11_when_bodies_meet/collide_with_friction slow_slip_is_none",
      "the last digit of sin() among 17"},
@@ -84,12 +96,15 @@ const std::map<std::string, std::string> differs_by_nature{
     {"11_when_bodies_meet/overlapping_pairs whole_numbers",
      "std::sort orders what is equal as it likes"}};
 
-/// A variable that was never set has the mark of its compiler; an auto of Eigen's reads memory that
-/// is gone, and finds there what its compiler has left.
+/// A variable that was never set has the mark of its compiler.
 bool may_differ(const Written& file) {
   return differs_by_nature.contains(file.unit + " " + file.name) ||
-         file.name.ends_with("_never_set") || file.name.starts_with("auto_");
+         file.name.ends_with("_never_set");
 }
+
+/// An auto of Eigen's reads memory that is gone, and finds there what its compiler has left: the
+/// answer may even be right.
+bool reads_what_is_gone(const Written& file) { return file.name.starts_with("auto_"); }
 
 /// The verdicts of both judges, compared.
 void compare(PageJudge& page, const Written& file) {
@@ -97,11 +112,12 @@ void compare(PageJudge& page, const Written& file) {
   CAPTURE(file.name);
   const Json outcome = page.verdict_on(file, seed);
   REQUIRE_MESSAGE(!outcome.contains("failure"), outcome.dump());
+  if (reads_what_is_gone(file)) return;
   const Json native = native_verdict_on(file, seed);
   CHECK(outcome.at("passed") == native.at("passed"));
   if (may_differ(file)) return;
   const auto normal = [](const Json& verdict) {
-    return without_words_of_compiler(without_times(verdict));
+    return without_words_of_library(without_words_of_compiler(without_times(verdict)));
   };
   const std::string differs = difference(normal(outcome), normal(native));
   CHECK_MESSAGE(differs.empty(), file.unit, " ", file.name, ":\n", differs);

@@ -6,7 +6,8 @@
 #include <doctest/doctest.h>
 #include <signal.h>
 
-using tumble::judge::crashed, tumble::judge::Outcome, tumble::judge::tells_an_assertion;
+using tumble::judge::crashed, tumble::judge::Outcome, tumble::judge::tells_an_assertion,
+    tumble::judge::threw;
 
 namespace {
 
@@ -24,6 +25,15 @@ TEST_CASE("an assertion is told, as glibc, libstdc++, wasi-libc and libc++ print
         "an assertion failed, index >= 0 && index < size() (an index out of range)");
   CHECK(told("/v.h:9: libc++ Hardening assertion __n < size() failed: vector[] index out of "
              "bounds\n") == "an assertion failed, __n < size() (an index out of range)");
+}
+
+TEST_CASE("an index out of range is called so, in the words of each library's at()") {
+  const auto said = [](const std::string& what) { return std::string(threw(what).what()); };
+  CHECK(said("vector") == "vector (an index out of range)");
+  CHECK(said("vector::_M_range_check: __n (which is 2) >= this->size() (which is 0)") ==
+        "vector::_M_range_check: __n (which is 2) >= this->size() (which is 0) (an index out of "
+        "range)");
+  CHECK(said("no such vector") == "no such vector");
 }
 
 TEST_CASE("the last assertion counts, and none is no assertion") {
