@@ -159,6 +159,26 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
      {"z first", "You began with the last column, and it has kept its direction. Begin with x.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 { return -reference(-M.rowwise().reverse()).rowwise().reverse(); }},
+     {"y first", "You began with the second column, and it has kept its direction. Begin with x.",
+      "Gram–Schmidt",
+      [](const Mat3& M) -> Mat3 {
+        Mat3 other;
+        other << M.col(1), M.col(0), -M.col(2);
+        const Mat3 Q = reference(other);
+        other << Q.col(1), Q.col(0), -Q.col(2);
+        return other;
+      }},
+     {"z before y",
+      "You began with x, but then you took z, so that y has to be where it can. After x comes y, "
+      "which loses nothing but its part along x.",
+      "Gram–Schmidt",
+      [](const Mat3& M) -> Mat3 {
+        Mat3 other;
+        other << M.col(0), M.col(2), -M.col(1);
+        const Mat3 Q = reference(other);
+        other << Q.col(0), -Q.col(2), Q.col(1);
+        return other;
+      }},
      {"y left as it was",
       "x and z are right, but y still has a part along x: you have scaled it to length 1 and done "
       "no more.",

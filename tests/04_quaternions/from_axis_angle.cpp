@@ -111,6 +111,23 @@ const Misconceptions<decltype(quaternions::from_axis_angle)> misconceptions{
       "Your quaternion turns by twice the angle: you multiply a point by it from both sides.",
       "Axis and angle",
       [](const Vec3& axis, double angle) { return of_half(angle, axis.normalized()); }},
+     {"angle halved in the sine only",
+      "Your scalar part is the cosine of the whole angle. Sine and cosine take the same half of "
+      "it.",
+      "Axis and angle",
+      [](const Vec3& axis, double angle) {
+        Quaternion q = reference::from_axis_angle(axis, angle);
+        q[0] = std::cos(angle);
+        return q;
+      }},
+     {"angle halved in the cosine only",
+      "Your vector part has the sine of the whole angle. Sine and cosine take the same half of it.",
+      "Axis and angle",
+      [](const Vec3& axis, double angle) {
+        Quaternion q = of_half(angle, axis.normalized());
+        q[0] = std::cos(angle / 2);
+        return q;
+      }},
      {"axis not normalised",
       "Your vector part grows with the length of the axis. Of the axis only the direction counts.",
       "Axis and angle", [](const Vec3& axis, double angle) { return of_half(angle / 2, axis); }},

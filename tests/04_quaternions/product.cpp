@@ -89,6 +89,30 @@ const Misconceptions<decltype(quaternions::product)> misconceptions{
         c[0] = a.dot(b);
         return c;
       }},
+     {"dot product forgotten",
+      "Your scalar part is the product of the scalars alone. The vector parts add to it: i² is "
+      "−1.",
+      "The product",
+      [](const Quaternion& a, const Quaternion& b) {
+        Quaternion c = reference::product(a, b);
+        c[0] = a[0] * b[0];
+        return c;
+      }},
+     {"no scalar part",
+      "Your vector part is right, but the scalar part is always 0. Two vectors, too, have a "
+      "product with a scalar part: i² = −1.",
+      "The product",
+      [](const Quaternion& a, const Quaternion& b) {
+        Quaternion c = reference::product(a, b);
+        c[0] = 0;
+        return c;
+      }},
+     {"second factor conjugated",
+      "This is a times the conjugate of b. A product takes both factors as they are.",
+      "The product",
+      [](const Quaternion& a, const Quaternion& b) {
+        return reference::product(a, reference::conjugate(b));
+      }},
      {"multiplied entry by entry",
       "You have multiplied component by component, like two arrays. In a product of quaternions "
       "every number meets every other.",

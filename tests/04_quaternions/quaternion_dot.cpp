@@ -116,6 +116,19 @@ const Misconceptions<decltype(quaternions::quaternion_dot)> misconceptions{
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return 2 * reference::quaternion_dot(q, omega);
       }},
+     {"factor ½ twice",
+      "With your rate the body turns at half its speed: the factor ½ stands in your product twice.",
+      "Angular velocity",
+      [](const Quaternion& q, const Vec3& omega) -> Quaternion {
+        return reference::quaternion_dot(q, omega / 2);
+      }},
+     {"factor 2 for ½",
+      "With your rate the body turns four times as fast: you multiplied by 2, where the "
+      "quaternion holds half the angle.",
+      "Angular velocity",
+      [](const Quaternion& q, const Vec3& omega) -> Quaternion {
+        return reference::quaternion_dot(q, 4 * omega);
+      }},
      {"ω taken in body axes",
       "You have swapped the factors. With ω on the other side the product is right for an ω in "
       "body axes; here ω is in world axes.",

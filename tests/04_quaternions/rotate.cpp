@@ -31,6 +31,12 @@ Vec3 between(const Quaternion& left, const Vec3& p, const Quaternion& right) {
   return all.tail<3>();
 }
 
+/// p + 2w u × p + 2 u × (u × p), with u the vector part of q.
+Vec3 by_cross_products(const Quaternion& q, double w, const Vec3& p) {
+  const Vec3 u = q.tail<3>(), across = 2 * u.cross(p);
+  return p + w * across + u.cross(across);
+}
+
 }  // namespace
 
 TEST_SUITE(TUMBLE_UNIT) {
@@ -125,6 +131,16 @@ const Misconceptions<decltype(quaternions::rotate)> misconceptions{
       [](const Quaternion& q, const Vec3& p) -> Vec3 {
         return between(q, p, reference::conjugate(q)) / q.norm();
       }},
+     {"right for unit quaternions only",
+      "Your formula takes for granted that |q| = 1. q drifts: the square of its length belongs "
+      "into the formula, or q gets the length 1 first.",
+      "The inverse",
+      [](const Quaternion& q, const Vec3& p) { return by_cross_products(q, q[0], p); }},
+     {"w left out",
+      "Your formula uses the vector part of q alone. Its length is the sine of the half angle; "
+      "without the cosine, which is w, the turn is none.",
+      "Rotating a point",
+      [](const Quaternion& q, const Vec3& p) { return by_cross_products(q, 1, p); }},
      {"multiplied from one side only",
       "This is the vector part of q p. One factor alone turns by half the angle and leaves a "
       "scalar part behind; the second factor finishes the turn.",

@@ -195,6 +195,19 @@ const Misconceptions<decltype(momentum::angular_velocity)> misconceptions{
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
         return reference(R, I_body_inv.diagonal().asDiagonal(), L);
       }},
+     {"upper triangle only",
+      "You have left out the numbers of the tensor below its diagonal, or above it. It is "
+      "symmetric, but both halves stand in the product.",
+      "Angular momentum",
+      [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
+        return reference(R, I_body_inv.triangularView<Eigen::Upper>(), L);
+      }},
+     {"against L",
+      "Your body turns the other way round. Energy is ½ L·ω, and that is never negative.",
+      "Angular momentum",
+      [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
+        return reference(R, I_body_inv, -L);
+      }},
      {"diagonal only, and not turned",
       "You have multiplied each component of L with one number of the tensor. That is right for "
       "an upright body with its principal axes along the world's, and for no other.",

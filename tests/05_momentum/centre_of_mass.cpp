@@ -175,6 +175,27 @@ const Misconceptions<decltype(momentum::centre_of_mass)> misconceptions{
       "This is the sum of mass times place, in kg m. If you double all masses, the centre must "
       "not move.",
       "Centre of mass", [](const Points& points) -> Vec3 { return moment_of(points); }},
+     {"masses counted twice",
+      "You have multiplied by the mass twice, so that heavy points pull harder than they should. "
+      "Look at the unit of your result.",
+      "Centre of mass",
+      [](const Points& points) -> Vec3 {
+        return sum(points, Vec3(0, 0, 0),
+                   [](const PointMass& p) -> Vec3 { return p.mass * p.mass * p.position; }) /
+               mass_of(points);
+      }},
+     {"divided by the mass twice",
+      "You have divided by the total mass twice. Look at the unit of your result.",
+      "Centre of mass",
+      [](const Points& points) -> Vec3 { return reference(points) / mass_of(points); }},
+     {"weighted by the square of the mass",
+      "You have counted each place as much as the square of its mass, so that heavy points pull "
+      "harder than they should.",
+      "Centre of mass",
+      [](Points points) {
+        for (PointMass& point : points) point.mass *= point.mass;
+        return reference(points);
+      }},
      {"middle of the bounding box",
       "You are halfway between the smallest and the largest coordinates. That point does not "
       "feel how many points there are on either side, nor how heavy they are.",

@@ -265,6 +265,14 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
       [](double mass, const Vec3&, const Mat3& R, const Vec3& g, const Forces& forces) {
         return with_arms(mass, g, forces, [&](const Vec3& p) { return -(R * p); });
       }},
+     {"force and torque swapped",
+      "You have returned the torque where the force belongs, and the force where the torque "
+      "belongs. The force comes first.",
+      "Force and torque",
+      [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) -> Wrench {
+        const Wrench sum = reference(mass, x, R, g, forces);
+        return {sum.torque, sum.force};
+      }},
      {"only the last force", "Each force has replaced the one before it. Add them up.",
       "Force and torque",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {

@@ -64,6 +64,7 @@ struct Way {
   bool in_metres = false;      ///< … or of 1 m/s
   double rest = 1;             ///< the factor of the flights that are left
   bool one_flight = false;     ///< only one of them
+  bool skips_next = false;     ///< all of them but the next one
   bool rests_later = false;    ///< also after t1
 
   void hit(const BallAndFloor& ball, BallState& now) const;
@@ -85,8 +86,8 @@ void Way::hit(const BallAndFloor& ball, BallState& now) const {
 }
 
 Bounces Way::end(const Scene& s, Bounces bounces, double t, double next_flight) const {
-  const double all_flights = next_flight > 0 && !one_flight ? 1 / (1 - s.ball.e) : 1;
-  const double time = t + rest * all_flights * next_flight;
+  const double all = next_flight > 0 && !one_flight ? 1 / (1 - s.ball.e) : 1;
+  const double time = t + rest * (skips_next ? all - 1 : all) * next_flight;
   bounces.at_rest = time <= s.t1 || rests_later;
   bounces.rest_time = bounces.at_rest ? time : 0;
   return bounces;
@@ -462,6 +463,11 @@ const Misconceptions<decltype(when_bodies_meet::bounce)> misconceptions{
      {"hollow ball",
       "You took the moment of inertia of a hollow ball. This one is solid: 2/5 m r².",
       "From contact to contact", as({.inertia = 2. / 3, .answer = 2.5})},
+     {"disc", "You took the moment of inertia of a disc. This is a solid ball: 2/5 m r².",
+      "From contact to contact", as({.inertia = 0.5, .answer = 3})},
+     {"spin of a hollow ball",
+      "Friction spins your ball as if it were hollow. This one is solid: 2/5 m r².",
+      "From contact to contact", as({.inertia = 2. / 3})},
      {"stopped like a particle",
       "Your friction stops the slip as if the ball could not turn. Its spin takes part of the slip "
       "away, so it needs less.",
@@ -505,5 +511,9 @@ const Misconceptions<decltype(when_bodies_meet::bounce)> misconceptions{
       "After the last contact you add one flight. There are infinitely many left, each e times as "
       "long as the one before.",
       "Infinitely many bounces", as({.one_flight = true})},
+     {"one flight too few",
+      "You leave out the flight that follows the last contact. It has yet to come: the first of "
+      "those that are left is that one.",
+      "Infinitely many bounces", as({.skips_next = true})},
      {"at rest after t1", "You say that the ball is at rest, though that is later than t1.",
       "Infinitely many bounces", as({.rests_later = true})}}};

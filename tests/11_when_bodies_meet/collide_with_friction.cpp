@@ -494,6 +494,22 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
       "Without slip you have no friction. There it is as large as it has to be to hold the point, "
       "up to μ.",
       "Friction during the impact", as(Law{.at_rest = [](const Contact&) { return 0.; }})},
+     {"all the friction that μ allows",
+      "Where the slip has ended your friction is as large as μ allows. It is only as large as it "
+      "has to be to hold the point.",
+      "Friction during the impact",
+      as(Law{.at_rest = [](const Contact& c) { return -std::copysign(c.mu, c.K(0, 1)); }})},
+     {"no friction where it can't hold",
+      "Where μ is too small to hold the point, you have no friction. It still brakes the point, "
+      "with all of μ.",
+      "The slip may turn round",
+      as(Law{
+          .at_rest =
+              [](const Contact& c) { return std::abs(c.holding()) <= c.mu ? c.holding() : 0.; }})},
+     {"no slip taken for one",
+      "Without slip your friction is −μ, as if the slip were positive. There it is as large as it "
+      "has to be to hold the point, on either side.",
+      "Friction during the impact", as(Law{.at_rest = [](const Contact& c) { return -c.mu; }})},
      {"slips off the wrong way",
       "Where μ doesn't hold the point, yours slips off against the way in which the normal impulse "
       "drives it.",
@@ -536,6 +552,16 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
       "the beginning.",
       "Energy comes back by Stronge's law",
       changed([](PlanarImpulse& answer, const Contact&) { answer.jammed = false; })},
+     {"no impulse where it jams",
+      "You give no impulse where the contact jams. It is pressed together all the more there, "
+      "until the slip has ended, and parts then.",
+      "Energy comes back by Stronge's law", changed([](PlanarImpulse& answer, const Contact&) {
+        if (answer.jammed) answer.impulse.setZero();
+      })},
+     {"impulse on the second body",
+      "Your impulse is the one on the second body. The first one gets its negative.",
+      "An impact without friction",
+      changed([](PlanarImpulse& answer, const Contact&) { answer.impulse *= -1; })},
      {"jams with the other slip",
       "You say that a contact jams where it would with the opposite slip. Friction is against the "
       "slip, so the sign of K_nt counts.",

@@ -193,6 +193,24 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
       "well, and the turn moves the point.",
       "How a point responds to an impulse",
       with_turning([](const Mat3&, const Body&) -> Mat3 { return Mat3::Zero(); })},
+     {"turning counted twice",
+      "Your turning part is twice as large as it should be. A sum with the transpose is "
+      "symmetric, but only half of it is the mean.",
+      "How a point responds to an impulse",
+      with_turning([](const Mat3& turning, const Body&) -> Mat3 { return 2 * turning; })},
+     {"1/m everywhere",
+      "You have added 1/m to all nine numbers. An impulse moves the centre of mass along itself "
+      "only: 1/m belongs on the diagonal.",
+      "How a point responds to an impulse",
+      with_turning([](const Mat3& turning, const Body& body) -> Mat3 {
+        const Mat3 everywhere = Mat3::Constant(1 / body.mass);
+        return turning + everywhere - Mat3(everywhere.diagonal().asDiagonal());
+      })},
+     {"turning divided by the mass",
+      "You have divided all of K by the mass. In the inverse tensor the mass is already.",
+      "How a point responds to an impulse",
+      with_turning(
+          [](const Mat3& turning, const Body& body) -> Mat3 { return turning / body.mass; })},
      {"only the turning",
       "You left out that the impulse moves the centre of mass, too. Your body turns as if it were "
       "nailed to the world there.",
@@ -236,6 +254,20 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
       with_inverse([](const Body& body, const Mat3& R) -> Mat3 {
         return R.transpose() * body.I_body_inv * R;
       })},
+     {"turned twice the same way",
+      "R stands on both sides of your tensor. What turns a vector into body axes has to undo what "
+      "turns it out of them.",
+      "How a point responds to an impulse",
+      with_inverse(
+          [](const Body& body, const Mat3& R) -> Mat3 { return R * body.I_body_inv * R; })},
+     {"arm in body axes",
+      "You have turned the arm into body axes, and the inverse tensor into those of the world. A "
+      "product needs both in the same frame.",
+      "How a point responds to an impulse",
+      [](const Body& body, const State& state, const Vec3& point) -> Mat3 {
+        const Vec3 arm = reference::to_matrix(state.q).transpose() * (point - state.x);
+        return contact_matrix(body.mass, inverse_in_world(body, state), arm);
+      }},
      {"tensor for its inverse",
       "You used the inertia tensor where its inverse belongs. The harder a body is to turn, the "
       "less its point moves.",

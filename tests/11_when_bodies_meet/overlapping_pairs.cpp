@@ -63,13 +63,37 @@ struct Reader {
   }
 };
 
+/// Where bodies begin at one place, std::sort may put either first: it is what students use.
 std::vector<int> order_along_x(const Bodies& bounds) {
   std::vector<int> order;
   for (int i = 0; i < static_cast<int>(bounds.size()); ++i) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+  std::sort(order.begin(), order.end(), [&](int i, int j) {
     return Reader::at(bounds, i).low.x() < Reader::at(bounds, j).low.x();
   });
   return order;
+}
+
+/// Sweeps along x, and keeps the pairs in the order in which it finds them.
+Pairs in_the_order_of_the_sweep(const Bodies& bounds, const Meet& meet) {
+  const std::vector<int> order = order_along_x(bounds);
+  Pairs pairs;
+  for (std::size_t n = 0; n < order.size(); ++n)
+    for (std::size_t m = n + 1; m < order.size(); ++m) {
+      const auto [i, j] = std::minmax(order[n], order[m]);
+      if (Reader::at(bounds, order[m]).low.x() > Reader::at(bounds, order[n]).high.x()) break;
+      if (overlap(Reader::at(bounds, i), Reader::at(bounds, j)) && meet(i, j))
+        pairs.push_back({i, j});
+    }
+  return pairs;
+}
+
+/// Lets each body meet itself as well.
+Pairs with_themselves(const Bodies& bounds, const Meet& meet) {
+  Pairs pairs = Reader{}(bounds, meet);
+  for (int i = 0; i < static_cast<int>(bounds.size()); ++i)
+    if (meet(i, i)) pairs.push_back({i, i});
+  sort(pairs);
+  return pairs;
 }
 
 /// Looks at each body and the next one along x only.
@@ -162,8 +186,12 @@ TEST_SUITE(TUMBLE_UNIT) {
       "three boxes: two that touch, and one that stands apart; and two with one ulp between them") {
     const Bodies bodies{{{0, 0, 0}, {1, 1, 1}}, {{1, 0.5, 0.5}, {2, 2, 2}}, {{3, 0, 0}, {4, 1, 1}}};
     REQUIRE(is_right(bodies, all_meet));
-    const double next = std::nextafter(1., 2.);
-    REQUIRE(is_right({{{0, 0, 0}, {1, 1, 1}}, {{next, 0, 0}, {2, 1, 1}}}, all_meet));
+    // Along each axis: a sweep along one of them settles that one by itself.
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 low = Vec3::Zero();
+      low[axis] = std::nextafter(1., 2.);
+      REQUIRE(is_right({{{0, 0, 0}, {1, 1, 1}}, {low, {2, 2, 2}}}, all_meet));
+    }
   }
 
   TEST_CASE("touching counts: faces, edges and corners of cubes on a grid") {
@@ -239,6 +267,12 @@ const Misconceptions<decltype(when_bodies_meet::overlapping_pairs)> misconceptio
                  [](const Bounds& a, const Bounds& b) {
                    return overlap_along(0, a, b) && overlap_along(1, a, b);
                  }}},
+     {"y forgotten", "You compare x and z, but not y: two bodies in one row are not yet together.",
+      "Who can meet at all",
+      Reader{.candidates =
+                 [](const Bounds& a, const Bounds& b) {
+                   return overlap_along(0, a, b) && overlap_along(2, a, b);
+                 }}},
      {"one axis only",
       "You compare the bodies along x only. Those that the sweep finds together along x may still "
       "be "
@@ -300,6 +334,24 @@ const Misconceptions<decltype(when_bodies_meet::overlapping_pairs)> misconceptio
                    for (const auto& [i, j] : once) pairs.push_back({j, i});
                    sort(pairs);
                  }}},
+     {"each with itself", "You let each body meet itself. A pair has two different numbers.",
+      "Who can meet at all", with_themselves},
+     {"in the order of the sweep",
+      "Your pairs are the right ones, but in the order in which the sweep has found them. Sort "
+      "them by the first number, then by the second.",
+      "Who can meet at all", in_the_order_of_the_sweep},
+     {"numbers of the sorted list",
+      "Your numbers are the places of the bodies in the sorted list. Each body keeps the number "
+      "that it came with: sort the numbers, not the bodies.",
+      "Who can meet at all",
+      [](const Bodies& bounds, const Meet& meet) {
+        Bodies sorted;
+        for (const int i : order_along_x(bounds)) sorted.push_back(Reader::at(bounds, i));
+        return Reader{}(sorted, meet);
+      }},
+     {"those that don't meet", "You return the pairs for which `meet` says no.",
+      "Who can meet at all",
+      Reader{.asks = [](const Meet& meet, int i, int j) { return !meet(i, j); }}},
      {"larger number first", "Your pairs are the right ones, but with the larger number first.",
       "Who can meet at all",
       Reader{.finish =

@@ -7,8 +7,7 @@ namespace tumble::judge {
 
 namespace {
 
-constexpr std::size_t most_evaluations = 100000;  // of functions, for one answer
-constexpr int most_hung_cases = 2;                // each costs seconds
+constexpr int most_hung_cases = 2;  // each costs seconds
 
 NoAnswer malformed(const std::string& why) { return {Outcome::malformed, why}; }
 
@@ -37,15 +36,12 @@ std::string Exchange::question(const List& arguments) {
   if (hung_cases_ >= most_hung_cases)
     throw NoAnswer(Outcome::not_run, "two cases before this one had no answer in time");
   token_ = static_cast<std::int64_t>(tokens_() >> 1);
-  evaluations_ = 0;
   return frame_of({Kind::question, token_, arguments});
 }
 
 std::optional<std::string> Exchange::result_for(const Message& message, const CallBack& call_back) {
   if (message.token != token_) throw malformed("a message that belongs to no question");
   if (message.kind != Kind::call_back) return std::nullopt;
-  if (evaluations_++ == most_evaluations)
-    throw NoAnswer(Outcome::hung, "it called a function among its arguments 100000 times");
   const FunctionId* function =
       message.content.size() == 2 ? message.content[0].as<FunctionId>() : nullptr;
   if (!function) throw malformed("a call of no function");

@@ -42,7 +42,6 @@ class Exchange {
   std::uint64_t memory_bytes_;
   std::mt19937_64 tokens_{std::random_device{}()};
   std::int64_t token_ = 0;
-  std::size_t evaluations_ = 0;
   int hung_cases_ = 0;
 };
 

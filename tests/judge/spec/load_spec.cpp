@@ -8,18 +8,35 @@
 
 namespace tumble::judge {
 
+namespace {
+
+/// @throws std::runtime_error that says what to build
+support::Module module_of(const Unit& unit) {
+  const std::string name = unit.number + " " + unit.name, target = unit.chapter + "." + unit.name;
+  for (const fs::path& file : {unit.spec, unit.worker})
+    if (!fs::exists(file))
+      throw std::runtime_error(name + " is not built yet: build the target spec." + target);
+  try {
+    return support::Module(unit.spec);
+  } catch (const std::runtime_error& why) {
+    // The mark of the headers is a name that a judge of the same headers has: see
+    // header_mark.cmake.
+    if (std::string(why.what()).find("tumble_spec_headers_") == std::string::npos) throw;
+    throw std::runtime_error("the spec of " + name +
+                             " was built with other headers than this judge: build the targets "
+                             "tumble_judge and spec." +
+                             target);
+  }
+}
+
+}  // namespace
+
 void load_spec(const Unit& unit) {
   if (unit.spec.empty()) return;
   static std::mutex mutex;
   static std::map<fs::path, support::Module> loaded;
   const std::lock_guard lock(mutex);
-  if (loaded.contains(unit.spec)) return;
-  for (const fs::path& file : {unit.spec, unit.worker})
-    if (!fs::exists(file))
-      throw std::runtime_error(unit.number + " " + unit.name +
-                               " is not built yet: build the target spec." + unit.chapter + "." +
-                               unit.name);
-  loaded.emplace(unit.spec, support::Module(unit.spec));
+  if (!loaded.contains(unit.spec)) loaded.emplace(unit.spec, module_of(unit));
 }
 
 }  // namespace tumble::judge

@@ -66,6 +66,7 @@ void Session::rethrow_judge_failure() const {
 namespace {
 
 constexpr std::size_t max_recorded = 3'000'000;  // numbers, in one run of a spec: some 200 MB
+constexpr std::size_t max_wasted = 40'000;       // evaluations: a second or two
 
 /// The longest list of numbers in a value.
 std::size_t longest_list(const List& list) {
@@ -101,6 +102,18 @@ Value evaluated(const Call& call, FunctionId id, const List& arguments) {
   }
 }
 
+/// Evaluates the functions among the arguments of a call, as often as one answer may.
+CallBack evaluator(const Call& call) {
+  return [&call, count = std::size_t{0}](FunctionId id, const List& arguments) mutable {
+    if (++count > call.most_evaluations)
+      throw NoAnswer(Outcome::wrong_call,
+                     std::to_string(call.most_evaluations) +
+                         " times for one answer, and then once more. No answer "
+                         "needs that: look for a loop that never ends");
+    return evaluated(call, id, arguments);
+  };
+}
+
 Question question_of(const Call& call) {
   constexpr std::ptrdiff_t most_shown = 4;
   const auto begin = call.evaluations.begin(), end = call.evaluations.end();
@@ -111,21 +124,30 @@ Question question_of(const Call& call) {
 }  // namespace
 
 std::size_t Session::ask(Call call) {
-  const auto record = [this, &call](FunctionId id, const List& arguments) {
-    Value result = evaluated(call, id, arguments);
+  const auto record = [this, &call, evaluate = evaluator(call)](FunctionId id,
+                                                                const List& arguments) {
+    Value result = evaluate(id, arguments);
     recorded_ += count_numbers(arguments) + count_numbers(result);
     if (recorded_ > max_recorded)
       throw NoAnswer(Outcome::wrong_call, "so often that the judge cannot keep what it was told");
     call.evaluations.push_back({id, arguments, result});
     return result;
   };
+  const std::size_t recorded_before = recorded_;
   try {
+    if (wasted_ >= max_wasted)
+      throw NoAnswer(Outcome::not_run,
+                     "cases before this one called the functions that they were "
+                     "given without end");
     call.answer = answerer_.ask(call, record);
   } catch (const NoAnswer& why) {
     Finding finding;
     finding.outcome = why.outcome;
     finding.detail = why.what();
     finding.question = question_of(call);
+    if (call.evaluations.size() == call.most_evaluations) wasted_ += call.most_evaluations;
+    recorded_ = recorded_before;
+    call.evaluations.clear();
     end_case_by(call, calls_.size() == cases_.back().first_call);
     found(std::move(finding));
     throw;
@@ -241,7 +263,7 @@ bool Session::answers_otherwise_alone(std::size_t number, const std::optional<Va
   if (!call) return false;
   try {
     answerer_.start_case();
-    const Value alone = answerer_.ask(*call, call->functions);
+    const Value alone = answerer_.ask(*call, evaluator(*call));
     return !answer || largest_difference(alone, *answer) != 0;
   } catch (const std::exception&) {
     return false;  // no answer at all says nothing about the one that came

@@ -32,6 +32,8 @@ struct Call {
   /// What its demand calls equal; replaced when a demand is made.
   Metric metric = largest_difference;
   double tolerance = 0;
+  /// How often the functions may be evaluated, all together, for one answer.
+  std::size_t most_evaluations = 0;
 };
 
 class Session {
@@ -103,6 +105,7 @@ class Session {
 
   std::vector<Case> cases_;   ///< that have begun
   std::size_t recorded_ = 0;  ///< numbers that are kept of answers and evaluations
+  std::size_t wasted_ = 0;    ///< evaluations for answers that never came
   std::optional<Finding> finding_;
   std::exception_ptr judge_failure_;
   Session* previous_;

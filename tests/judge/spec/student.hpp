@@ -101,7 +101,10 @@ class Function;
 template <class Result, class... Arguments>
 class Function<Result(Arguments...)> {
  public:
-  explicit Function(std::string unit) : unit_(std::move(unit)) {}
+  /// @param most_evaluations of the functions among its arguments, for one answer: far more than a
+  ///        wasteful one takes
+  explicit Function(std::string unit, std::size_t most_evaluations = 20'000)
+      : unit_(std::move(unit)), most_evaluations_(most_evaluations) {}
 
   /// @throws NoAnswer if the student's code gives none
   Answer<Result> operator()(const std::decay_t<Arguments>&... arguments) const {
@@ -110,6 +113,7 @@ class Function<Result(Arguments...)> {
     Call call;
     call.arguments = List{functions.add(arguments)...};
     call.functions = functions;
+    call.most_evaluations = most_evaluations_;
     call.misconception = [unit = unit_, ... copy = arguments](std::size_t k,
                                                               const CallBack& route) {
       std::int64_t next_function = 0;
@@ -128,6 +132,7 @@ class Function<Result(Arguments...)> {
 
  private:
   std::string unit_;
+  std::size_t most_evaluations_;
 };
 
 }  // namespace tumble::judge
