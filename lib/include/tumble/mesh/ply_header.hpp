@@ -71,8 +71,9 @@ class PlyHeaderReader {
     expect("ply");
     carriage_return_alone_ =
         text_.bytes_left() > 1 && text_.at()[0] == '\r' && text_.at()[1] != '\n';
-    do text_.next_line();
-    while (read_line());
+    do {
+      text_.next_line();
+    } while (read_line());
     end_last_line();
     return std::move(header_);
   }

@@ -6,6 +6,7 @@
 /// between them, and all edges are used equally often in both directions. Programs that merge
 /// vertices leave others behind that no neighbour needs. They hide no hole, and add nothing.
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <span>
@@ -52,8 +53,12 @@ inline std::optional<PolygonMesh> without_stray_faces(const PolygonMesh& mesh) {
       const auto place = surplus.find({a, b});
       return place != surplus.end() && place->second > 0;
     };
-    if (!all_edges(face, is_over) || !has_no_area(mesh, face)) continue;
-    all_edges(face, [&](int a, int b) { return --surplus[{a, b}], ++surplus[{b, a}], true; });
+    if (face.size() < 3 || !all_edges(face, is_over) || !has_no_area(mesh, face)) continue;
+    all_edges(face, [&](int a, int b) {
+      --surplus[{a, b}];
+      ++surplus[{b, a}];
+      return true;
+    });
     const auto begin = result.corners.begin() + mesh.first_corner[static_cast<std::size_t>(f)];
     std::fill_n(begin, face.size(), face[0]);
   }
