@@ -36,7 +36,7 @@ class SteadyFlight {
   bool is_still() const { return centre_.v.isZero(0) && centre_.a.isZero(0) && L_.isZero(0); }
   Vec3 acceleration() const { return centre_.a; }
   double most_spin() const { return omega_.norm(); }
-  double most_turning() const { return omega_.squaredNorm(); }
+  double most_angular_acceleration() const { return 0; }
   double begin() const { return t0_; }
 
  private:

@@ -1,4 +1,7 @@
 // ./tumble mass FILE and ./tumble simulate scene.json: the library without writing C++.
+#include <string>
+#include <vector>
+
 #include "scenes/commands.hpp"
 #include "support/command_line.hpp"
 
@@ -25,8 +28,9 @@ void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
   app.add_option("--unit", mass.unit, "of the lengths in the file: mm, cm, m or in")
       ->capture_default_str()
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
-  app.add_option("--about", mass.about, "x y z: you also get the inertia about this point [m]")
-      ->expected(3);
+  CLI::Option* const about =
+      app.add_option("--about", mass.about, "x y z: you also get the inertia about this point [m]")
+          ->expected(3);
   app.add_option("--accuracy", mass.accuracy, "fast, tight or textbook")
       ->capture_default_str()
       ->check(CLI::IsMember({"fast", "tight", "textbook"}));
@@ -35,11 +39,16 @@ void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
       ->capture_default_str();
   app.add_flag("--thorough", mass.thorough, "look for crossings at every pair of triangles");
   app.add_flag("--accept", mass.accept, "compute what we can from a bad mesh, too");
-  app.add_flag("--json", mass.json, "all digits, and all that we have found, as JSON");
-  for (const char* format : {"urdf", "sdf", "mjcf"})
-    app.add_flag_callback(
+  std::vector<CLI::Option*> outputs = {
+      app.add_flag("--json", mass.json, "all digits, and all that we have found, as JSON")};
+  for (const char* format : {"urdf", "sdf", "mjcf"}) {
+    CLI::Option* const block = app.add_flag_callback(
         std::string("--") + format, [&mass, format] { mass.block = format; },
         "only the <inertial> element of such a file");
+    about->excludes(block);  // its tensor is the one about the centre of mass
+    for (CLI::Option* const other : outputs) block->excludes(other);
+    outputs.push_back(block);
+  }
 }
 
 }  // namespace

@@ -195,6 +195,8 @@ std::vector<std::string> mesh_files(const std::vector<std::string>& given) {
   std::vector<std::string> files;
   for (const std::string& path : given) {
     if (!std::filesystem::is_directory(path)) {
+      require(path.find('=') == std::string::npos || std::filesystem::exists(path), path,
+              ": there is no such file; for a density, write --density ", path);
       files.push_back(path);
       continue;
     }

@@ -24,12 +24,22 @@ void print_all(const std::vector<MassAnswer>& all, const MassCommand& command) {
   }
 }
 
+/// @throws std::invalid_argument if something is asked that has a meaning for one file only
+void require_one_if_needed(const std::vector<std::string>& files, const MassCommand& command) {
+  if (files.size() == 1) return;
+  require(!command.mass, "--mass is what one body weighs, and there are ", files.size(),
+          " files: ask about one after the other");
+  require(command.about.empty() || command.json, "--about: the table of ", files.size(),
+          " files has no room for it: ask for --json, or about one file");
+}
+
 }  // namespace
 
 int run(const MassCommand& command) {
+  const std::vector<std::string> files = mesh_files(command.files);
+  require_one_if_needed(files, command);
   std::vector<MassAnswer> all;
-  for (const std::string& file : mesh_files(command.files))
-    all.push_back(mass_answer(command, file));
+  for (const std::string& file : files) all.push_back(mass_answer(command, file));
   print_all(all, command);
   int status = 0;
   for (const MassAnswer& found : all) {

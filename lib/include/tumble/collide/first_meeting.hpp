@@ -37,7 +37,7 @@ namespace tumble::collide::detail {
 /// that is lowest at some time is a better time, until none is lower there.
 template <class Things>
 double time_apart(const Things& things, const Vec3& n, double most) {
-  const double a = std::fmin(0, things.acceleration(n));
+  const double a = std::fmin(0, things.acceleration(n, most));
   double s = most;
   while (s > 0) {
     const Reach lowest = things.gap_along(n, s);

@@ -3,10 +3,12 @@
 /// How a body moves over a time, with bounds that hold all the while, and what they say about how
 /// far it reaches along a direction.
 
+#include <cmath>
 #include <concepts>
 
 #include "tumble/body/derived.hpp"
 #include "tumble/collide/convex.hpp"
+#include "tumble/core/rounding.hpp"
 
 namespace tumble::collide {
 
@@ -17,9 +19,9 @@ namespace tumble::collide {
 template <class M>
 concept Motion = requires(const M& motion, double t) {
   { motion.at(t) } -> std::convertible_to<Derived<>>;
-  { motion.acceleration() } -> std::convertible_to<Vec3>;    // of the centre [m/s²]
-  { motion.most_spin() } -> std::convertible_to<double>;     // bound on |ω| [rad/s]
-  { motion.most_turning() } -> std::convertible_to<double>;  // bound on |ω|² + |dω/dt| [1/s²]
+  { motion.acceleration() } -> std::convertible_to<Vec3>;                 // of the centre [m/s²]
+  { motion.most_spin() } -> std::convertible_to<double>;                  // bound on |ω| [rad/s]
+  { motion.most_angular_acceleration() } -> std::convertible_to<double>;  // |dω/dt| [rad/s²]
 };
 
 /// A body on its way.
@@ -51,10 +53,21 @@ inline Reach farthest_reach(const Convex& body, const Derived<>& now, const Vec3
   return {n.dot(arm) + body.radius(), n.dot(now.v + now.omega.cross(arm))};
 }
 
-/// Bound on how fast a point of the hull is accelerated because the body turns [m/s²].
+/// Bound on how fast a point of the hull is accelerated along n because the body turns [m/s²].
+///
+/// With r the point's arm and ω = a n + w, w across n, the acceleration along n is
+///   n·(ω × (ω × r)) + n·(ω̇ × r) = a w·r − w² n·r + n·(ω̇ × r),
+/// as ω × (ω × r) = (ω·r) ω − ω² r. The vector a w − w² n has length w √(a² + w²) = w |ω|, so the
+/// sum is at most (w |ω| + |ω̇|) |r|. A turn about n moves no point along it: w alone counts, and
+/// grows from its size now by |ω̇| at most.
+/// @param within a time from now [s]
 template <Motion M>
-double turning_of(const Moving<M>& moving) {
-  return (moving.body.reach() - moving.body.radius()) * moving.motion.most_turning();
+double turning_along(const Moving<M>& moving, const Derived<>& now, const Vec3& n, double within) {
+  const double spin = moving.motion.most_spin(), faster = moving.motion.most_angular_acceleration();
+  constexpr double rounding = 16 * tumble::detail::unit_roundoff;  // of ω
+  const double across =
+      std::fmin(spin, n.cross(now.omega).norm() + faster * within + rounding * spin);
+  return (moving.body.reach() - moving.body.radius()) * (across * spin + faster);
 }
 
 }  // namespace tumble::collide::detail

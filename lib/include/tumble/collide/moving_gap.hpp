@@ -34,10 +34,10 @@ class TwoBodies {
     return {n.dot(now_b_.x - now_a_.x) - a_.body.reach() - b_.body.reach(),
             n.dot(now_b_.v - now_a_.v), n.dot(b_.motion.acceleration() - a_.motion.acceleration())};
   }
-  /// Bound from below on the acceleration of any such gap.
-  double acceleration(const Vec3& n) const {
-    return n.dot(b_.motion.acceleration() - a_.motion.acceleration()) - turning_of(a_) -
-           turning_of(b_);
+  /// Bound from below on the acceleration of any such gap within a time.
+  double acceleration(const Vec3& n, double within) const {
+    return n.dot(b_.motion.acceleration() - a_.motion.acceleration()) -
+           turning_along(a_, now_a_, n, within) - turning_along(b_, now_b_, n, within);
   }
   /// Bound on how fast a point of one comes to a point of the other within a time.
   double speed(double within) const {
@@ -78,8 +78,8 @@ class BodyAndWall {
     return {n.dot(wall_.point - now_.x) - a_.body.reach(), -n.dot(now_.v),
             -n.dot(a_.motion.acceleration())};
   }
-  double acceleration(const Vec3& n) const {
-    return -n.dot(a_.motion.acceleration()) - turning_of(a_);
+  double acceleration(const Vec3& n, double within) const {
+    return -n.dot(a_.motion.acceleration()) - turning_along(a_, now_, n, within);
   }
   double speed(double within) const {
     return now_.v.norm() + within * a_.motion.acceleration().norm() +

@@ -114,7 +114,7 @@ class Flight {
   bool is_still() const { return centre_.v.isZero(0) && centre_.a.isZero(0) && L_.isZero(0); }
   Vec3 acceleration() const { return centre_.a; }
   double most_spin() const { return bounds_.spin; }
-  double most_turning() const { return bounds_.spin * bounds_.spin + bounds_.acceleration; }
+  double most_angular_acceleration() const { return bounds_.acceleration; }
 
   /// What a ball around the centre passes from t to t + duration.
   collide::Bounds swept(double t, double duration, double radius) const {

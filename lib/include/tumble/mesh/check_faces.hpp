@@ -71,24 +71,27 @@ inline bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   return !(n.lpNorm<1>() > bound) && collinear(a, b, c);
 }
 
+/// Whether all triangles of a face have an area of exactly 0.
+inline bool has_no_area(const PolygonMesh& mesh, std::span<const int> face) {
+  for (std::size_t k = 2; k < face.size(); ++k)
+    if (!has_no_area(mesh.vertex(face[0]), mesh.vertex(face[k - 1]), mesh.vertex(face[k])))
+      return false;
+  return true;
+}
+
 /// What is degenerate about a face, in words; null when nothing is.
 inline const char* degeneracy(const PolygonMesh& mesh, std::span<const int> face) {
   if (face.size() < 3) return "has fewer than 3 corners";
   if (face.size() == 3) {
     if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
       return "has the same vertex at two corners";
-    return has_no_area(mesh.vertex(face[0]), mesh.vertex(face[1]), mesh.vertex(face[2]))
-               ? "has an area of exactly 0"
-               : nullptr;
+    return has_no_area(mesh, face) ? "has an area of exactly 0" : nullptr;
   }
   std::vector<int> sorted(face.begin(), face.end());
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
     return "has the same vertex at two corners";
-  for (std::size_t k = 2; k < face.size(); ++k)
-    if (!has_no_area(mesh.vertex(face[0]), mesh.vertex(face[k - 1]), mesh.vertex(face[k])))
-      return nullptr;
-  return "has an area of exactly 0";
+  return has_no_area(mesh, face) ? "has an area of exactly 0" : nullptr;
 }
 
 /// Whether a face has less than three corners.

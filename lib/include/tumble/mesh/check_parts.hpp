@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/depth.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
 
@@ -25,16 +26,32 @@ inline std::string describe_part(const PolygonMesh& mesh, const Components& surf
          std::to_string(mesh.face_count()) + " faces)";
 }
 
-/// Finds the parts of a closed surface that enclose nothing.
+/// For each part whether it has a face with an area.
+inline std::vector<char> parts_with_area(const PolygonMesh& mesh, const Components& surface) {
+  std::vector<char> result(surface.parts.size(), 0);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const int part = mesh.face(f).empty() ? -1 : surface.of(mesh.face(f)[0]);
+    if (part < 0) continue;
+    char& any = result[static_cast<std::size_t>(part)];
+    any = any || !has_no_area(mesh, mesh.face(f));
+  }
+  return result;
+}
+
+/// Finds the parts of a closed surface that enclose nothing. Faces without an area that lie beside
+/// a body are no part of it, and are named already.
 inline std::vector<MeshDefect> find_flat_parts(const PolygonMesh& mesh, const Components& surface) {
   const auto is_flat = [](const Component& part) {
     return !(std::abs(part.volume) > part.rounding);
   };
   if (std::none_of(surface.parts.begin(), surface.parts.end(), is_flat)) return {};
+  const bool all_flat = std::all_of(surface.parts.begin(), surface.parts.end(), is_flat);
+  const std::vector<char> with_area = parts_with_area(mesh, surface);
   MeshDefectsOfOneKind flat(MeshDefectKind::flat);
   const std::vector<int> faces = first_faces(mesh, surface);
   for (std::size_t i = 0; i < surface.parts.size(); ++i) {
     if (!is_flat(surface.parts[i])) continue;
+    if (!all_flat && !with_area[i]) continue;
     flat.add(faces[i], {-1, -1}, [&] {
       return describe_part(mesh, surface, faces[i]) +
              " encloses no volume that could be told from 0";

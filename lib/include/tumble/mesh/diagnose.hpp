@@ -22,6 +22,7 @@
 #include "tumble/mesh/crossing_search.hpp"
 #include "tumble/mesh/finite_bounds.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
+#include "tumble/mesh/stray_faces.hpp"
 #include "tumble/mesh/survey.hpp"
 
 namespace tumble {
@@ -47,6 +48,24 @@ inline TriangleMeetings meetings_for(const PolygonMesh& mesh, crossings::Search 
   if (search == crossings::Search::thorough || mesh.face_count() <= always_pairs)
     return find_meetings(mesh);
   return mesh.face_count() <= few_pairs ? find_meetings(mesh, few) : TriangleMeetings();
+}
+
+/// Everything that is wrong with the parts of a closed surface.
+/// @param all      what a pass over the mesh told
+/// @param lattices the lines that it looked at
+inline std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, const Survey& all,
+                                                 const Eigen::AlignedBox3d& box,
+                                                 const LineLattices& lattices,
+                                                 crossings::Search search,
+                                                 std::optional<double> rounding) {
+  const Components surface = components(mesh, all.enclosed);
+  std::vector<MeshDefect> findings = find_flat_parts(mesh, surface);
+  const std::vector<MeshDefect> depth =
+      find_wrong_depth({mesh, surface, box, lattices, all.near_lines,
+                        search == crossings::Search::thorough, rounding},
+                       meetings_for(mesh, search));
+  findings.insert(findings.end(), depth.begin(), depth.end());
+  return findings;
 }
 
 }  // namespace detail
@@ -79,17 +98,17 @@ inline std::vector<MeshDefect> diagnose(const PolygonMesh& mesh,
     return findings;
   }
   const detail::LineLattices lattices(bounds.box, detail::diagnosis_lines);
-  const detail::Survey all = detail::survey(mesh, detail::filters_of(lattices), options);
-  if (all.balance != 0) add_edge_defects();
+  detail::Survey all = detail::survey(mesh, detail::filters_of(lattices), options);
+  std::optional<PolygonMesh> closed;
+  if (all.balance != 0 && all.enclosed.doubtful > 0) closed = detail::without_stray_faces(mesh);
+  if (all.balance != 0 && !closed) add_edge_defects();
   if (all.enclosed.doubtful > 0 || detail::has_short_faces(mesh))
     add(detail::find_degenerate_faces(mesh));
   add(detail::find_nonplanar_faces(mesh));
-  if (all.balance != 0) return findings;
-  const detail::Components surface = detail::components(mesh, all.enclosed);
-  add(detail::find_flat_parts(mesh, surface));
-  add(detail::find_wrong_depth({mesh, surface, bounds.box, lattices, all.near_lines,
-                                search == crossings::Search::thorough, rounding},
-                               detail::meetings_for(mesh, search)));
+  if (all.balance != 0 && !closed) return findings;
+  if (closed) all = detail::survey(*closed, detail::filters_of(lattices), options);
+  add(detail::find_wrong_bodies(closed ? *closed : mesh, all, bounds.box, lattices, search,
+                                rounding));
   return findings;
 }
 

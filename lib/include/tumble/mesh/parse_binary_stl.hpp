@@ -40,7 +40,8 @@ inline void require_stl_size(std::string_view bytes, std::string_view name) {
   const std::uint64_t count = stl_facet_count(bytes);
   const std::uint64_t needed = stl_header_size + stl_facet_size * count;
   require(bytes.size() == needed, name, ", byte 80: the header announces ", count,
-          " facets, which take ", needed, " bytes, but the file has ", bytes.size());
+          " facets, which take ", needed, " bytes, but the file has ", bytes.size(),
+          about_foreign_format(bytes));
   constexpr std::uint64_t max_facets = 0x7FFFFFFF / 3;
   require(count <= max_facets, name, ", byte 80: ", count, " facets are more than the ", max_facets,
           " that a mesh holds");

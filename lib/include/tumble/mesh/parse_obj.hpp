@@ -53,7 +53,7 @@ class ObjReader {
   }
 
   bool begins_with(char keyword) const {
-    return text_.bytes_left() > 1 && text_.at()[0] == keyword && is_blank(text_.at()[1]);
+    return !text_.at_end() && *text_.at() == keyword && text_.ends_word(text_.at() + 1);
   }
 
   /// Whether the line may be one with a name: "o", "g" or "usemtl".

@@ -32,7 +32,8 @@ class PlyBodyReader {
       if (element.count > 0) read_all(element);
     }
     values_.require_end();
-    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)");
+    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)",
+            count_of("tristrips") > 0 ? "; strips of triangles ('tristrips') are not read" : "");
     return std::move(mesh_);
   }
 
@@ -104,9 +105,8 @@ class PlyBodyReader {
     const std::size_t count = element.properties.size();
     const std::size_t list =
         std::min(find(element, "vertex_indices"), find(element, "vertex_index"));
-    require(
-        list < count && element.properties[list].count && is_integer(element.properties[list].type),
-        name_, ": a face has no list of integers 'vertex_indices'");
+    require(list < count && element.properties[list].count, name_,
+            ": a face has no list 'vertex_indices'");
     mesh_.corners.reserve(3 * static_cast<std::size_t>(element.count));
     mesh_.first_corner.reserve(static_cast<std::size_t>(element.count) + 1);
     for_each(element, [&] {
@@ -122,7 +122,7 @@ class PlyBodyReader {
     const std::int64_t count = read_length(property);
     if (count < 3) values_.refuse("has ", count, " corners, and needs 3");
     for (std::int64_t k = 0; k < count; ++k) {
-      const auto v = static_cast<std::int64_t>(values_.next(property, property.type));
+      const std::int64_t v = read_whole(property, property.type);
       if (v < 0 || v >= vertex_count_)
         values_.refuse("has vertex ", v, ", but there are ", vertex_count_, " vertices, from 0");
       mesh_.corners.push_back(static_cast<int>(v));
@@ -133,31 +133,42 @@ class PlyBodyReader {
   }
 
   std::int64_t read_length(const PlyProperty& property) {
-    const auto count = static_cast<std::int64_t>(values_.next(property, *property.count));
+    const std::int64_t count = read_whole(property, *property.count);
     if (count < 0) values_.refuse("has a list '", shown(property.name), "' of ", count, " values");
     return count;
+  }
+
+  /// A length or the number of a vertex. Some programs write them as floats: those count as long as
+  /// no other whole number is rounded to the same one.
+  std::int64_t read_whole(const PlyProperty& property, PlyType type) {
+    const double x = values_.next(property, type);
+    if (!(std::abs(x) < (type == PlyType::float32 ? 0x1p24 : 0x1p53) && x == std::floor(x)))
+      values_.refuse("has ", x, " for '", shown(property.name),
+                     "', which is not a whole number that ", about(type).name, " holds for sure");
+    return static_cast<std::int64_t>(x);
   }
 
   void skip(const PlyProperty& property) {
     values_.skip(property, property.type, property.count ? read_length(property) : 1);
   }
 
-  std::int64_t count_of_vertices() const {
+  std::int64_t count_of(std::string_view name) const {
     for (const PlyElement& element : header_.elements)
-      if (element.name == "vertex") return element.count;
+      if (element.name == name) return element.count;
     return 0;
   }
 
   const PlyHeader& header_;
   Values values_;
   std::string_view name_;
-  std::int64_t vertex_count_ = count_of_vertices();
+  std::int64_t vertex_count_ = count_of("vertex");
   PolygonMesh mesh_;
 };
 
 /// Reads a PLY file. Polygons stay polygons; vertices that no face uses, and equal ones, stay.
 /// Elements and properties other than the vertices' x, y, z [m] and the faces' vertex_indices (or
-/// vertex_index) are passed over, in any order and of any type.
+/// vertex_index) are passed over, in any order and of any type; lengths and vertices' numbers may
+/// be whole numbers of any type.
 /// @param bytes of the file: ascii, binary_little_endian or binary_big_endian 1.0
 /// @param name  what the file is called in messages
 /// @throws std::invalid_argument naming the line or the byte, and the element, for: a header that

@@ -26,7 +26,8 @@ inline bool is_text_stl(std::string_view head) {
 ///         shorter or longer than its facets, a facet without three vertices, a coordinate that is
 ///         not a finite number, a word that does not belong there, a file without facets
 inline PolygonMesh parse_stl(std::string_view bytes, std::string_view name) {
-  if (!detail::is_binary_stl(bytes, bytes.size()) && detail::is_text_stl(bytes))
+  const bool is_text = !bytes.empty() && bytes.find('\0') == std::string_view::npos;
+  if (is_text && !detail::is_binary_stl(bytes, bytes.size()))
     return detail::StlTextReader(bytes, name).read();
   return detail::parse_binary_stl(bytes, name);
 }

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "tumble/mesh/foreign_format.hpp"
 #include "tumble/mesh/parse_number.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/mesh/text_scanner.hpp"
@@ -32,7 +33,11 @@ class StlTextReader {
   StlTextReader(std::string_view text, std::string_view name) : text_(text, name), name_(name) {}
 
   PolygonMesh read() {
-    for (text_.skip_to_word(); !text_.at_end(); text_.skip_to_word()) read_solid();
+    text_.skip_to_word();
+    if (!next_is("solid"))
+      text_.refuse("an ASCII STL file begins with 'solid', not with '", shown(text_.peek_word()),
+                   "'", about_foreign_format({text_.at(), text_.bytes_left()}));
+    for (; !text_.at_end(); text_.skip_to_word()) read_solid();
     require(mesh_.face_count() > 0, name_, ": no faces");
     mesh_.vertices = welder_.take_positions();
     return std::move(mesh_);

@@ -71,26 +71,31 @@ class PlyHeaderReader {
     expect("ply");
     carriage_return_alone_ =
         text_.bytes_left() > 1 && text_.at()[0] == '\r' && text_.at()[1] != '\n';
-    text_.next_line();
-    if (text_.next_word() != "format") text_.refuse("the second line should be 'format …'");
-    read_format();
-    text_.next_line();
-    while (read_line()) text_.next_line();
+    do {
+      text_.next_line();
+    } while (read_line());
     end_last_line();
     return std::move(header_);
   }
 
  private:
+  /// Lines without a word and comments may stand anywhere; the format is before the elements.
   /// @return whether more lines belong to the header
   bool read_line() {
     if (text_.at_end()) text_.refuse("the text ends where 'end_header' should be");
     const std::string_view keyword = text_.next_word();
+    if (keyword.empty() || keyword == "comment" || keyword == "obj_info") return true;
+    if ((keyword == "format") == has_format_)
+      text_.refuse("'", shown(keyword), "' where ",
+                   has_format_ ? "the elements should be" : "'format …' should be");
     if (keyword == "end_header") return false;
-    if (keyword == "element")
+    if (keyword == "format")
+      read_format();
+    else if (keyword == "element")
       read_element();
     else if (keyword == "property")
       read_property();
-    else if (keyword != "comment" && keyword != "obj_info")
+    else
       text_.refuse("'", shown(keyword), "' is not a keyword of a PLY header");
     return true;
   }
@@ -102,6 +107,7 @@ class PlyHeaderReader {
     const auto place = std::find(names.begin(), names.end(), word) - names.begin();
     if (place == std::ssize(names)) text_.refuse("'", shown(word), "' is not a format of PLY");
     header_.format = static_cast<PlyFormat>(place);
+    has_format_ = true;
     expect("1.0");
   }
 
@@ -134,8 +140,6 @@ class PlyHeaderReader {
     const std::string_view word = text_.next_word();
     if (word != "list") return {"", type_of(word)};
     const PlyType count = type_of(text_.next_word());
-    if (!is_integer(count))
-      text_.refuse("the length of a list is an integer, not ", about(count).name);
     return {"", type_of(text_.next_word()), count};
   }
 
@@ -169,6 +173,7 @@ class PlyHeaderReader {
 
   TextScanner& text_;
   PlyHeader header_;
+  bool has_format_ = false;
   bool carriage_return_alone_ = false;  ///< ends the lines
 };
 

@@ -101,7 +101,7 @@ std::optional<Look> beyond_zero(const Value& value, std::array<Look, 3> looks) {
 }
 
 /// Shows `visit` each event, in turn, until it has seen enough.
-/// @param visit visit(event) → whether to look for more
+/// @param visit visit(event, whether g falls) → whether to look for more
 template <class State, class G, class Visit>
 void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit& visit) {
   constexpr int parts = 8;
@@ -112,7 +112,7 @@ void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit
   };
   const auto goes_on = [&](const Look& a, const Look& b) {
     const double root = change_of_sign(value, a.t, b.t, a.g, b.g);
-    return visit(EventOf<State>{root, trajectory.at(root)});
+    return visit(EventOf<State>{root, trajectory.at(root)}, a.g > 0);
   };
   std::array<Look, 3> looks{};  // the last ones
   looks[2] = {times.front(), value(times.front())};
@@ -147,7 +147,7 @@ template <class State, detail::EventFunction<State> G>
 std::optional<detail::EventOf<State>> first_event(const TrajectoryOf<State>& trajectory,
                                                   const G& g) {
   std::optional<detail::EventOf<State>> first;
-  detail::visit_events(trajectory, g, [&](const detail::EventOf<State>& event) {
+  detail::visit_events(trajectory, g, [&](const detail::EventOf<State>& event, bool) {
     first = event;
     return false;
   });
@@ -158,7 +158,7 @@ std::optional<detail::EventOf<State>> first_event(const TrajectoryOf<State>& tra
 template <class State, detail::EventFunction<State> G>
 std::vector<detail::EventOf<State>> every_event(const TrajectoryOf<State>& trajectory, const G& g) {
   std::vector<detail::EventOf<State>> all;
-  detail::visit_events(trajectory, g, [&](const detail::EventOf<State>& event) {
+  detail::visit_events(trajectory, g, [&](const detail::EventOf<State>& event, bool) {
     all.push_back(event);
     return true;
   });

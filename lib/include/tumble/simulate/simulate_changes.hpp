@@ -47,10 +47,8 @@ concept StateChange = requires(const F& change, double t, const State& state) {
 template <class State, class When>
 std::optional<EventOf<State>> first_fall(const TrajectoryOf<State>& motion, const When& when) {
   std::optional<EventOf<State>> fall;
-  visit_events(motion, when, [&](const EventOf<State>& event) {
-    const double before =
-        std::max(motion.t0(), std::nextafter(event.t, -std::numeric_limits<double>::infinity()));
-    if (when(before, motion.at(before)) > 0) fall = event;
+  visit_events(motion, when, [&](const EventOf<State>& event, bool falls) {
+    if (falls) fall = event;
     return !fall;
   });
   return fall;

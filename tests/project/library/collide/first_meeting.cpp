@@ -79,6 +79,19 @@ TEST_CASE("first_meeting: bricks on floors and walls, as a fine look at all time
   CHECK(queries < 200 * 30);
 }
 
+TEST_CASE(
+    "first_meeting: a plate that spins about the floor's normal lands as if it did not turn") {
+  const Vec3 size(0.5, 0.5, 0.02);
+  for (const double spin : {0., 10., 1000.}) {
+    const Thrown plate(size, Vec3(0, 0, 1), Quat::Identity(), Vec3(1, 2, 0), Vec3(0, 0, spin));
+    const auto meeting =
+        collide::first_meeting(plate.moving(), collide::HalfSpace{}, 0, 10, tolerance);
+    REQUIRE(meeting.found);
+    CHECK(std::abs(meeting.t - collide::landing_time(1 - size.z() / 2, 0, g.z())) < 1e-6);
+    CHECK(meeting.queries <= 4);
+  }
+}
+
 TEST_CASE("first_meeting: two bricks in flight, as a fine look at all times sees it") {
   test::Random rng(1133);
   int found = 0, queries = 0;

@@ -50,6 +50,13 @@ PolygonMesh with_coordinate(PolygonMesh mesh, double value) {
   return mesh;
 }
 
+/// With a triangle that has no area: two corners and a new one where one of them is.
+PolygonMesh with_needle(PolygonMesh mesh, const Vec3& new_corner, const std::array<int, 2>& old) {
+  mesh.vertices.push_back(new_corner);
+  mesh.add_face({old[0], old[1], static_cast<int>(mesh.vertices.size()) - 1});
+  return mesh;
+}
+
 /// The defects, planted in a triangulated body around the origin with face #1, radius 0.5 to 1.
 const std::vector<Planted>& defects() {
   static const std::vector<Planted> list = {
@@ -93,6 +100,33 @@ const std::vector<Planted>& defects() {
          return m;
        },
        {degenerate_face}},
+      {"a face without an area that no neighbour needs",
+       [](PolygonMesh m) {
+         return with_needle(m, m.vertex(0), {0, 1});
+       },
+       {degenerate_face}},
+      {"one beside the body",
+       [](PolygonMesh m) {
+         m.vertices.emplace_back(2, 2, 2);
+         m.vertices.emplace_back(3, 2, 2);
+         const int last = static_cast<int>(m.vertices.size()) - 1;
+         return with_needle(m, m.vertex(last), {last - 1, last});
+       },
+       {degenerate_face}},
+      {"a corner twice, beside the body",
+       [](PolygonMesh m) {
+         m.vertices.emplace_back(2, 2, 2);
+         m.vertices.emplace_back(3, 2, 2);
+         const int last = static_cast<int>(m.vertices.size()) - 1;
+         m.add_face({last, last, last - 1});
+         return m;
+       },
+       {degenerate_face}},
+      {"a face without an area, and a face less",
+       [](const PolygonMesh& m) {
+         return with_needle(test::without_face(m, 7), m.vertex(0), {0, 1});
+       },
+       {degenerate_face, open_edge, uneven_edge}},
       {"inside out", [](const PolygonMesh& m) { return test::inside_out(m); }, {inverted}},
       {"a part inside, outwards",
        [](const PolygonMesh& m) { return test::together(m, copy(m, 0.3, Vec3(0.05, 0.02, 0))); },

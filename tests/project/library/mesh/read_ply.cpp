@@ -80,6 +80,39 @@ TEST_CASE("parse_ply: lines may end in any way, numbers are correctly rounded") 
   }
 }
 
+TEST_CASE("parse_ply: comments and empty lines may stand anywhere in the header") {
+  const std::string file = "ply\ncomment by a program\n\nobj_info x\nformat ascii 1.0\n \n" +
+                           ply_vertices + "\ncomment\n" + ply_faces + "\t\nend_header\n" +
+                           four_points + "3 0 1 2\n";
+  CHECK(parse_ply(file, "x").corners == std::vector<int>{0, 1, 2});
+}
+
+TEST_CASE("parse_ply: lengths and numbers of vertices that are floats are read if they are whole") {
+  const auto with = [](const std::string& types, const std::string& face) {
+    return ascii_ply(ply_vertices + "element face 1\nproperty list " + types + " vertex_indices\n",
+                     four_points + face);
+  };
+  for (const char* types : {"float int", "uchar float", "double double"})
+    CHECK(parse_ply(with(types, "3 2 1.0 3\n"), "x").corners == std::vector<int>{2, 1, 3});
+  ply_refused(with("float int", "3.5 0 1 2\n"),
+              "line 15: face #1 has 3.5 for 'vertex_indices', which is not a whole number");
+  ply_refused(with("uchar float", "3 0 1 1.5\n"), "has 1.5 for 'vertex_indices'");
+  ply_refused(with("uchar float", "3 0 1 16777217\n"), "a whole number that float holds for sure");
+  for (const bool little : {true, false}) {
+    const auto b = [&](float value) { return test::bytes_of(value, little); };
+    const std::string header = std::string("ply\nformat ") +
+                               (little ? "binary_little_endian" : "binary_big_endian") + " 1.0\n" +
+                               ply_vertices +
+                               "element face 1\nproperty list float float vertex_index\n"
+                               "end_header\n";
+    std::string body;
+    for (int i = 0; i < 12; ++i) body += b(static_cast<float>(i));
+    CHECK(parse_ply(header + body + b(3) + b(3) + b(0) + b(2), "x").corners ==
+          std::vector<int>{3, 0, 2});
+    ply_refused(header + body + b(3) + b(std::nanf("")) + b(0) + b(2), "face #1 has nan");
+  }
+}
+
 TEST_CASE("parse_ply: a number that looks like a line end is one") {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string file;
@@ -99,19 +132,20 @@ TEST_CASE("parse_ply: a number that looks like a line end is one") {
 
 TEST_CASE("parse_ply: refuses a header, and says which line and word") {
   ply_refused("plx\n", "test.ply, line 1: 'plx' where 'ply' should be");
-  ply_refused("ply\nelement vertex 4\n", "line 2: the second line should be 'format");
+  ply_refused("ply\nelement vertex 4\n", "line 2: 'element' where 'format …' should be");
+  ply_refused("ply\nend_header\n", "line 2: 'end_header' where 'format …' should be");
   ply_refused("ply\nformat binary_middle_endian 1.0\n", "'binary_middle_endian' is not a format");
   ply_refused("ply\nformat ascii 2.0\n", "'2.0' where '1.0' should be");
   ply_refused("ply\nformat ascii 1.0\nelement vertex 4\n",
               "line 4: the text ends where 'end_header'");
   header_refused("elephant 4", "line 4: 'elephant' is not a keyword");
+  header_refused("format ascii 1.0", "line 4: 'format' where the elements should be");
   header_refused("element x -1", "line 4: '-1' is not a number of elements");
   header_refused("element x 1e3", "'1e3'");
   header_refused("element x", "'' is not a number of elements");
   header_refused("element vertex 3", "line 5: a second element 'vertex'");
   header_refused("property float x", "a property before the first element");
   header_refused("element e 1\nproperty long x", "line 5: 'long' is not a type");
-  header_refused("element e 1\nproperty list float int x", "the length of a list is an integer");
   header_refused("element e 1\nproperty float", "a property without a name");
   header_refused("element e 1\nproperty float x y", "'y' where the line should end");
   header_refused("element e 1\nproperty float x\nproperty float x", "a second property 'x'");
@@ -121,9 +155,12 @@ TEST_CASE("parse_ply: refuses a header, and says which line and word") {
 TEST_CASE("parse_ply: refuses elements that no mesh is made of") {
   const std::string plane = "element vertex 4\nproperty float x\nproperty float y\n";
   ply_refused(ascii_ply(plane + ply_faces, four_points), "a vertex has no coordinate 'z'");
-  const std::string faces = "element face 1\nproperty list uchar float vertex_indices\n";
-  ply_refused(ascii_ply(ply_vertices + faces, four_points + "3 0 1 2\n"),
-              "a face has no list of integers 'vertex_indices'");
+  const std::string faces = "element face 1\nproperty int vertex_indices\n";
+  ply_refused(ascii_ply(ply_vertices + faces, four_points + "3\n"),
+              "a face has no list 'vertex_indices'");
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+  ply_refused(ascii_ply(ply_vertices + strips, four_points + "4 0 1 2 3\n"),
+              "no faces (4 vertices); strips of triangles ('tristrips') are not read");
   ply_refused(ascii_ply(ply_vertices, four_points), "no faces (4 vertices)");
 }
 

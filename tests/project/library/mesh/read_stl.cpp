@@ -121,5 +121,9 @@ TEST_CASE("parse_stl: refuses a facet without three vertices, and words in the w
   stl_refused(solid_of("facet normal 0 outer loop\n"),
               "line 2: facet #1 has 'outer' where a number of its normal should be");
   stl_refused("solid x\n", "the text ends where 'endsolid' should be");
+  stl_refused("# by a program\n" + std::string(99, ' ') + solid_of(""),
+              "line 1: an ASCII STL file begins with 'solid', not with '#'");
+  stl_refused("version https://git-lfs.github.com/spec/v1\n" + std::string(99, 'x'),
+              "not with 'version': it begins like a Git LFS pointer");
   stl_refused(solid_of(""), "no faces");
 }

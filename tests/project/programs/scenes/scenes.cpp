@@ -320,6 +320,23 @@ TEST_CASE("mass: blocks for URDF, SDF and MJCF, with the centre and the products
   CHECK(I[3].get<double>() < 0);
 }
 
+TEST_CASE("mass: what cannot be answered together is refused, and nothing is dropped") {
+  write("tetrahedron.obj", tetrahedron);
+  const auto refused = [](const std::string& options) {
+    const CommandResult result = scenes("mass tetrahedron.obj " + options);
+    CHECK(result.status == 2);
+    return result.output;
+  };
+  CHECK(mentions(refused("--urdf --sdf"), "--sdf", "excludes", "--urdf"));
+  CHECK(mentions(refused("--mjcf --json"), "--mjcf", "excludes", "--json"));
+  CHECK(mentions(refused("--urdf --about 0 0 0"), "--about", "excludes", "--urdf"));
+  CHECK(mentions(refused("tetrahedron.obj --mass 3"), "one body", "2 files"));
+  CHECK(mentions(refused("tetrahedron.obj --about 0 0 0"), "--about", "2 files", "--json"));
+  CHECK(mentions(refused("--density a=1 b=2"), "no such file", "--density b=2"));
+  const CommandResult both = scenes("mass tetrahedron.obj tetrahedron.obj --about 0 0 0 --json");
+  CHECK(json::parse(both.output)[1]["about"]["inertia"].size() == 6);
+}
+
 TEST_CASE("mass: several files and folders are one table, or a list of JSON") {
   std::filesystem::create_directories(folder / "meshes");
   write("meshes/b.obj", tetrahedron);
