@@ -170,6 +170,14 @@ const Misconceptions<decltype(rotation_matrices::nearest_rotation)> misconceptio
       [](const Mat3& M) -> Mat3 {
         return tumble::rotation::gram_schmidt(M.transpose()).transpose();
       }},
+     {"Gram–Schmidt from the last column",
+      "This is a rotation, but not the nearest: you have kept the direction of the last column, "
+      "and the others pay for it. All three should move alike.",
+      "The nearest rotation",
+      [](const Mat3& M) -> Mat3 {
+        const Mat3 mirrored = -M.rowwise().reverse();
+        return -tumble::rotation::gram_schmidt(mirrored).rowwise().reverse();
+      }},
      {"columns only normalised",
       "Your columns have length 1 now, but they are not perpendicular. A rotation needs both.",
       "Drift", [](const Mat3& M) -> Mat3 { return M.colwise().normalized(); }},
