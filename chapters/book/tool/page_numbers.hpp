@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Page numbers in the printed book's contents. Browsers don't know `target-counter`, so the book is
-/// printed twice: the first time says on which page each place is.
+/// Page numbers in the printed book's contents. Browsers don't know `target-counter`, so the book
+/// is printed twice: the first time says on which page each place is.
 
 #include <map>
 #include <string>
