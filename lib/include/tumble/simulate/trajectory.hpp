@@ -3,6 +3,8 @@
 /// What a simulation gives: the state at any time of the span, and an account of how it was made.
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -76,12 +78,16 @@ class TrajectoryOf {
   const SimulationReport& report() const { return report_; }
   State end() const { return motion_->at(t1_); }
 
-  /// The state at time t [s].
+  /// The state at time t [s]. Beyond an end by rounding, as t1 * i / n may be, t is that end.
   /// @throws std::invalid_argument if t is not between t0 and t1
   State at(double t) const {
-    require(t >= std::min(t0_, t1_) && t <= std::max(t0_, t1_), "Trajectory: t = ", t,
-            " is not in ", t0_, " … ", t1_);
-    return motion_->at(t);
+    const double first = std::min(t0_, t1_), last = std::max(t0_, t1_);
+    const double inside = std::clamp(t, first, last);
+    constexpr double few = 4 * std::numeric_limits<double>::epsilon();
+    require(std::abs(t - inside) <= few * std::max(std::abs(first), std::abs(last)),
+            "Trajectory: t = ", t, " is not in ", t0_, " … ", t1_, ", but outside by ",
+            std::abs(t - inside));
+    return motion_->at(inside);
   }
 
  private:

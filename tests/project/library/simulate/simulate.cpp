@@ -117,6 +117,18 @@ TEST_CASE("simulate: between the steps it is as exact as at the end") {
   CHECK_REFUSED(rough.at(5.1), "5.1", "not in");
 }
 
+TEST_CASE("simulate: an end that is missed by rounding is that end, forwards and backwards") {
+  const double end = 0.3;  // three tenths of it, 0.1 * 3, is above it
+  for (const double sign : {1., -1.}) {
+    const Trajectory motion = simulate(full, moving(), {0, sign * end, 1e-8}, Weight{});
+    REQUIRE(0.1 * 3 > end);
+    CHECK(motion.at(sign * (0.1 * 3)).x == motion.end().x);
+    CHECK(motion.at(-sign * 1e-17).x == moving().x);
+    CHECK_REFUSED(motion.at(sign * (end + 1e-12)), "not in", "outside by 1e-12");
+  }
+  CHECK_REFUSED(simulate(full, moving(), {0, end, 1e-8}).at(std::nan("")), "nan", "not in");
+}
+
 TEST_CASE("simulate: an unreachable tolerance is said") {
   const Trajectory found = simulate(full, moving(), {0, 500, 1e-16}, pull);
   CHECK_FALSE(found.report().reached());
