@@ -39,6 +39,7 @@ int run(const MassCommand& command) {
   const std::vector<std::string> files = mesh_files(command.files);
   require_one_if_needed(files, command);
   std::vector<MassAnswer> all;
+  all.reserve(files.size());
   for (const std::string& file : files) all.push_back(mass_answer(command, file));
   print_all(all, command);
   int status = 0;

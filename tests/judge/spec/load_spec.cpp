@@ -12,10 +12,10 @@ namespace {
 
 /// @throws std::runtime_error that says what to build
 support::Module module_of(const Unit& unit) {
-  const std::string name = unit.number + " " + unit.name, target = unit.chapter + "." + unit.name;
-  for (const fs::path& file : {unit.spec, unit.worker})
-    if (!fs::exists(file))
-      throw std::runtime_error(name + " is not built yet: build the target spec." + target);
+  const std::string name = unit.number + " " + unit.name;
+  const std::string target = "spec." + unit.chapter + "." + unit.name;
+  if (!fs::exists(unit.spec) || !fs::exists(unit.worker))
+    throw std::runtime_error(name + " is not built yet: build the target " + target);
   try {
     return support::Module(unit.spec);
   } catch (const std::runtime_error& why) {
@@ -24,7 +24,7 @@ support::Module module_of(const Unit& unit) {
     if (std::string(why.what()).find("tumble_spec_headers_") == std::string::npos) throw;
     throw std::runtime_error("the spec of " + name +
                              " was built with other headers than this judge: build the targets "
-                             "tumble_judge and spec." +
+                             "tumble_judge and " +
                              target);
   }
 }
