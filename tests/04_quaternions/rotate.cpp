@@ -138,7 +138,7 @@ const Misconceptions<decltype(quaternions::rotate)> misconceptions{
       [](const Quaternion& q, const Vec3& p) { return by_cross_products(q, q[0], p); }},
      {"w left out",
       "Your formula uses the vector part of q alone. Its length is the sine of the half angle; "
-      "without the cosine, which is w, the turn is none.",
+      "without the cosine, which is w, you have no rotation.",
       "Rotating a point",
       [](const Quaternion& q, const Vec3& p) { return by_cross_products(q, 1, p); }},
      {"multiplied from one side only",

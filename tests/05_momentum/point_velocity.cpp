@@ -178,9 +178,8 @@ const Misconceptions<decltype(momentum::point_velocity)> misconceptions{
         return reference(x, R, v, R * omega, p_body);
       }},
      {"ω turned into body axes",
-      "You have turned ω into body axes, and the arm into world axes. A cross product needs both "
-      "in "
-      "the same frame, and ω was in world axes already.",
+      "You have turned ω into body axes, and the arm into world axes. A cross product needs "
+      "both in the same frame, and ω was in world axes already.",
       "Frames of reference",
       [](const Vec3& x, const Mat3& R, const Vec3& v, const Vec3& omega, const Vec3& p_body) {
         return reference(x, R, v, R.transpose() * omega, p_body);

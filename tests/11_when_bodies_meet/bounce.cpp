@@ -512,8 +512,8 @@ const Misconceptions<decltype(when_bodies_meet::bounce)> misconceptions{
       "long as the one before.",
       "Infinitely many bounces", as({.one_flight = true})},
      {"one flight too few",
-      "You leave out the flight that follows the last contact. It has yet to come: the first of "
-      "those that are left is that one.",
+      "You leave out the flight that follows the last contact. It has yet to come: of the flights "
+      "that are left it is the first.",
       "Infinitely many bounces", as({.skips_next = true})},
      {"at rest after t1", "You say that the ball is at rest, though that is later than t1.",
       "Infinitely many bounces", as({.rests_later = true})}}};
