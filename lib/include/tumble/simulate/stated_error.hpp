@@ -62,7 +62,8 @@ double fine_share(const TwoRuns& runs) {
   // What differs by so much is not proportional to anything.
   constexpr double too_large = 0.05;
   if (!(runs.difference < too_large)) return 1;
-  const double rounding = std::sqrt(static_cast<double>(runs.steps)) * unit_roundoff;
+  constexpr double of_start = 4;  // turned into other axes, which is in both runs alike
+  const double rounding = (of_start + std::sqrt(static_cast<double>(runs.steps))) * unit_roundoff;
   return std::min(1.0, Run::careful * std::pow(runs.tolerance / runs.epsilon, Run::error_exponent) +
                            Run::margin * rounding / runs.epsilon);
 }

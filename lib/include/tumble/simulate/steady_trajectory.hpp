@@ -101,7 +101,9 @@ Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::
   double epsilon = std::clamp(first * task.tolerance, lowest, 1e-2);
   while (true) {
     const double fine_tolerance = std::max(finer * epsilon, finest);
-    const Run rough = run(beside(start, epsilon / Run::margin), epsilon);
+    // By some roundings at least: what they make of the start is in both runs alike.
+    const double part = std::max(epsilon / Run::margin, 4 * unit_roundoff);
+    const Run rough = run(beside(start, part), epsilon);
     Run fine = run(start, fine_tolerance);
     rough.account(report);
     fine.account(report);

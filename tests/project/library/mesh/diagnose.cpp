@@ -124,7 +124,8 @@ const std::vector<Planted>& defects() {
        {degenerate_face}},
       {"a face without an area, and a face less",
        [](const PolygonMesh& m) {
-         return with_needle(test::without_face(m, 7), m.vertex(0), {0, 1});
+         const std::array edge = {m.face(1)[0], m.face(1)[1]};
+         return with_needle(test::without_face(m, 7), m.vertex(edge[0]), edge);
        },
        {degenerate_face, open_edge, uneven_edge}},
       {"inside out", [](const PolygonMesh& m) { return test::inside_out(m); }, {inverted}},

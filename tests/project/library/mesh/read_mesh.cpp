@@ -60,7 +60,10 @@ TEST_CASE("read_mesh: knows each format by its content, whatever the name") {
 }
 
 TEST_CASE("read_mesh: where the content says nothing, the name does") {
-  mesh_refused("hello", "x.STL", "x.STL: a binary STL file has a header of 84 bytes");
+  mesh_refused("hello", "x.STL",
+               "x.STL, line 1: an ASCII STL file begins with 'solid', not with 'hello'");
+  mesh_refused(std::string("hel\0lo", 6), "x.STL",
+               "x.STL: a binary STL file has a header of 84 bytes");
   mesh_refused("hello", "x.ply", "x.ply, line 1: 'hello' where 'ply' should be");
   mesh_refused("hello", "x", "x: no faces (0 vertices)");
   mesh_refused("", "x", "x: no faces (0 vertices)");
