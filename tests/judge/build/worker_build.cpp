@@ -30,25 +30,26 @@ class Builder {
         compiler_(job.course, job.folder, files_to_read(job.course, job.unit)) {}
 
   WorkerBuild build(const std::string& text, const ObjectCache* cache) {
-    WorkerBuild result = cache ? compiled_once(text, *cache) : compiled(text);
+    text_ = text;
+    WorkerBuild result = cache ? compiled_once(*cache) : compiled();
     if (result.outcome == BuildOutcome::built && link(result))
       result.worker = sanitized_ ? sanitized_worker() : confined_worker(folder(), worker());
     return result;
   }
 
-  WorkerBuild compiled_once(const std::string& text, const ObjectCache& cache) {
-    if (std::optional<WorkerBuild> known = cache.find(unit_, text, object())) {
+  WorkerBuild compiled_once(const ObjectCache& cache) {
+    if (std::optional<WorkerBuild> known = cache.find(unit_, text_, object())) {
       if (known->outcome == BuildOutcome::built) compiler_.hand_over({object()});
       return *known;
     }
-    WorkerBuild result = compiled(text);
-    cache.keep(unit_, text, result);
+    WorkerBuild result = compiled();
+    cache.keep(unit_, text_, result);
     return result;
   }
 
   /// As far as the object; the first step that fails says what the outcome is.
-  WorkerBuild compiled(const std::string& text) {
-    support::write_text(source(), text);
+  WorkerBuild compiled() {
+    support::write_text(source(), text_);
     compiler_.hand_over({source()});
     WorkerBuild result;
     if (compile(result) && assemble(result)) result.object = object();
@@ -100,8 +101,8 @@ class Builder {
   bool succeeded(const Finished& step, WorkerBuild& result, bool others) const {
     if (step.ending == Ending{false, 0}) return true;
     result.explained = has_error_in(source(), step.output);
-    const std::string output =
-        static_assertions_at(source(), support::read_text(source()), step.output);
+    // The text may stand nowhere: an object that was kept is linked without it.
+    const std::string output = static_assertions_at(source(), text_, step.output);
     result.detail = messages_about(source(), output, others) + advice_on(output);
     result.outcome =
         ran_into_limits(step) ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
@@ -268,6 +269,7 @@ class Builder {
   const Unit& unit_;
   const Toolchain& tools_;
   bool sanitized_;
+  std::string text_;  ///< that is built
   std::vector<fs::path> contracts_, own_earlier_;
   ConfinedCompiler compiler_;
 };

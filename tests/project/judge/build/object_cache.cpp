@@ -78,6 +78,18 @@ TEST_CASE("ObjectCache: what does not compile keeps the compiler's words") {
   CHECK_FALSE(made.detail.empty());
 }
 
+TEST_CASE("ObjectCache: what does not link is told in the same words the next time") {
+  Place place;
+  const ObjectCache cache(place.cache);
+  const std::string text = "#include \"contract.hpp\"\nint another_name() { return 1; }\n";
+  const WorkerBuild made = place.compile(text, "first", cache);
+  CHECK(made.outcome != BuildOutcome::built);
+  REQUIRE(cache.find(place.unit, text, place.object));  // its object: it compiles
+  const WorkerBuild again = place.compile(text, "second", cache);
+  CHECK(again.outcome == made.outcome);
+  CHECK(again.detail == made.detail);
+}
+
 TEST_CASE("ObjectCache: what is damaged was never kept, and what cannot be written is compiled") {
   Place place;
   const ObjectCache cache(place.cache);
