@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "judge/build/confined_compiler.hpp"
@@ -21,16 +23,17 @@ namespace {
 /// The steps from a source file to a worker, each a run of the compiler behind its walls.
 class Builder {
  public:
-  Builder(const Job& job, Instrumentation instrumentation)
+  /// @param text of the source
+  Builder(const Job& job, Instrumentation instrumentation, std::string text)
       : course_(job.course),
         unit_(job.unit),
         tools_(job.course.toolchain),
         sanitized_(instrumentation == Instrumentation::sanitizers),
+        text_(std::move(text)),
         contracts_(contracts_of(job.course)),
         compiler_(job.course, job.folder, files_to_read(job.course, job.unit)) {}
 
-  WorkerBuild build(const std::string& text, const ObjectCache* cache) {
-    text_ = text;
+  WorkerBuild build(const ObjectCache* cache) {
     WorkerBuild result = cache ? compiled_once(*cache) : compiled();
     if (result.outcome == BuildOutcome::built && link(result))
       result.worker = sanitized_ ? sanitized_worker() : confined_worker(folder(), worker());
@@ -57,8 +60,8 @@ class Builder {
   }
 
   /// gcc is silent about a variable that gets a mark.
-  std::string words_without_marks(const std::string& text) {
-    support::write_text(source(), text);
+  std::string words_without_marks() {
+    support::write_text(source(), text_);
     compiler_.hand_over({source()});
     Arguments arguments = source_flags();
     const bool is_gcc = tools_.compiler_id == "GNU";
@@ -269,7 +272,7 @@ class Builder {
   const Unit& unit_;
   const Toolchain& tools_;
   bool sanitized_;
-  std::string text_;  ///< that is built
+  std::string text_;
   std::vector<fs::path> contracts_, own_earlier_;
   ConfinedCompiler compiler_;
 };
@@ -296,7 +299,7 @@ std::string known_to_compile(const Course& course, const Unit& unit) {
 /// How the course's own file for a unit is built here.
 WorkerBuild build_known(const Job& job, Instrumentation instrumentation) {
   const Job known{job.course, job.unit, job.source, job.folder / "known"};
-  return Builder(known, instrumentation).build(known_to_compile(job.course, job.unit), nullptr);
+  return Builder(known, instrumentation, known_to_compile(job.course, job.unit)).build(nullptr);
 }
 
 /// A build that failed without an error in the student's file: would one of ours succeed?
@@ -320,7 +323,7 @@ void require_machine_builds(const Job& job, Instrumentation instrumentation) {
 WorkerBuild build_worker(const Job& job, Instrumentation instrumentation,
                          const ObjectCache* compiled) {
   return with_text_of(job.source, [&](const std::string& text) {
-    WorkerBuild result = Builder(job, instrumentation).build(text, compiled);
+    WorkerBuild result = Builder(job, instrumentation, text).build(compiled);
     if (!result.explained) require_machine_builds(job, instrumentation);
     return result;
   });
@@ -328,7 +331,7 @@ WorkerBuild build_worker(const Job& job, Instrumentation instrumentation,
 
 std::string words_about_unset(const Job& job) {
   try {
-    return Builder(job, Instrumentation::none).words_without_marks(read_submission(job.source));
+    return Builder(job, Instrumentation::none, read_submission(job.source)).words_without_marks();
   } catch (const std::runtime_error&) {  // the verdict is known already
     return {};
   }
@@ -336,8 +339,8 @@ std::string words_about_unset(const Job& job) {
 
 WorkerBuild compile_unit(const Job& job, const ObjectCache* compiled) {
   return with_text_of(job.source, [&](const std::string& text) {
-    Builder builder(job, Instrumentation::none);
-    return compiled ? builder.compiled_once(text, *compiled) : builder.compiled(text);
+    Builder builder(job, Instrumentation::none, text);
+    return compiled ? builder.compiled_once(*compiled) : builder.compiled();
   });
 }
 
