@@ -82,10 +82,15 @@ TEST_CASE("ObjectCache: what does not link is told in the same words the next ti
   Place place;
   const ObjectCache cache(place.cache);
   const std::string text = "#include \"contract.hpp\"\nint another_name() { return 1; }\n";
-  const WorkerBuild made = place.compile(text, "first", cache);
-  CHECK(made.outcome != BuildOutcome::built);
+  write_text_and_folders(place.source, text);
+  const auto build = [&](const char* folder) {
+    return build_worker({place.course, place.unit, place.source, place.work.path() / folder},
+                        Instrumentation::none, &cache);
+  };
+  const WorkerBuild made = build("first");
+  CHECK(made.outcome == BuildOutcome::wrong_signature);
   REQUIRE(cache.find(place.unit, text, place.object));  // its object: it compiles
-  const WorkerBuild again = place.compile(text, "second", cache);
+  const WorkerBuild again = build("second");
   CHECK(again.outcome == made.outcome);
   CHECK(again.detail == made.detail);
 }
