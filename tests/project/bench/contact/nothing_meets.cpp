@@ -11,10 +11,10 @@
 namespace tumble::bench {
 namespace {
 
-constexpr double duration = 10;   // [s]
-constexpr int frames = 600;       // 60 a second
-constexpr double spacing = 10;    // [m], of boxes that reach 0.57 m
-constexpr double deepest = -1e3;  // [m], a floor that nobody reaches
+constexpr double flight_time = 10;  // [s]
+constexpr int frames = 600;         // 60 a second
+constexpr double spacing = 10;      // [m], of boxes that reach 0.57 m
+constexpr double deepest = -1e3;    // [m], a floor that nobody reaches
 
 /// Boxes on a lattice, that spin and drift while they fall.
 contact::ContactScene scattered_boxes(int count) {
@@ -37,8 +37,8 @@ contact::ContactScene scattered_boxes(int count) {
 double fly(const contact::ContactScene& scene, int states) {
   double sum = 0;
   for (const contact::ContactBody& b : scene.bodies) {
-    const Trajectory way = simulate(b.body, b.start, {.t1 = duration}, Weight{scene.gravity});
-    for (int k = 1; k <= states; ++k) sum += way.at(k * duration / states).x.z();
+    const Trajectory way = simulate(b.body, b.start, {.t1 = flight_time}, Weight{scene.gravity});
+    for (int k = 1; k <= states; ++k) sum += way.at(k * flight_time / states).x.z();
   }
   return sum;
 }
@@ -51,13 +51,13 @@ NothingMeets nothing_meets(const Budget& budget) {
                     {}};
   for (const int count : {1, 10, 100, 1000}) {
     const contact::ContactScene scene = scattered_boxes(count);
-    if (can_touch(scene, duration))
+    if (can_touch(scene, flight_time))
       made.broken += "; " + std::to_string(count) + " boxes that never meet can touch";
     const auto timed = [&](const std::function<double()>& run) {
       return Timed{run, budget.repetitions, budget.seconds, Clock::thread};
     };
     const std::vector<double> seconds = least_times(
-        {timed([&] { return can_touch(scene, duration) ? 1. : 0.; }),
+        {timed([&] { return can_touch(scene, flight_time) ? 1. : 0.; }),
          timed([&] { return fly(scene, 1); }), timed([&] { return fly(scene, frames); })});
     const auto each = [&](double s) { return support::number(1e9 * s / count); };
     made.table.add({std::to_string(count), each(seconds[0]), each(seconds[1]), each(seconds[2]),
