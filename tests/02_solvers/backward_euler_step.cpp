@@ -242,6 +242,17 @@ Step with_matrix(const std::function<MatrixXd(const MatrixXd& hJ, double h)>& la
   };
 }
 
+/// Newton's method for the trapezoidal rule.
+/// @param share of h ∂f/∂y in the matrix; right is 1/2
+Step trapezoidal(double share) {
+  return [share](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
+    const VectorXd k0 = f(t, y);
+    return newton(
+        y, [&](const VectorXd& z) -> VectorXd { return y + h / 2 * (k0 + f(t + h, z)) - z; },
+        [&](const VectorXd& z) -> MatrixXd { return identity(y) - share * h * dfdy(t + h, z); });
+  };
+}
+
 MatrixXd right_matrix(const MatrixXd& hJ, double) {
   return MatrixXd::Identity(hJ.rows(), hJ.cols()) - hJ;
 }
@@ -577,27 +588,15 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       }},
      {"trapezoidal rule",
       "You have averaged the slopes at the start and at the end. That is the trapezoidal rule: "
-      "more "
-      "exact, but in a stiff problem it swings about the solution for long. Here the slope at the "
+      "more exact, but in a stiff problem it swings about the solution for long. Here the slope at "
+      "the "
       "end counts alone.",
-      "Implicit steps",
-      [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
-        const VectorXd k0 = f(t, y);
-        return newton(
-            y, [&](const VectorXd& z) -> VectorXd { return y + h / 2 * (k0 + f(t + h, z)) - z; },
-            [&](const VectorXd& z) -> MatrixXd { return identity(y) - h / 2 * dfdy(t + h, z); });
-      }},
+      "Implicit steps", trapezoidal(0.5)},
      {"trapezoidal rule, with another matrix",
       "In your equation the slopes at the start and at the end are averaged. That is the "
       "trapezoidal rule, and your matrix belongs to the backward step. Here the slope at the end "
       "counts alone.",
-      "Implicit steps",
-      [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {
-        const VectorXd k0 = f(t, y);
-        return newton(
-            y, [&](const VectorXd& z) -> VectorXd { return y + h / 2 * (k0 + f(t + h, z)) - z; },
-            [&](const VectorXd& z) -> MatrixXd { return identity(y) - h * dfdy(t + h, z); });
-      }},
+      "Implicit steps", trapezoidal(1)},
      {"implicit midpoint", "You have taken the slope halfway between y and y₁. Take it at the end.",
       "Implicit steps",
       [](const Rhs& f, const Jacobian& dfdy, double t, const VectorXd& y, double h) {

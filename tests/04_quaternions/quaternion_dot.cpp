@@ -117,7 +117,7 @@ const Misconceptions<decltype(quaternions::quaternion_dot)> misconceptions{
         return 2 * reference::quaternion_dot(q, omega);
       }},
      {"factor ½ twice",
-      "With your rate the body turns at half its speed: the factor ½ stands in your product twice.",
+      "With your rate the body turns at half its speed: your product has the factor ½ twice.",
       "Angular velocity",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return reference::quaternion_dot(q, omega / 2);

@@ -194,7 +194,7 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
       "How a point responds to an impulse",
       with_turning([](const Mat3&, const Body&) -> Mat3 { return Mat3::Zero(); })},
      {"turning counted twice",
-      "Your turning part is twice as large as it should be. A sum with the transpose is "
+      "Your turning part is twice too large. A sum with the transpose is "
       "symmetric, but only half of it is the mean.",
       "How a point responds to an impulse",
       with_turning([](const Mat3& turning, const Body&) -> Mat3 { return 2 * turning; })},
