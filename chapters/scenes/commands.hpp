@@ -31,8 +31,8 @@ struct SimulateCommand {
 /// Prints the mass properties of mesh files (OBJ, STL or PLY) and what was found about them; of
 /// several files a table, one line each.
 /// @return 0, or 1 if a mesh is not the boundary of a body (with `accept`: only if nothing could be
-///         integrated over)
-/// @throws std::invalid_argument if a file cannot be read
+///         integrated over), or 2 if one of several files cannot be read
+/// @throws std::invalid_argument if the only file cannot be read
 int run(const MassCommand& command);
 
 /// Simulates a scene file and prints the motion and what it took.

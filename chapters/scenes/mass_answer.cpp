@@ -1,15 +1,12 @@
 #include "scenes/mass_answer.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 
 #include "scenes/given_density.hpp"
 #include "scenes/mass_output.hpp"
+#include "scenes/mesh_in_unit.hpp"
 #include "tumble/mass/parallel_axis.hpp"
 #include "tumble/mass/shell.hpp"
-#include "tumble/mesh/read_mesh.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -17,41 +14,6 @@ namespace {
 Accuracy accuracy_of(const std::string& name) {
   if (name == "fast") return Accuracy::fast;
   return name == "textbook" ? Accuracy::textbook : Accuracy::tight;
-}
-
-/// A length in metres: rounded once more, so what counts decimals asks the numbers of the file.
-template <class Length>
-Length in_metres(const Length& x, const std::string& unit) {
-  if (unit == "mm") return x / 1000;
-  if (unit == "cm") return x / 100;
-  if (unit == "in") return x * 0.0254;
-  return x;
-}
-
-/// A mesh with lengths in metres, which knows how they were written.
-struct ReadMesh {
-  parts::LabelledMesh mesh;
-  std::vector<Vec3> as_written;  ///< the vertices in the unit of the file, if it is not the metre
-
-  ReadMesh(const std::string& file, const std::string& unit) : mesh(read_mesh(file)) {
-    if (unit == "m") return;
-    as_written = mesh.vertices;
-    for (Vec3& p : mesh.vertices) p = in_metres<Vec3>(p, unit);
-  }
-};
-
-/// What `diagnosed` finds if it is told how far coordinates were rounded when they were written. In
-/// metres they have more digits than in the file: where something crosses, the file is asked.
-template <class Diagnosed>
-std::vector<MeshDefect> findings_of(const ReadMesh& read, const std::string& unit,
-                                    const Diagnosed& diagnosed) {
-  std::vector<MeshDefect> findings = diagnosed(std::optional<double>{});
-  const bool crosses = std::any_of(findings.begin(), findings.end(), [](const MeshDefect& finding) {
-    return finding.kind == MeshDefectKind::self_crossing ||
-           finding.kind == MeshDefectKind::nested_wrong;
-  });
-  if (!crosses || read.as_written.empty()) return findings;
-  return diagnosed(std::optional(in_metres(detail::coordinate_rounding(read.as_written), unit)));
 }
 
 void require_positive(const std::optional<double>& value, const char* what, const char* unit) {
@@ -146,9 +108,27 @@ void integrate_parts(const MassCommand& command, const parts::Densities& densiti
   answer.volume_bound = error / std::abs(answer.volume) + additions * detail::unit_roundoff;
 }
 
-/// @throws std::invalid_argument if a number that was given means nothing, or numbers contradict
-///         each other
-void require_meaning(const MassCommand& command, const GivenDensity& density) {
+void integrate_as_asked(const MassCommand& command, const ReadMesh& read, MassAnswer& answer) {
+  const GivenDensity density = given_density(command.density);
+  if (command.is_shell())
+    integrate_shell(surface_density(command, density.of_all), read.mesh, answer);
+  else if (density.of_parts.empty())
+    integrate(command, density.of_all.value_or(1), read, answer);
+  else
+    integrate_parts(command, density.of_parts, read, answer);
+}
+
+/// @throws std::invalid_argument if a double can't hold the tensor about the point of --about
+void require_about(const MassCommand& command, const MassAnswer& answer) {
+  if (!answer.usable || command.about.empty()) return;
+  require(inertia_about(answer.body, point_of(command.about)).allFinite(),
+          "--about: the inertia about this point is too large for double");
+}
+
+}  // namespace
+
+void require_meaning(const MassCommand& command) {
+  const GivenDensity density = given_density(command.density);
   require_positive(density.of_all, "density", "kg/m³");
   require_positive(command.mass, "mass", "kg");
   require_positive(command.shell, "surface density", "kg/m²");
@@ -165,52 +145,25 @@ void require_meaning(const MassCommand& command, const GivenDensity& density) {
           "--thickness needs a --density in kg/m³, or the --mass that you have weighed");
 }
 
-/// @throws std::invalid_argument if a double can't hold the tensor about the point of --about
-void require_about(const MassCommand& command, const MassAnswer& answer) {
-  if (!answer.usable || command.about.empty()) return;
-  require(inertia_about(answer.body, point_of(command.about)).allFinite(),
-          "--about: the inertia about this point is too large for double");
-}
-
-}  // namespace
-
 MassAnswer mass_answer(const MassCommand& command, const std::string& file) {
-  const GivenDensity density = given_density(command.density);
-  require_meaning(command, density);
   const ReadMesh read(file, command.unit);
   MassAnswer answer{.file = file, .findings = {}};
-  if (command.is_shell())
-    integrate_shell(surface_density(command, density.of_all), read.mesh, answer);
-  else if (density.of_parts.empty())
-    integrate(command, density.of_all.value_or(1), read, answer);
-  else
-    detail::require_at([&] { integrate_parts(command, density.of_parts, read, answer); }, file,
-                       ": ");
-  if (answer.usable && command.mass) weigh(answer, *command.mass);
-  require_about(command, answer);
+  detail::require_at(
+      [&] {
+        integrate_as_asked(command, read, answer);
+        if (answer.usable && command.mass) weigh(answer, *command.mass);
+        require_about(command, answer);
+      },
+      file, ": ");
   return answer;
 }
 
-std::vector<std::string> mesh_files(const std::vector<std::string>& given) {
-  std::vector<std::string> files;
-  for (const std::string& path : given) {
-    if (!std::filesystem::is_directory(path)) {
-      require(path.find('=') == std::string::npos || std::filesystem::exists(path), path,
-              ": there is no such file; for a density, write --density ", path);
-      files.push_back(path);
-      continue;
-    }
-    const std::size_t before = files.size();
-    for (const auto& entry : std::filesystem::directory_iterator(path)) {
-      std::string ending = entry.path().extension().string();
-      for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      if (ending == ".obj" || ending == ".stl" || ending == ".ply")
-        files.push_back(entry.path().string());
-    }
-    require(files.size() > before, path, ": no .obj, .stl or .ply file in this folder");
-    std::sort(files.begin() + static_cast<std::ptrdiff_t>(before), files.end());
+MassAnswer answer_or_refusal(const MassCommand& command, const std::string& file) {
+  try {
+    return mass_answer(command, file);
+  } catch (const std::exception& problem) {
+    return {.file = file, .findings = {}, .refusal = problem.what(), .usable = false};
   }
-  return files;
 }
 
 }  // namespace tumble::scenes

@@ -15,6 +15,7 @@ namespace tumble::scenes {
 struct MassAnswer {
   std::string file;
   std::vector<MeshDefect> findings;
+  std::string refusal = {};  ///< why there is no answer at all, if the file could not be read
   bool usable = true;
   BoundedMassProperties body = {};
   double volume = std::numeric_limits<double>::quiet_NaN();        ///< [m³], of a shell none
@@ -27,12 +28,16 @@ struct MassAnswer {
 /// The volume of a part [m³].
 inline double volume_of(const parts::PartMass& part) { return part.mass / part.density; }
 
+/// @throws std::invalid_argument if a number that was given means nothing, or numbers contradict
+///         each other
+void require_meaning(const MassCommand& command);
+
 /// Reads a file and answers.
-/// @throws std::invalid_argument if it cannot be read, or a number that was given means nothing
+/// @param command one that has a meaning
+/// @throws std::invalid_argument if the file cannot be read, or a double can't hold the answer
 MassAnswer mass_answer(const MassCommand& command, const std::string& file);
 
-/// The mesh files that are meant: those given, and all in given folders, by name.
-/// @throws std::invalid_argument if a folder has none
-std::vector<std::string> mesh_files(const std::vector<std::string>& given);
+/// The same for one of several files: what one of them has wrong does not cost the others theirs.
+MassAnswer answer_or_refusal(const MassCommand& command, const std::string& file);
 
 }  // namespace tumble::scenes

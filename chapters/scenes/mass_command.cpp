@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <iostream>
 
 #include "scenes/commands.hpp"
 #include "scenes/inertial_blocks.hpp"
 #include "scenes/mass_output.hpp"
+#include "scenes/mesh_files.hpp"
+#include "support/command_line.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -33,26 +36,34 @@ void require_one_if_needed(const std::vector<std::string>& files, const MassComm
           " files has no room for it: ask for --json, or about one file");
 }
 
+/// Says why a file has no numbers.
+/// @return the exit status for it
+int complain(const MassAnswer& found, const MassCommand& command) {
+  if (!found.refusal.empty()) return support::failed(found.refusal);
+  if (!command.block.empty())
+    for (const MeshDefect& finding : found.findings)
+      std::cerr << name_of(finding.kind) << ": " << finding.message << '\n';
+  std::cerr << "tumble: " << found.file
+            << ": this is not the boundary of a body. You find the reasons above."
+            << (command.accept ? "" : " With --accept we compute what we can.") << '\n';
+  return support::exit_status::not_achieved;
+}
+
 }  // namespace
 
 int run(const MassCommand& command) {
+  require_meaning(command);
   const std::vector<std::string> files = mesh_files(command.files);
   require_one_if_needed(files, command);
   std::vector<MassAnswer> all;
   all.reserve(files.size());
-  for (const std::string& file : files) all.push_back(mass_answer(command, file));
+  for (const std::string& file : files)
+    all.push_back(files.size() == 1 ? mass_answer(command, file)
+                                    : answer_or_refusal(command, file));
   print_all(all, command);
-  int status = 0;
-  for (const MassAnswer& found : all) {
-    if (found.usable) continue;
-    status = 1;
-    if (!command.block.empty())
-      for (const MeshDefect& finding : found.findings)
-        std::cerr << name_of(finding.kind) << ": " << finding.message << '\n';
-    std::cerr << "tumble: " << found.file
-              << ": this is not the boundary of a body. You find the reasons above."
-              << (command.accept ? "" : " With --accept we compute what we can.") << '\n';
-  }
+  int status = support::exit_status::achieved;
+  for (const MassAnswer& found : all)
+    if (!found.usable) status = std::max(status, complain(found, command));
   return status;
 }
 

@@ -62,6 +62,7 @@ Json answer_json(const MassAnswer& found, const MassCommand& command) {
   for (const char* key : {"volume", "mass", "centre", "centre_rest", "inertia", "bounds"})
     json[key] = nullptr;
   if (found.usable) add_body(json, found, command);
+  if (!found.refusal.empty()) json["error"] = found.refusal;
   if (!found.parts.empty()) json["density"] = nullptr;  // it is not the same everywhere
   for (const parts::PartMass& part : found.parts) json["parts"].push_back(part_json(part));
   json["findings"] = Json::array();

@@ -107,7 +107,7 @@ void print_table(const std::vector<MassAnswer>& all) {
   for (const MassAnswer& found : all) {
     const std::string what = worst_of(found.findings);
     if (!found.usable) {
-      table.add({found.file, "-", "-", "-", "-", "refused: " + what});
+      table.add({found.file, "-", "-", "-", "-", what.empty() ? "refused" : "refused: " + what});
       continue;
     }
     add_row(table, {found.file}, found.volume, found.body, {what});

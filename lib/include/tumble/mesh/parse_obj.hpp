@@ -16,6 +16,7 @@
 
 #include "tumble/mesh/foreign_format.hpp"
 #include "tumble/mesh/labelled_mesh.hpp"
+#include "tumble/mesh/obj_elsewhere.hpp"
 #include "tumble/mesh/parse_number.hpp"
 #include "tumble/mesh/text_scanner.hpp"
 
@@ -48,7 +49,7 @@ class ObjReader {
       text_.skip_blanks();
       if (begins_with('v')) read_vertex();
       if (begins_with('f')) read_face();
-      if (may_name()) read_name();
+      if (may_say_more()) read_keyword();
     }
   }
 
@@ -56,9 +57,10 @@ class ObjReader {
     return !text_.at_end() && *text_.at() == keyword && text_.ends_word(text_.at() + 1);
   }
 
-  /// Whether the line may be one with a name: "o", "g" or "usemtl".
-  bool may_name() const {
-    return !text_.at_end() && (*text_.at() == 'g' || *text_.at() == 'o' || *text_.at() == 'u');
+  /// Whether the line may be one with a name, or bring in what is elsewhere.
+  bool may_say_more() const {
+    return !text_.at_end() &&
+           std::string_view("bcfgosu").find(*text_.at()) != std::string_view::npos;
   }
 
   /// Where there are no more words: at the end of the line, or at a comment.
@@ -150,9 +152,12 @@ class ObjReader {
                 ", or -1 to -", count);
   }
 
-  /// The name is what is left of the line: names have blanks in them, and number signs.
-  void read_name() {
+  /// The name is what is left of the line: names have blanks in them, and number signs. What is
+  /// elsewhere may be a closed part of its own, so that nothing else would show that it is missing.
+  void read_keyword() {
     const std::string_view keyword = text_.next_word();
+    if (const char* const elsewhere = what_is_elsewhere(keyword))
+      text_.refuse("'", keyword, "' ", elsewhere);
     const auto what = keyword == "o"        ? &parts::Label::object
                       : keyword == "g"      ? &parts::Label::group
                       : keyword == "usemtl" ? &parts::Label::material
@@ -183,7 +188,8 @@ class ObjReader {
 /// @param name what the text is called in messages
 /// @throws std::invalid_argument naming the line, and the face or vertex, for: a vertex before the
 ///         faces that is not there, an index 0, a face of fewer than 3 corners, a coordinate that
-///         is missing or not a finite number, a text without faces
+///         is missing or not a finite number, a line that brings in surfaces from elsewhere or
+///         curved ones, a text without faces
 inline parts::LabelledMesh parse_obj(std::string_view text, std::string_view name) {
   return detail::ObjReader(text, name).mesh();
 }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #ifndef __wasi__
+#include <cerrno>
 #include <fstream>
+#include <system_error>
 #endif
 #include <istream>
 #include <stdexcept>
@@ -42,12 +44,15 @@ inline std::string read_all(std::istream& in, std::size_t size, const std::strin
 }
 
 #ifndef __wasi__
-/// @throws std::runtime_error when the file cannot be read
+/// @throws std::runtime_error when the file cannot be read, with the system's reason
 inline std::ifstream open_file(const std::string& path) {
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (file.is_open()) file.peek();  // a directory can be opened, but not read
   if (!file.is_open() || file.bad())
-    detail::throw_error<std::runtime_error>(path + ": cannot be read");
+    detail::throw_error<std::runtime_error>(
+        path + ": cannot be read" +
+        (errno != 0 ? " (" + std::generic_category().message(errno) + ")" : ""));
   file.clear();
   return file;
 }

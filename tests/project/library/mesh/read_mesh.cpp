@@ -68,7 +68,8 @@ TEST_CASE("read_mesh: where the content says nothing, the name does") {
   mesh_refused("hello", "x", "x: no faces (0 vertices)");
   mesh_refused("", "x", "x: no faces (0 vertices)");
   mesh_refused("glTF\x02", "x.glb", "it begins like glTF");
-  CHECK_THROWS_WITH_AS(read_mesh("/no/such/file"), "/no/such/file: cannot be read",
+  CHECK_THROWS_WITH_AS(read_mesh("/no/such/file"),
+                       "/no/such/file: cannot be read (No such file or directory)",
                        std::runtime_error);
   CHECK_THROWS_AS(read_mesh("/"), std::runtime_error);
 }

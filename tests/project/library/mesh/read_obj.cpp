@@ -104,6 +104,18 @@ TEST_CASE("read_obj: shows what is refused, and says what may help") {
   check_refused("\x1F\x8B\x08", "gzip");
 }
 
+TEST_CASE(
+    "read_obj: what brings in surfaces from elsewhere is refused, and names like it are not") {
+  const std::string body = square + "f 1 2 3 4\n";
+  check_refused(body + "call handle.obj\n", "line 6: 'call' brings in another file");
+  check_refused("  csh cat handle.obj\n" + body, "line 1: 'csh'");
+  check_refused(body + "surf 0 1 0 1 1 2 3 4\n", "'surf' is a curved surface");
+  check_refused(square + "fo 1 2 3\n", "'fo' is an old name of 'f'");
+  for (const char* line : {"cstype bezier", "s off", "s 1", "c_interp on", "usemtl call", "g surf",
+                           "# call handle.obj", "bevel on", "o fo", "call_me", "f"})
+    CHECK_MESSAGE(read(body + line + "\n").face_count() == 1, line);
+}
+
 TEST_CASE("read_obj: a line is counted once, however it ends") {
   const std::string bad = "v 1\n";
   check_refused("\n\r\n\r# x\n\n" + bad, "line 6:");

@@ -354,6 +354,25 @@ TEST_CASE("mass: several files and folders are one table, or a list of JSON") {
   CHECK(mentions(scenes("mass empty").output, "empty: no .obj, .stl or .ply file"));
 }
 
+TEST_CASE("mass: a file that cannot be read does not cost the others their numbers") {
+  std::filesystem::create_directories(folder / "some/folder.stl");
+  write("some/b.obj", tetrahedron);
+  write("some/a.obj", "v 0 0 0\nv 1 0 zero\n");
+  const CommandResult table = scenes("mass some nowhere.obj");
+  CHECK(table.status == 2);
+  CHECK(mentions(table.output, "refused", "0.166667", "a.obj, line 2", "zero",
+                 "folder.stl: cannot be read (Is a directory)",
+                 "nowhere.obj: cannot be read (No such"));
+  const CommandResult list = scenes("mass some --json");
+  CHECK(list.status == 2);
+  const json all = json::parse(list.output.substr(0, list.output.rfind(']') + 1));
+  CHECK(mentions(all[0]["error"].get<std::string>(), "line 2"));
+  CHECK(all[0]["mass"].is_null());
+  CHECK(all[1]["mass"].get<double>() > 0);
+  CHECK(mentions(scenes("mass some --urdf").output, "<inertial>", "line 2"));
+  CHECK(scenes("mass some --density none").output.find("a.obj") == std::string::npos);
+}
+
 TEST_CASE("mass: a crossing is refused above a tolerance, and is a note below") {
   const std::string second = "v 0.98 0.98 0.98\nv 2 1 1\nv 1 2 1\nv 1 1 2\n";
   write("crossing.obj",

@@ -1,0 +1,14 @@
+#pragma once
+/// @file
+/// Which files `./tumble mass` is asked about.
+
+#include <string>
+#include <vector>
+
+namespace tumble::scenes {
+
+/// The mesh files that are meant: those given, and all in given folders, by name.
+/// @throws std::invalid_argument if a folder has none
+std::vector<std::string> mesh_files(const std::vector<std::string>& given);
+
+}  // namespace tumble::scenes
