@@ -43,15 +43,16 @@ Trajectory steady_trajectory(const RigidBody<>& body, const RigidBodyState<>& st
   if (const auto top = steady::LagrangeTop::from(torque, start.q, start.L))
     if (top->error_bound(task.t1 - task.t0) <= task.tolerance)
       return top_trajectory(*top, body, torque.axes(), start, path, task);
-  switch (torque.rank()) {
+  const steady::SteadyTorque own = torque_for_series(body, forces, torque);
+  switch (own.rank()) {
     case 0:
-      return turning_trajectory<0>(torque, path, body, start, task);
+      return turning_trajectory<0>(own, path, body, start, task);
     case 1:
-      return turning_trajectory<1>(torque, path, body, start, task);
+      return turning_trajectory<1>(own, path, body, start, task);
     case 2:
-      return turning_trajectory<2>(torque, path, body, start, task);
+      return turning_trajectory<2>(own, path, body, start, task);
     default:
-      return turning_trajectory<3>(torque, path, body, start, task);
+      return turning_trajectory<3>(own, path, body, start, task);
   }
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "tumble/body/steady_forces.hpp"
 #include "tumble/core/largest.hpp"
+#include "tumble/mass/principal_axes.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 #include "tumble/simulate/computed_trajectory.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"
@@ -84,6 +86,16 @@ class SteadyTrajectory {
   steady::TurningBySeries<rank> turning_;
 };
 
+/// The torque in the body's own axes where they are principal axes, in whatever order: turning into
+/// others would round the start, and a body that is balanced exactly would fall.
+inline steady::SteadyTorque torque_for_series(const RigidBody<>& body, const SteadyForces& forces,
+                                              const steady::SteadyTorque& torque) {
+  const Mat3& I = body.I_body();
+  const Vec3 moments = I.diagonal();
+  if (I != Mat3(moments.asDiagonal())) return torque;
+  return {forces, PrincipalAxes{moments, Mat3::Identity()}};
+}
+
 /// The turning; it meets the tolerance unless rounding forbids.
 template <int rank>
 Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::SteadyPath& path,
@@ -92,18 +104,19 @@ Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::
   using Run = SteadyTrajectory<rank>;
   constexpr double first = 10, finer = 1e-3, finest = 1e-16, lowest = 10 * finest;
   const double least_L = least_sizes(body, task.t1 - task.t0).angular_momentum;
-  const double lost = rounding_of_moments(body.I_body(), torque.axes().moments[0]);
+  const double lost = rounding_of_moments(body.I_body(), torque.axes().moments.minCoeff());
   SimulationReport report{
       .model = Model::full_body, .why = "steady forces turn the body", .tolerance = task.tolerance};
   const auto run = [&](const RigidBodyState<>& from, double tolerance) {
     return Run(torque, path, from, task.t0, task.t1, tolerance);
   };
+  const Zeros zeros = torque.axes().R.isIdentity(0) ? Zeros::stay : Zeros::move;
   double epsilon = std::clamp(first * task.tolerance, lowest, 1e-2);
   while (true) {
     const double fine_tolerance = std::max(finer * epsilon, finest);
     // By some roundings at least: what they make of the start is in both runs alike.
     const double part = std::max(epsilon / Run::margin, 4 * unit_roundoff);
-    const Run rough = run(beside(start, part), epsilon);
+    const Run rough = run(beside(start, part, zeros), epsilon);
     Run fine = run(start, fine_tolerance);
     rough.account(report);
     fine.account(report);

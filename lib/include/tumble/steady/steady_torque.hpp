@@ -30,7 +30,11 @@ struct TurningState {
 class SteadyTorque {
  public:
   SteadyTorque(const RigidBody<>& body, const SteadyForces& forces)
-      : axes_(principal_axes(body.I_body())), drag_(forces.angular_drag / axes_.moments.array()) {
+      : SteadyTorque(forces, principal_axes(body.I_body())) {}
+
+  /// @param axes principal axes of the body, in any order
+  SteadyTorque(const SteadyForces& forces, const PrincipalAxes& axes)
+      : axes_(axes), drag_(forces.angular_drag / axes_.moments.array()) {
     for (const SteadyForces::AtPoint& f : forces.at_point)
       add(f.force, axes_.R.transpose() * f.p_body);
     // An arm along its force's only direction, or none, turns nothing.

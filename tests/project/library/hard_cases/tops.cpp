@@ -54,6 +54,30 @@ TEST_CASE("tops: exactly upright it stays so, also where it could fall") {
   }
 }
 
+TEST_CASE("tops: balanced exactly and without spin, it stays, whatever the order of its moments") {
+  for (const Vec3& unequal : {Vec3(1.3, 1.05, 0.88), Vec3(1.05, 1.3, 0.88), Vec3(0.88, 1.05, 1.3)})
+    for (const double drag : {0.0, 0.01}) {
+      CAPTURE(unequal.transpose());
+      CAPTURE(drag);
+      const Trajectory motion =
+          simulate(test::body_with(unequal), {}, {0, 30, 1e-6}, weight, BodyDrag{0, drag});
+      CHECK(motion.report().reached());
+      CHECK(angle_between(motion.end().q, Quat::Identity()) == 0);
+    }
+}
+
+TEST_CASE("tops: balanced exactly in axes that have to be turned, it says how far it falls") {
+  const Mat3 R = Quat(0.9, 0.1, 0.3, -0.2).normalized().toRotationMatrix();
+  const Mat3 I = R * Vec3(1.3, 1.05, 0.88).asDiagonal() * R.transpose();
+  const RigidBody<> body(1, Mat3((I + I.transpose()) / 2));
+  for (const double t : {1.0, 5.0, 10.0, 15.0, 20.0}) {
+    CAPTURE(t);
+    const Trajectory motion = simulate(body, {}, {0, t, 1e-6}, weight);
+    CHECK(angle_between(motion.end().q, Quat::Identity()) <= motion.report().error_estimate);
+    if (t < 8) CHECK(motion.report().reached());
+  }
+}
+
 TEST_CASE("tops: let go all but upright, the fall makes more of rounding than of the tilt") {
   const Vec3 unequal(1, 1.02, 0.5);  // no closed form
   for (const double tilt : {1e-9, 1e-6, 1e-3})
