@@ -324,8 +324,9 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(point_sampling::sample_mass_properties)> misconceptions{
     TUMBLE_UNIT,
     {{"corners for middles",
-      "You have tested each cell at its corner with the smallest coordinates. So the "
-      "whole body ends up half a cell too low, in each direction.",
+      "You have tested each cell at its corner with the smallest coordinates, so your points are "
+      "not spread evenly about the middle of the box. A body that fills its box ends up half a "
+      "cell too low, in each direction.",
       "Counting points",
       [](const Inside& inside, const Vec3& low, const Vec3& high, int n, double density) {
         const Grid grid{low, high, n};
