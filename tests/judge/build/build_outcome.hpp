@@ -24,6 +24,11 @@ struct BuildReport {
   std::string warnings;  ///< of a file that compiles
   /// Whether a failure has its reason in the student's file, as far as the compiler's words tell.
   bool explained = true;
+  /// Whether the course's own files take part in these words: what a linker misses, which headers
+  /// are allowed. If they are damaged, a right answer fails so.
+  bool involves_course = false;
+
+  bool is_certain() const { return explained && !involves_course; }
 };
 
 }  // namespace tumble::judge

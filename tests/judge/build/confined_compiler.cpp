@@ -1,9 +1,10 @@
 #include "judge/build/confined_compiler.hpp"
 
+#include <signal.h>
 #include <unistd.h>
+
 #include <algorithm>
 #include <array>
-
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -31,6 +32,15 @@ std::vector<fs::path> system_files(const Toolchain& tools) {
 
 }  // namespace
 
+Limits compiler_limits() {
+  return {.cpu_seconds = 10,
+          .wall_seconds = 120,  // a busy machine gives a twelfth of them
+          .memory_bytes = 4ull << 30,
+          .stack_bytes = 60ull << 20,
+          .file_bytes = 256ull << 20,
+          .processes = 64};
+}
+
 bool others_may_compile(const Course& course) {
   return others_may_enter(course.toolchain.precompiled.parent_path()) &&
          others_may_enter(course.root / "exercises");
@@ -41,11 +51,7 @@ ConfinedCompiler::ConfinedCompiler(const Course& course, fs::path folder,
     : tools_(course.toolchain), folder_(std::move(folder)) {
   fs::create_directories(folder_);
   walls_.folder = folder_;
-  walls_.limits = {.cpu_seconds = 10,
-                   .wall_seconds = 120,  // a busy machine gives a twelfth of them
-                   .memory_bytes = 4ull << 30,
-                   .file_bytes = 256ull << 20,
-                   .processes = 64};
+  walls_.limits = compiler_limits();
   walls_.other_user = others_may_compile(course) && others_may_enter(folder_.parent_path());
   walls_.files.write = {folder_, "/dev/null"};
   walls_.files.read = system_files(tools_);
@@ -84,7 +90,10 @@ std::vector<std::string> ConfinedCompiler::functions_in(const fs::path& object) 
 }
 
 bool ran_into_limits(const Finished& step) {
-  if (step.timed_out || step.ending.by_signal) return true;
+  constexpr std::array of_limits = {SIGXCPU, SIGXFSZ, SIGKILL};
+  if (step.timed_out) return true;
+  if (step.ending.by_signal)
+    return std::find(of_limits.begin(), of_limits.end(), step.ending.number) != of_limits.end();
   constexpr std::array complaints = {"out of memory", "cannot allocate", "memory exhausted",
                                      "Killed",        "CPU time limit",  "File size limit"};
   return std::any_of(complaints.begin(), complaints.end(), [&](const char* complaint) {

@@ -14,6 +14,8 @@ namespace tumble::judge {
 
 using Arguments = std::vector<std::string>;
 
+Limits compiler_limits();
+
 /// Whether a judge that root has started can run the compiler as another user, too: not if other
 /// users may not enter the course's folders.
 bool others_may_compile(const Course& course);

@@ -39,6 +39,7 @@ void explain_link_failure(BuildReport& report, const Course& course, const Unit&
     return name.ends_with("::" + unit.name);
   });
   report.explained = !undefined.empty();
+  report.involves_course = true;
   if (absent) {
     report.outcome = BuildOutcome::wrong_signature;
     report.detail = read_declaration(course, unit).signature + "\n" + found_instead(functions);

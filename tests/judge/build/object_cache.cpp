@@ -94,7 +94,7 @@ std::optional<WorkerBuild> ObjectCache::find(const Unit& unit, const std::string
 
 void ObjectCache::keep(const Unit& unit, const std::string& text, const WorkerBuild& build) const {
   const fs::path place = place_of(unit, text);
-  if (!build.explained || fs::exists(place)) return;  // it may be this machine's doing
+  if (!build.is_certain() || fs::exists(place)) return;  // it may be this machine's doing
   const fs::path beside = place.string() + "." + std::to_string(::getpid());
   std::error_code not_moved;
   try {
@@ -123,6 +123,18 @@ void ObjectCache::keep_verdict_on_stub(const Unit& unit, const std::string& verd
                  beside = place.string() + "." + std::to_string(::getpid());
   support::write_text(beside, verdict);
   fs::rename(beside, place);  // another one's is the same
+}
+
+fs::path ObjectCache::place_of_solution(const Unit& unit) const {
+  return folder_ / (unit.chapter + "-" + unit.name + "-solution");
+}
+
+bool ObjectCache::solution_passes(const Unit& unit) const {
+  return fs::exists(place_of_solution(unit));
+}
+
+void ObjectCache::keep_that_solution_passes(const Unit& unit) const {
+  support::write_text(place_of_solution(unit), "passed");
 }
 
 std::unique_ptr<const ObjectCache> objects_of_earlier(const Course& course) {

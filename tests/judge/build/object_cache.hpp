@@ -34,9 +34,14 @@ class ObjectCache {
   std::optional<std::string> verdict_on_stub(const Unit& unit) const;
   void keep_verdict_on_stub(const Unit& unit, const std::string& verdict) const;
 
+  /// Whether the course's own solution was seen to pass on this machine.
+  bool solution_passes(const Unit& unit) const;
+  void keep_that_solution_passes(const Unit& unit) const;
+
  private:
   std::filesystem::path place_of(const Unit& unit, const std::string& text) const;
   std::filesystem::path place_of_stub(const Unit& unit) const;
+  std::filesystem::path place_of_solution(const Unit& unit) const;
 
   std::filesystem::path folder_;
   Stubs stubs_;

@@ -30,10 +30,21 @@ void remove_left_overs(const fs::path& place) {
     if (is_left_over(entry.path().filename().string())) fs::remove_all(entry.path(), ignored);
 }
 
+/// @throws std::runtime_error if there is none
+fs::path place_for_folders() {
+  std::error_code none;
+  const fs::path place = fs::temp_directory_path(none);
+  if (!none) return place;
+  const char* set = ::getenv("TMPDIR");
+  throw std::runtime_error("there is no folder for temporary files: " +
+                           (set ? "TMPDIR is " + std::string(set) : "/tmp") + ", " +
+                           none.message());
+}
+
 }  // namespace
 
 WorkFolder::WorkFolder() {
-  const fs::path place = fs::temp_directory_path();
+  const fs::path place = place_for_folders();
   remove_left_overs(place);
   std::string name = place / (prefix + std::to_string(::getpid()) + "-XXXXXX");
   if (!::mkdtemp(name.data()))

@@ -93,8 +93,11 @@ class Builder {
     const bool part_was_killed = step.ending != Ending{false, 0} &&
                                  says_that_it_was_killed(step.output) &&
                                  !has_error_in(source(), step.output);
+    const std::string lowered = lowered_limits(compiler_limits());
     if (step.killed_from_outside || part_was_killed)
-      throw std::runtime_error("the compiler was killed: the memory of this machine is used up?");
+      throw std::runtime_error("the compiler was killed: " +
+                               (lowered.empty() ? "the memory of this machine is used up?"
+                                                : "this machine allows it only " + lowered));
     if (step.timed_out)
       throw std::runtime_error("the compiler did not get the processor: too much runs here");
     return step;
@@ -107,6 +110,7 @@ class Builder {
     // The text may stand nowhere: an object that was kept is linked without it.
     const std::string output = static_assertions_at(source(), text_, step.output);
     result.detail = messages_about(source(), output, others) + advice_on(output);
+    if (result.detail.empty()) result.detail = "It ended without a word about a line of yours.\n";
     result.outcome =
         ran_into_limits(step) ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
     return false;
@@ -153,6 +157,7 @@ class Builder {
       if (file == source() || allowed.contains(file) || file == tools_.precompiled) continue;
       result.outcome = BuildOutcome::forbidden_include;
       result.detail = file.string();
+      result.involves_course = true;
       return false;
     }
     return true;
@@ -224,6 +229,7 @@ class Builder {
       if (build.outcome != BuildOutcome::built) {
         result.outcome = BuildOutcome::does_not_compile;
         result.explained = build.explained;
+        result.involves_course = build.involves_course;
         result.detail =
             called + name_of(build.outcome) + ":  ./tumble check " + earlier.number + "\n";
         return false;
@@ -302,7 +308,7 @@ WorkerBuild build_known(const Job& job, Instrumentation instrumentation) {
   return Builder(known, instrumentation, known_to_compile(job.course, job.unit)).build(nullptr);
 }
 
-/// A build that failed without an error in the student's file: would one of ours succeed?
+/// A build that failed, and not for sure by the student's file: would one of ours succeed?
 /// @throws std::runtime_error if not: it is this machine that cannot build
 void require_machine_builds(const Job& job, Instrumentation instrumentation) {
   const bool sanitized = instrumentation == Instrumentation::sanitizers;
@@ -318,14 +324,34 @@ void require_machine_builds(const Job& job, Instrumentation instrumentation) {
                            known.detail.substr(0, 300));
 }
 
+/// How often a failure has to come again, a build of ours in between succeeding, before it is the
+/// student's: a disk that is full now may have room a moment later.
+int repeats_before_blame(const WorkerBuild& build) {
+  if (build.is_certain()) return 0;
+  return build.explained || build.outcome == BuildOutcome::too_expensive ? 1 : 3;
+}
+
+/// The build, with a failure that is the student's for sure.
+/// @throws std::runtime_error if it is, or may be, this machine's
+WorkerBuild build_for_sure(const Job& job, Instrumentation instrumentation,
+                           const ObjectCache* compiled, const std::string& text) {
+  WorkerBuild result = Builder(job, instrumentation, text).build(compiled);
+  for (int left = repeats_before_blame(result); left > 0 && !result.is_certain(); --left) {
+    require_machine_builds(job, instrumentation);
+    result = Builder(job, instrumentation, text).build(compiled);
+  }
+  if (const std::string lowered = lowered_limits(compiler_limits());
+      !result.explained && !lowered.empty())
+    throw std::runtime_error("the compiler failed, and this machine allows it only " + lowered);
+  return result;
+}
+
 }  // namespace
 
 WorkerBuild build_worker(const Job& job, Instrumentation instrumentation,
                          const ObjectCache* compiled) {
   return with_text_of(job.source, [&](const std::string& text) {
-    WorkerBuild result = Builder(job, instrumentation, text).build(compiled);
-    if (!result.explained) require_machine_builds(job, instrumentation);
-    return result;
+    return build_for_sure(job, instrumentation, compiled, text);
   });
 }
 

@@ -106,6 +106,7 @@ void grade_student(const Grading& grading, const Submission& submission,
   Judgement judgement;
   judgement.seed = record.seed;
   judgement.compiled = &grading.compiled;
+  judgement.try_solution = true;
   judgement.builds_at_once = grading.builds_at_once;
   judgement.locate_crashes = false;  // with sanitizers the walls are lower
   judgement.deadline = grading.deadline;

@@ -19,7 +19,12 @@ void on_interruption(void (*handler)(int)) {
   struct sigaction action = {};
   action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN)  // nohup, or a shell's own way of starting in the background
+      sigaction(signal, &action, nullptr);
+  }
 }
 
 }  // namespace

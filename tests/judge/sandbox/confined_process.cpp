@@ -75,6 +75,7 @@ bool set_limits(const Limits& limits) {
   const auto cpu = static_cast<std::uint64_t>(limits.cpu_seconds);
   return limit_resource(RLIMIT_CPU, cpu, cpu + 1) &&  // SIGXCPU first, SIGKILL a second later
          platform::limit_memory(limits.memory_bytes) &&
+         limit_resource(RLIMIT_STACK, limits.stack_bytes, limits.stack_bytes) &&
          limit_resource(RLIMIT_FSIZE, limits.file_bytes, limits.file_bytes) &&
          limit_resource(RLIMIT_CORE, 0, 0) && limit_resource(RLIMIT_NOFILE, 64, 64);
 }

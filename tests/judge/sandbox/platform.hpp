@@ -67,6 +67,12 @@ inline bool limit_resource(Resource resource, std::uint64_t soft, std::uint64_t 
   return setrlimit(resource, &limit) == 0;
 }
 
+/// The most that this machine grants.
+inline std::uint64_t granted(Resource resource) {
+  rlimit limit = {};
+  return getrlimit(resource, &limit) == 0 ? limit.rlim_max : ~0ull;
+}
+
 /// The size of a process's memory. macOS refuses a limit below what every process maps from the
 /// start: there it has none.
 inline bool limit_memory([[maybe_unused]] std::uint64_t bytes) {

@@ -25,6 +25,23 @@ std::string name_of(Wall wall) {
   return "unknown wall";
 }
 
+std::string lowered_limits(const Limits& limits) {
+  const auto mega = [](std::uint64_t bytes) { return std::to_string(bytes >> 20); };
+  const auto lowered = [&](platform::Resource resource, std::uint64_t wanted, const char* what) {
+    const std::uint64_t granted = platform::granted(resource);
+    if (granted >= wanted) return std::string();
+    return mega(granted) + " MB " + what + " instead of " + mega(wanted);
+  };
+  for (const std::string& text : {lowered(RLIMIT_AS, limits.memory_bytes, "of memory"),
+                                  lowered(RLIMIT_STACK, limits.stack_bytes, "of stack"),
+                                  lowered(RLIMIT_FSIZE, limits.file_bytes, "in a file")})
+    if (!text.empty()) return text;
+  const std::uint64_t seconds = platform::granted(RLIMIT_CPU);
+  const auto wanted = static_cast<std::uint64_t>(limits.cpu_seconds);
+  if (seconds >= wanted) return {};
+  return std::to_string(seconds) + " s of computing instead of " + std::to_string(wanted);
+}
+
 bool others_may_enter(const fs::path& path) {
   for (fs::path folder = path; folder != folder.root_path(); folder = folder.parent_path())
     if ((fs::status(folder).permissions() & fs::perms::others_exec) == fs::perms::none)

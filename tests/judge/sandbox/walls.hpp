@@ -15,10 +15,15 @@ struct Limits {
   int cpu_seconds = 2;
   double wall_seconds = 10;  ///< kept by the one who waits: Conversation, run()
   std::uint64_t memory_bytes = 512ull << 20;
-  std::uint64_t file_bytes = 0;  ///< largest file it may write
+  std::uint64_t stack_bytes = 8ull << 20;  ///< of it
+  std::uint64_t file_bytes = 0;            ///< largest file it may write
   std::uint64_t processes =
       0;  ///< it may start; counted per user, so only where it has one for itself
 };
+
+/// What this machine grants less of, by limits of its own (ulimit): "300 MB of memory instead of
+/// 512"; empty if nothing.
+std::string lowered_limits(const Limits& limits);
 
 /// A wall. A worker stands behind all of them, the compiler behind all but the system calls.
 enum class Wall {

@@ -27,6 +27,21 @@ bool is_stub(const Job& job) {
   }
 }
 
+/// Of a wrong answer: would the course's own solution be right here, with the same inputs?
+/// @throws std::runtime_error if not: what was built for the unit is damaged or out of date, or
+/// this machine does not compute
+void require_solution_passes(const Job& job, const Judgement& judgement) {
+  const fs::path solution = job.course.solution(job.unit);
+  if (!fs::exists(solution) || judgement.compiled->solution_passes(job.unit)) return;
+  const Job known{job.course, job.unit, solution, job.folder / "solution"};
+  const UnitResult result = judge_build(known, judgement, build_worker(known));
+  if (!result.passed())
+    throw std::runtime_error(
+        "the course's own solution of " + job.unit.number + " is “" + result.summary() +
+        "” here too: is what was built for it damaged, or out of date? ./tumble prepare builds it");
+  judgement.compiled->keep_that_solution_passes(job.unit);
+}
+
 UnitResult build_and_judge(const Job& job, const Judgement& judgement) {
   const auto start = Clock::now();
   const bool stub = judgement.compiled && is_stub(job);
@@ -42,6 +57,9 @@ UnitResult build_and_judge(const Job& job, const Judgement& judgement) {
   const ObjectCache* compiled = judgement.only_sanitized ? nullptr : judgement.compiled;
   const WorkerBuild build = build_worker(job, instrumentation, compiled);
   UnitResult result = judge_build(job, judgement, build);
+  const bool answered = build.outcome == BuildOutcome::built && !result.untouched();
+  if (judgement.try_solution && answered && !result.passed())
+    require_solution_passes(job, judgement);
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (stub && result.untouched())
     judgement.compiled->keep_verdict_on_stub(job.unit, encode_result(result));

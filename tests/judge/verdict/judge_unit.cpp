@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "judge/conversation/student_worker.hpp"
 #include "judge/verdict/crash_place.hpp"
@@ -74,6 +75,20 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
   if (!finding.place.empty() && finding.outcome == Outcome::wrong) finding.misconceptions.clear();
 }
 
+/// Memory and time that a machine does not grant are not used up by the student.
+/// @throws std::runtime_error if that may be why a case has ended
+void require_full_limits(const UnitResult& result, const Limits& limits) {
+  const bool may_be_why =
+      std::any_of(result.cases.begin(), result.cases.end(), [](const CaseResult& each) {
+        return each.finding && (each.finding->outcome == Outcome::out_of_memory ||
+                                each.finding->outcome == Outcome::crashed ||
+                                each.finding->outcome == Outcome::hung);
+      });
+  const std::string lowered = may_be_why ? lowered_limits(limits) : "";
+  if (!lowered.empty())
+    throw std::runtime_error("this machine allows a student's program only " + lowered);
+}
+
 }  // namespace
 
 UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerBuild& build) {
@@ -83,6 +98,7 @@ UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerB
 
   StudentWorker worker(build.worker);
   judge_answers(result, {judgement.seed, judgement.seeds, judgement.only_case}, worker);
+  require_full_limits(result, build.worker.walls.limits);
   if (judgement.only_sanitized) {
     for (CaseResult& each : result.cases)
       if (each.finding) read_report(*each.finding, job, build);

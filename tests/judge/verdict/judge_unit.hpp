@@ -19,6 +19,9 @@ struct Judgement {
   bool locate_crashes = true;      ///< build a crashed unit again with sanitizers, to name the line
   bool only_sanitized = false;     ///< everything with sanitizers from the start
   std::size_t builds_at_once = 0;  ///< of judge_all(); 0: as many as there are cores
+  /// Before an answer is a mistake, the course's own solution has to pass on this machine. It is
+  /// tried once for what `compiled` is kept for.
+  bool try_solution = false;
   const ObjectCache* compiled = nullptr;  ///< what was compiled before; not with sanitizers
   Clock::time_point deadline = Clock::time_point::max();  ///< of judge_all(): none begins later
 };
