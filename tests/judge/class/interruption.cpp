@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/mman.h>
 
+#include <initializer_list>
 #include <new>
 
 namespace tumble::judge {

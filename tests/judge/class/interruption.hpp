@@ -6,8 +6,8 @@
 
 namespace tumble::judge {
 
-/// While it lives, SIGINT and SIGTERM do not end this process, but are known to it and to all that
-/// it forks.
+/// While it lives, SIGINT, SIGTERM and SIGHUP do not end this process, but are known to it and to
+/// all that it forks. A signal that was ignored before (nohup) stays so.
 class Interruption {
  public:
   Interruption();

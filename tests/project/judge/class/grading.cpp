@@ -13,6 +13,7 @@
 
 #include "judge/build/work_folder.hpp"
 #include "judge/class/csv_table.hpp"
+#include "judge/class/interruption.hpp"
 #include "project/harness/command.hpp"
 #include "project/judge/class/handed_in_class.hpp"
 
@@ -126,6 +127,21 @@ TEST_CASE("grading: Ctrl-C writes what is there, and says how to go on") {
   CHECK(two.grade("--jobs 2").status == 0);
   CHECK(two.cell("s9", "points") == "2");
   CHECK(two.cell("s9", "note") == "");
+}
+
+TEST_CASE("grading: who closes the terminal stops it, and nohup does not let them") {
+  {
+    const judge::Interruption interruption;
+    ::raise(SIGHUP);
+    CHECK(interruption.asked());
+  }
+  const auto before = ::signal(SIGHUP, SIG_IGN);
+  {
+    const judge::Interruption interruption;
+    ::raise(SIGHUP);
+    CHECK(!interruption.asked());
+  }
+  ::signal(SIGHUP, before);
 }
 
 TEST_CASE("grading: one exercise of one student, again") {

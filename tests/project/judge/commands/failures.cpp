@@ -93,6 +93,17 @@ TEST_CASE("limits of the student's shell are lowered, not a wall that is missing
   }
 }
 
+TEST_CASE("memory that this machine does not grant is no student's zero") {
+  if (TUMBLE_HAS_ASAN) return test::skip("its memory is terabytes: no limit can be set");
+  const Student student;
+  support::write_text(student.files / "carry.cpp",
+                      solution("carry") + "const std::vector<char> much(400u << 20, 'm');\n");
+  const CommandResult graded = student.grade("ulimit -v 400000; ");
+  CHECK_MESSAGE(graded.status == 2, graded.output);
+  CHECK_MESSAGE(says(graded.output, "this machine allows"), graded.output);
+  CHECK_MESSAGE(says(student.csv(), "the judge failed at 1.1: no verdict"), student.csv());
+}
+
 TEST_CASE("a temporary folder that other users may not enter is no student's fault") {
   const Student student;  // its folder is such a one
   const fs::path own = student.work.path() / "temporary";
