@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scenes/given_density.hpp"
+#include "scenes/length_unit.hpp"
 #include "scenes/mass_output.hpp"
 #include "scenes/mesh_in_unit.hpp"
 #include "tumble/mass/parallel_axis.hpp"
@@ -49,13 +50,16 @@ void weigh(MassAnswer& answer, double mass) {
 /// The mass of a unit of area [kg/m²].
 double surface_density(const MassCommand& command, const std::optional<double>& density) {
   if (command.shell) return *command.shell;
-  return density.value_or(1) * in_metres(*command.thickness, command.unit);
+  return density.value_or(1) * length_unit(command.unit).in_metres(*command.thickness);
 }
 
-void integrate_shell(double surface_density, const PolygonMesh& mesh, MassAnswer& answer) {
+void integrate_shell(double surface_density, const ReadMesh& read, MassAnswer& answer) {
   answer.density = surface_density;
-  static_cast<MassProperties&>(answer.body) = shells::mass_properties(mesh, answer.density);
-  answer.area = shells::area(mesh);
+  MassProperties& shell = answer.body;
+  shell = shells::mass_properties(read.written, surface_density);
+  convert_to_metres(shell, read.unit, 2);
+  detail::require_normal(shell, "shell");
+  answer.area = double(read.unit.in_metres(shells::area(read.written), 2));
 }
 
 crossings::Search search_of(const MassCommand& command) {
@@ -72,14 +76,14 @@ void note(const MassCommand& command, std::vector<MeshDefect> findings, MassAnsw
 
 void integrate(const MassCommand& command, double density, const ReadMesh& read,
                MassAnswer& answer) {
-  const PolygonMesh& mesh = read.mesh;
   const auto diagnosed = [&](std::optional<double> rounding) {
-    return diagnose(mesh, {}, search_of(command), rounding);
+    return diagnose(read.in_metres(), {}, search_of(command), rounding);
   };
-  note(command, findings_of(read, command.unit, diagnosed), answer);
+  note(command, findings_of(read, diagnosed), answer);
   if (!answer.usable) return;
   answer.density = density;
-  answer.body = unchecked_mass_properties(mesh, density, accuracy_of(command.accuracy));
+  answer.body = unchecked_mass_properties(read.written, density, accuracy_of(command.accuracy));
+  convert_to_metres(answer.body, read.unit);
   if (!command.accept) require_volume(answer.body);
   answer.volume = answer.body.mass / density;
   answer.volume_bound = answer.body.mass_error_bound + detail::unit_roundoff;
@@ -87,13 +91,16 @@ void integrate(const MassCommand& command, double density, const ReadMesh& read,
 
 void integrate_parts(const MassCommand& command, const parts::Densities& densities,
                      const ReadMesh& read, MassAnswer& answer) {
-  const std::vector<parts::Part> all = parts::split(read.mesh, densities);
   const auto diagnosed = [&](std::optional<double> rounding) {
-    return parts::diagnose(all, {}, search_of(command), rounding);
+    return parts::diagnose(parts::split(read.in_metres(), densities), {}, search_of(command),
+                           rounding);
   };
-  note(command, findings_of(read, command.unit, diagnosed), answer);
+  note(command, findings_of(read, diagnosed), answer);
   if (!answer.usable) return;
-  const parts::Assembly body = parts::unchecked_mass_properties(all, accuracy_of(command.accuracy));
+  const std::vector<parts::Part> all = parts::split(read.written, densities);
+  parts::Assembly body = parts::unchecked_mass_properties(all, accuracy_of(command.accuracy));
+  convert_to_metres(body, read.unit);
+  for (parts::PartMass& part : body.parts) convert_to_metres(part, read.unit);
   if (!command.accept) parts::require_volumes(body);
   answer.body = body;
   answer.parts = body.parts;
@@ -111,7 +118,7 @@ void integrate_parts(const MassCommand& command, const parts::Densities& densiti
 void integrate_as_asked(const MassCommand& command, const ReadMesh& read, MassAnswer& answer) {
   const GivenDensity density = given_density(command.density);
   if (command.is_shell())
-    integrate_shell(surface_density(command, density.of_all), read.mesh, answer);
+    integrate_shell(surface_density(command, density.of_all), read, answer);
   else if (density.of_parts.empty())
     integrate(command, density.of_all.value_or(1), read, answer);
   else

@@ -289,6 +289,39 @@ TEST_CASE("mass: a weighed mass, a unit, a point, principal axes") {
                  "the density 0 kg/m³ is not positive and finite"));
 }
 
+TEST_CASE("mass: bounds hold in every unit, far from the origin and of each part") {
+  // 3 × 5 × 7, from (1000001, 2000003, −3000001) on: exact in the file, but in metres rounded.
+  write(
+      "far_box.obj",
+      "g all\nv 1000001 2000003 -3000001\nv 1000004 2000003 -3000001\nv 1000001 2000008 -3000001\n"
+      "v 1000004 2000008 -3000001\nv 1000001 2000003 -2999994\nv 1000004 2000003 -2999994\n"
+      "v 1000001 2000008 -2999994\nv 1000004 2000008 -2999994\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\n"
+      "f 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  constexpr double rounding = 0x1p-53;  // of what we compare with
+  const auto is_right = [&](const json& mass, long double metre) {
+    const long double volume = 105 * metre * metre * metre, xx = volume / 12 * 74 * metre * metre;
+    const json& bounds = mass["bounds"];
+    CHECK(bounds["mass"] < 1e-15);
+    CHECK(std::abs(mass["mass"].get<double>() / volume - 1) <= bounds["mass"].get<double>());
+    CHECK(std::abs(mass["inertia"][0].get<double>() / xx - 1) <= bounds["inertia"].get<double>());
+    const long double x = mass["centre"][0].get<double>() - 1000002.5L * metre;
+    CHECK(std::abs(x + mass["centre_rest"][0].get<double>()) <=
+          rounding * 0x1p-10 * 1e6L * metre);  // long double's
+  };
+  const std::pair<const char*, long double> units[] = {
+      {"m", 1}, {"cm", 0.01L}, {"mm", 0.001L}, {"in", 0.0254L}};
+  for (const auto& [unit, metre] : units) {
+    CAPTURE(unit);
+    const std::string command = std::string("mass far_box.obj --json --unit ") + unit;
+    is_right(json::parse(scenes(command).output), metre);
+    const json parts = json::parse(scenes(command + " --density all=1").output);
+    is_right(parts, metre);
+    is_right(parts["parts"][0], metre);
+    const json shell = json::parse(scenes(command + " --shell 1").output);
+    CHECK(std::abs(shell["area"].get<double>() / (142 * metre * metre) - 1) < 4 * rounding);
+  }
+}
+
 TEST_CASE("mass: blocks for URDF, SDF and MJCF, with the centre and the products as they mean") {
   write("box.obj",  // [0, 1] × [0, 2] × [0, 3], and a small one at the far corner: no product is 0
         "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 2 0\nv 0 0 3\nv 1 0 3\nv 0 2 3\nv 1 2 3\n"
