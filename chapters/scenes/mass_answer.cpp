@@ -8,6 +8,7 @@
 #include "scenes/mesh_in_unit.hpp"
 #include "tumble/mass/parallel_axis.hpp"
 #include "tumble/mass/shell.hpp"
+#include "tumble/mesh/weld.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -53,15 +54,6 @@ double surface_density(const MassCommand& command, const std::optional<double>& 
   return density.value_or(1) * length_unit(command.unit).in_metres(*command.thickness);
 }
 
-void integrate_shell(double surface_density, const ReadMesh& read, MassAnswer& answer) {
-  answer.density = surface_density;
-  MassProperties& shell = answer.body;
-  shell = shells::mass_properties(read.written, surface_density);
-  convert_to_metres(shell, read.unit, 2);
-  detail::require_normal(shell, "shell");
-  answer.area = double(read.unit.in_metres(shells::area(read.written), 2));
-}
-
 crossings::Search search_of(const MassCommand& command) {
   return command.thorough ? crossings::Search::thorough : crossings::Search::usual;
 }
@@ -72,6 +64,18 @@ void note(const MassCommand& command, std::vector<MeshDefect> findings, MassAnsw
   for (const MeshDefect& finding : answer.findings)
     answer.usable &= command.accept ? !prevents_integrals(finding.kind)
                                     : !spoils_integrals(finding, command.tolerance);
+}
+
+/// The surface may be open, but what is there twice, as in files for drawing, has its mass twice.
+void integrate_shell(const MassCommand& command, double surface_density, const ReadMesh& read,
+                     MassAnswer& answer) {
+  answer.density = surface_density;
+  MassProperties& shell = answer.body;
+  shell = shells::mass_properties(read.written, surface_density);
+  convert_to_metres(shell, read.unit, 2);
+  detail::require_normal(shell, "shell");
+  note(command, detail::find_duplicate_faces(weld(read.written)), answer);
+  answer.area = double(read.unit.in_metres(shells::area(read.written), 2));
 }
 
 void integrate(const MassCommand& command, double density, const ReadMesh& read,
@@ -118,7 +122,7 @@ void integrate_parts(const MassCommand& command, const parts::Densities& densiti
 void integrate_as_asked(const MassCommand& command, const ReadMesh& read, MassAnswer& answer) {
   const GivenDensity density = given_density(command.density);
   if (command.is_shell())
-    integrate_shell(surface_density(command, density.of_all), read, answer);
+    integrate_shell(command, surface_density(command, density.of_all), read, answer);
   else if (density.of_parts.empty())
     integrate(command, density.of_all.value_or(1), read, answer);
   else

@@ -44,7 +44,9 @@ int complain(const MassAnswer& found, const MassCommand& command) {
     for (const MeshDefect& finding : found.findings)
       std::cerr << name_of(finding.kind) << ": " << finding.message << '\n';
   std::cerr << "tumble: " << found.file
-            << ": this is not the boundary of a body. You find the reasons above."
+            << (command.is_shell() ? ": faces of this shell count twice."
+                                   : ": this is not the boundary of a body.")
+            << " You find the reasons above."
             << (command.accept ? "" : " With --accept we compute what we can.") << '\n';
   return support::exit_status::not_achieved;
 }

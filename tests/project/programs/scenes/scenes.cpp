@@ -466,6 +466,20 @@ TEST_CASE("mass: a shell of a material has a thickness, in the unit of the file"
   CHECK(mentions(said("--thickness 1 --density a=1"), "without a name"));
 }
 
+TEST_CASE("mass: a shell whose faces are there twice would weigh twice as much") {
+  const std::string square = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
+  write("both_sides.obj", square + "f 1 2 3 4\nf 4 3 2 1\n");
+  write("two_squares.obj", square + square + "f 1 2 3 4\nf 5 8 7 6\n");
+  for (const char* file : {"both_sides.obj", "two_squares.obj"}) {
+    const CommandResult result = scenes(std::string("mass --shell 3 ") + file);
+    CHECK(result.status == 1);
+    CHECK(mentions(result.output, "face #2 has the same vertices as face #1", "count twice"));
+    const json accepted =
+        json::parse(scenes(std::string("mass --accept --json --shell 3 ") + file).output);
+    CHECK(accepted["mass"] == 12);
+  }
+}
+
 TEST_CASE("mass: what no double holds is refused, and so is a point that is none") {
   write("tetrahedron.obj", tetrahedron);
   write("speck.obj", "v 0 0 0\nv 1e-78 0 0\nv 0 1e-78 0\nf 1 2 3\n");
