@@ -1,4 +1,5 @@
 // ./tumble mass FILE and ./tumble simulate scene.json: the library without writing C++.
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,22 @@
 #include "support/command_line.hpp"
 
 namespace {
+
+/// How integrals over a volume are computed, which nobody asks about a shell.
+void add_options_of_volumes(CLI::App& app, tumble::scenes::MassCommand& mass,
+                            std::initializer_list<CLI::Option*> of_shells) {
+  CLI::Option* const of_volumes[] = {
+      app.add_option("--accuracy", mass.accuracy, "fast, tight or textbook")
+          ->capture_default_str()
+          ->check(CLI::IsMember({"fast", "tight", "textbook"})),
+      app.add_option(
+             "--tolerance", mass.tolerance,
+             "the share of the volume that may count wrongly where a surface crosses itself")
+          ->capture_default_str(),
+      app.add_flag("--thorough", mass.thorough, "look for crossings at every pair of triangles")};
+  for (CLI::Option* const option : of_volumes)
+    for (CLI::Option* const shell : of_shells) option->excludes(shell);
+}
 
 void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
   app.add_option("files", mass.files,
@@ -22,22 +39,17 @@ void add_options(CLI::App& app, tumble::scenes::MassCommand& mass) {
                      "the mass lies in the surface, which may be open: density times thickness "
                      "[kg/m²]")
           ->excludes(density);
-  app.add_option("--thickness", mass.thickness,
-                 "of a shell of the material of --density, in the unit of the file")
-      ->excludes(shell);
+  CLI::Option* const thickness =
+      app.add_option("--thickness", mass.thickness,
+                     "of a shell of the material of --density, in the unit of the file")
+          ->excludes(shell);
   app.add_option("--unit", mass.unit, "of the lengths in the file: mm, cm, m or in")
       ->capture_default_str()
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   CLI::Option* const about =
       app.add_option("--about", mass.about, "x y z: you also get the inertia about this point [m]")
           ->expected(3);
-  app.add_option("--accuracy", mass.accuracy, "fast, tight or textbook")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"fast", "tight", "textbook"}));
-  app.add_option("--tolerance", mass.tolerance,
-                 "the share of the volume that may count wrongly where a surface crosses itself")
-      ->capture_default_str();
-  app.add_flag("--thorough", mass.thorough, "look for crossings at every pair of triangles");
+  add_options_of_volumes(app, mass, {shell, thickness});
   app.add_flag("--accept", mass.accept, "compute what we can from a bad mesh, too");
   std::vector<CLI::Option*> outputs = {
       app.add_flag("--json", mass.json, "all digits, and all that we have found, as JSON")};

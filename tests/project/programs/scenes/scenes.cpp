@@ -466,6 +466,16 @@ TEST_CASE("mass: a shell of a material has a thickness, in the unit of the file"
   CHECK(mentions(said("--thickness 1 --density a=1"), "without a name"));
 }
 
+TEST_CASE("mass: what is asked about a volume is not asked about a shell") {
+  write("sheet.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  for (const char* shell : {"--shell 1", "--density 1 --thickness 1"})
+    for (const char* option : {"--accuracy fast", "--tolerance 1e-3", "--thorough"}) {
+      const CommandResult result = scenes(std::string("mass sheet.obj ") + shell + ' ' + option);
+      CHECK(result.status == 2);
+      CHECK(mentions(result.output, "excludes"));
+    }
+}
+
 TEST_CASE("mass: a shell whose faces are there twice would weigh twice as much") {
   const std::string square = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
   write("both_sides.obj", square + "f 1 2 3 4\nf 4 3 2 1\n");
