@@ -1,11 +1,16 @@
 #include "scenes/motions.hpp"
 
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "scenes/contact_motion.hpp"
 #include "scenes/contact_scene.hpp"
 #include "scenes/joined_motion.hpp"
+#include "tumble/body/derived.hpp"
 #include "tumble/contact/can_touch.hpp"
+#include "tumble/core/rounding.hpp"
+#include "tumble/mass/principal_axes.hpp"
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/simulate.hpp"
 
@@ -27,10 +32,43 @@ Trajectory motion_of(const SceneBody& body, const SimulationTask& task) {
   return simulated(body.steady, springs);
 }
 
+/// A motion with another report.
+class SameMotion final : public detail::AnyTrajectory<RigidBodyState<>> {
+ public:
+  explicit SameMotion(Trajectory motion) : motion_(std::move(motion)) {}
+
+  RigidBodyState<> at(double t) const override { return motion_.at(t); }
+  std::vector<double> times() const override { return motion_.times(); }
+
+ private:
+  Trajectory motion_;
+};
+
+/// What rounding makes of a start: a file gives ω, and the motion begins with L, rounded as a
+/// whole. Of a slim body little of L lies along its axis, and makes it turn fast there. What it
+/// makes of ω at once is in it, too.
+double rounding_of_start(const SceneBody& body, double span) {
+  constexpr double roundings = 8;
+  const Mat3& I = body.body.I_body();
+  if (body.start.q.vec().isZero(0) && I.isDiagonal(0)) return 0;
+  const double least = principal_axes(I).moments.minCoeff();
+  const double omega = derived(body.body, body.start).omega.norm();
+  const double L = body.start.L.norm();
+  return L > 0 ? roundings * detail::unit_roundoff * L / least * (span + 1 / omega) : 0;
+}
+
+/// Closed forms take the start as exact; runs begin beside it.
+Trajectory with_rounded_start(const Trajectory& motion, double rounding) {
+  SimulationReport report = motion.report();
+  if (report.runs > 0) return motion;
+  report.error_estimate += rounding;
+  return {std::make_shared<const SameMotion>(motion), motion.t0(), motion.t1(), report};
+}
+
 /// @throws std::runtime_error that names the body
 Trajectory named_motion_of(const SceneBody& body, const SimulationTask& task) {
   try {
-    return motion_of(body, task);
+    return with_rounded_start(motion_of(body, task), rounding_of_start(body, task.t1 - task.t0));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(body.name + ": " + error.what());
   }
