@@ -49,12 +49,13 @@ class SameMotion final : public detail::AnyTrajectory<RigidBodyState<>> {
 /// makes of ω at once is in it, too.
 double rounding_of_start(const SceneBody& body, double span) {
   constexpr double roundings = 8;
-  const Mat3& I = body.body.I_body();
-  if (body.start.q.vec().isZero(0) && I.isDiagonal(0)) return 0;
-  const double least = principal_axes(I).moments.minCoeff();
-  const double omega = derived(body.body, body.start).omega.norm();
-  const double L = body.start.L.norm();
-  return L > 0 ? roundings * detail::unit_roundoff * L / least * (span + 1 / omega) : 0;
+  const RigidBody<>& turning = body.held ? body.held->about_point() : body.body;
+  const RigidBodyState<> start = body.held ? body.held->turning_of(body.start) : body.start;
+  const Mat3& I = turning.I_body();
+  if (start.L.isZero(0) || (start.q.vec().isZero(0) && I.isDiagonal(0))) return 0;
+  const double fastest = start.L.norm() / principal_axes(I).moments.minCoeff();
+  const double omega = derived(turning, start).omega.norm();
+  return roundings * detail::unit_roundoff * fastest * (span + 1 / omega);
 }
 
 /// Closed forms take the start as exact; runs begin beside it.
