@@ -1,6 +1,7 @@
 #include "judge/class/sources.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "judge/build/submission.hpp"
 #include "judge/class/archive.hpp"
@@ -127,6 +128,8 @@ void Sources::keep(const fs::path& folder, const std::vector<Unit>& units) const
 }
 
 void Sources::add(const Part& part) {
+  if (!support::is_there(part.path))  // it was when the class was collected
+    throw std::runtime_error(part.path.string() + " is gone since this grading began");
   if (fs::is_directory(fs::symlink_status(part.path)))
     add_folder(part.name, part.path);
   else if (!archive_stem(part.path.filename().string()).empty())
