@@ -64,6 +64,9 @@ inline bool stay_in_touch(int looks, double parting, double speed) {
   return looks >= most || (looks >= few && parting < least * speed);
 }
 
+/// After so many looks, planes that turn are tried, too.
+inline constexpr int many_looks = 100;
+
 /// The search, for two bodies or a body and a wall.
 template <class Things>
 Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) {
@@ -89,7 +92,10 @@ Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) 
     if (meeting.t >= t1) return meeting;
     // In this time nothing moves by more than a quarter of the tolerance.
     const double left = t1 - meeting.t, still = tolerance / (4 * things.speed(left));
-    const double apart = std::fmax(time_balls_apart(things, n), time_apart(things, n, left));
+    double apart = std::fmax(time_balls_apart(things, n), time_apart(things, n, left));
+    if constexpr (requires { things.turning_planes(n); })
+      if (meeting.queries >= many_looks)
+        apart = std::fmax(apart, time_apart(things.turning_planes(n), n, left));
     meeting.t = std::fmin(
         t1, std::fmax(meeting.t + std::fmax(still, apart), std::nextafter(meeting.t, t1)));
   }

@@ -53,6 +53,13 @@ inline Reach farthest_reach(const Convex& body, const Derived<>& now, const Vec3
   return {n.dot(arm) + body.radius(), n.dot(now.v + now.omega.cross(arm))};
 }
 
+/// The gap along n between the points of two bodies that are nearest at the time s from now.
+inline Reach gap_between(const Convex& a, const Derived<>& now_a, const Convex& b,
+                         const Derived<>& now_b, const Vec3& n, double s) {
+  const Reach reach_a = farthest_reach(a, now_a, n, s), reach_b = farthest_reach(b, now_b, -n, s);
+  return {n.dot(now_b.x - now_a.x) - reach_a.value - reach_b.value, -reach_a.rate - reach_b.rate};
+}
+
 /// Bound on how fast a point of the hull is accelerated along n because the body turns [m/s²].
 ///
 /// With r the point's arm and ω = a n + w, w across n, the acceleration along n is

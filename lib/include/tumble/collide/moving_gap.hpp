@@ -4,6 +4,7 @@
 
 #include "tumble/collide/contact_points.hpp"
 #include "tumble/collide/motion.hpp"
+#include "tumble/collide/turning_planes.hpp"
 
 namespace tumble::collide::detail {
 
@@ -25,10 +26,10 @@ class TwoBodies {
   }
   /// The gap along n between the points that are nearest at the time s from now.
   Reach gap_along(const Vec3& n, double s) const {
-    const Reach a = farthest_reach(a_.body, now_a_, n, s);
-    const Reach b = farthest_reach(b_.body, now_b_, -n, s);
-    return {n.dot(now_b_.x - now_a_.x) - a.value - b.value, -a.rate - b.rate};
+    return gap_between(a_.body, now_a_, b_.body, now_b_, n, s);
   }
+  /// The same between planes that turn with what touches them.
+  TurningPlanes<A, B> turning_planes(const Vec3& n) const { return {a_, now_a_, b_, now_b_, n}; }
   /// The same of the balls around the centres that hold them.
   GapOfBalls balls_along(const Vec3& n) const {
     return {n.dot(now_b_.x - now_a_.x) - a_.body.reach() - b_.body.reach(),
