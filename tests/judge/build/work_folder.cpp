@@ -33,7 +33,7 @@ void remove_left_overs(const fs::path& place) {
 /// @throws std::runtime_error if there is none
 fs::path place_for_folders() {
   std::error_code none;
-  const fs::path place = fs::temp_directory_path(none);
+  fs::path place = fs::temp_directory_path(none);
   if (!none) return place;
   const char* set = ::getenv("TMPDIR");
   throw std::runtime_error("there is no folder for temporary files: " +
