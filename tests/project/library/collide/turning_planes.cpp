@@ -40,7 +40,9 @@ double gap(const FlyingBrick& a, const FlyingBrick& b, double t) {
 /// Edges of 0.7 m and 0.5 m, across each other and `apart`, that slide and turn, and part slowly.
 std::pair<FlyingBrick, FlyingBrick> crossing_edges(test::Random& rng, double apart,
                                                    double parting) {
-  const auto on_edge = [](const Vec3& axis) { return Quat(Eigen::AngleAxisd(EIGEN_PI / 4, axis)); };
+  const auto on_edge = [](const Vec3& axis) {
+    return Quat(Eigen::AngleAxisd(std::atan(1.0), axis));
+  };
   const double half = std::sqrt(0.5);
   return {{Vec3(0.7, 0.01, 0.01), Vec3(0, 0, half * 0.01 + apart), on_edge(Vec3::UnitX()),
            Vec3(rng.uniform(-2, 2), rng.uniform(-2, 2), parting), Vec3(0, 0, rng.uniform(2, 9))},
