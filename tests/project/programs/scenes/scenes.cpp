@@ -336,9 +336,11 @@ TEST_CASE("mass: bounds hold in every unit, far from the origin and of each part
   };
   const std::pair<const char*, long double> units[] = {
       {"m", 1}, {"cm", 0.01L}, {"mm", 0.001L}, {"in", 0.0254L}};
-  for (const auto& [unit, metre] : units) {
+  for (const auto& each : units) {
+    const std::string unit = each.first;
+    const long double metre = each.second;
     CAPTURE(unit);
-    const std::string command = std::string("mass far_box.obj --json --unit ") + unit;
+    const std::string command = "mass far_box.obj --json --unit " + unit;
     is_right(json::parse(scenes(command).output), metre);
     const json parts = json::parse(scenes(command + " --density all=1").output);
     is_right(parts, metre);
