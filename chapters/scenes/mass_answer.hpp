@@ -15,7 +15,7 @@ namespace tumble::scenes {
 struct MassAnswer {
   std::string file;
   std::vector<MeshDefect> findings;
-  std::string refusal = {};  ///< why there is no answer at all, if the file could not be read
+  std::string refusal = {};  ///< why we could not answer: the file could not be read
   bool usable = true;
   BoundedMassProperties body = {};
   double volume = std::numeric_limits<double>::quiet_NaN();        ///< [m³], of a shell none
