@@ -18,7 +18,7 @@ using Vec4 = Eigen::Vector4d;  ///< place and velocity in a plane
 
 constexpr double pi = std::numbers::pi;
 
-/// dy/dt of what the sun pulls, in AU and years.
+/// dy/dt of a body that the sun attracts, in AU and years.
 struct SunsPull {
   Vec4 operator()(double, const Vec4& y) const {
     constexpr double gm = 4 * pi * pi;  // [AU³/a²]
@@ -28,7 +28,7 @@ struct SunsPull {
   }
 };
 
-/// An ellipse about the sun, which stands in a focus at the origin.
+/// An ellipse about the sun, which is in a focus, at the origin.
 struct Orbit {
   double a;  ///< half the long axis [AU]
   double e;  ///< eccentricity
@@ -47,7 +47,7 @@ struct Orbit {
 };
 
 constexpr Orbit comet{17.83, 0.967};  // that of Halley's comet in 1994 (JPL), rounded
-constexpr Orbit mild{1, 0.3};         // all steps alike are not too bad here
+constexpr Orbit mild{1, 0.3};         // equal steps are not too bad here
 
 /// The wind in a row of whirls of 1 m, each turning against its neighbours [m/s].
 inline Vec2 wind(const Vec2& x) {
@@ -58,7 +58,7 @@ inline Vec2 wind(const Vec2& x) {
 
 /// dy/dt of a speck that drifts with the wind.
 struct Dust {
-  double tau;  ///< in which it takes on the wind's velocity, but for 1/e [s]
+  double tau;  ///< in this time its difference from the wind falls to 1/e [s]
 
   Vec4 operator()(double, const Vec4& y) const {
     const Vec2 x = y.head<2>(), v = y.tail<2>();
