@@ -1,5 +1,5 @@
 /// @file
-/// A comet: how the error of a step is seen, and steps that suit the motion.
+/// A comet: how we estimate the error of a step, and steps that suit the motion.
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ constexpr double days = 365.25;  // in a year
 constexpr Tolerances comet_tolerances{1e-6, 1e-6};
 const double period = comet.period();
 
-/// One round of the comet.
+/// One revolution of the comet.
 OdeSolution<Vec4> one_round(const Tolerances& tolerances, Track& track) {
   const SunsPull f;
   const Vec4 y0 = comet.at(0);
@@ -66,7 +66,7 @@ std::string comet_figure() {
   const int steps = one_round(comet_tolerances, adaptive).evaluations / 4;
   integrate_fixed<Rk4>(SunsPull{}, comet.at(0), 0.0, period, steps, fixed);
 
-  support::Sketch sketch(760, 424, "one round of a comet, twice");
+  support::Sketch sketch(760, 424, "one revolution of a comet, twice");
   const auto draw = [&](double top, const Track& track, const std::string& colour,
                         const std::string& words) {
     const Cutout cutout{{-36, -5}, {5, 5}, 10, top, 18};

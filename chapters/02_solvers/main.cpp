@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   using namespace solvers_chapter;
   tumble::support::Chapter chapter("02_solvers",
                                    "Solvers: adaptive and implicit steps, and their cost");
-  chapter.table("comet", "One round of a comet, 75 years", comet_table);
+  chapter.table("comet", "One revolution of a comet, 75 years", comet_table);
   chapter.table("norm", "Four errors and their norm", norm_table);
   chapter.table("estimate", "Estimated and true errors of one step, allowed = 1", estimate_table);
   chapter.table("tolerance", "Tolerance and final error", tolerance_table);
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   chapter.table("dust", "Ten seconds of a speck of dust, tolerance 1e-6", dust_table);
   chapter.table("indifferent", "A speck of 1 µm at several tolerances", indifferent_table);
   chapter.table("newton", "Distance from the solution of a backward Euler step", newton_table);
-  chapter.table("order", "The order that is seen", order_table);
+  chapter.table("order", "The observed order", order_table);
   chapter.table("eccentricity", "Evaluations for one revolution within 1e-6", eccentricity_table);
   chapter.table("reach", "Evaluations to reach an error", reach_table);
   chapter.measured("times", "Time to reach an error", times_table);
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   chapter.table("floor", "Tolerances below rounding", floor_table);
   chapter.table("no_solution", "A backward Euler step that does not exist", no_solution_table);
   chapter.table("rod", "Evaluations for a pendulum on a stiff rod", rod_table);
-  chapter.table("unseen", "Orders that are not seen", unseen_table);
+  chapter.table("unseen", "Orders that do not show", unseen_table);
   chapter.figure("comet", comet_figure);
   chapter.figure("norm", norm_figure);
   chapter.figure("implicit", implicit_figure);

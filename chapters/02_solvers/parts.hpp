@@ -12,17 +12,17 @@ using tumble::support::Table;
 
 // ── adaptive.cpp ──
 
-/// One round of a comet, 75 years.
+/// One revolution of a comet, 75 years.
 Table comet_table();
-/// Both solvers ask for the slope 584 times. Equal steps lose the comet at the sun.
+/// Both solvers evaluate the slope 584 times. Equal steps lose the comet at the sun.
 std::string comet_figure();
 /// The example of the page: four numbers of a satellite, their errors, and the norm.
 Table norm_table();
 /// Estimated and true errors of steps from the same place, in units of what is allowed.
 Table estimate_table();
-/// The steps follow the time of a round at the comet's distance.
+/// The steps follow the time of a revolution at the comet's distance.
 std::string steps_figure();
-/// What is asked for and what comes out.
+/// The tolerance that you ask for, and the final error that you get.
 Table tolerance_table();
 
 // ── by_hand.cpp ──
@@ -56,7 +56,7 @@ Table floor_table();
 Table no_solution_table();
 /// The stiff rod by place and by angle.
 Table rod_table();
-/// Orders seen where they cannot be seen.
+/// Observed orders where the order does not show.
 Table unseen_table();
 
 // ── order.cpp ──
@@ -75,7 +75,7 @@ std::string ridden_figure();
 
 // ── race.cpp ──
 
-/// Error against evaluations: one round of the comet.
+/// Error against evaluations: one revolution of the comet.
 std::string comet_work_figure();
 /// Error against evaluations: ten seconds of dust.
 std::string dust_work_figure();
@@ -83,7 +83,7 @@ std::string dust_work_figure();
 Table reach_table();
 /// Times, and how many times that of a method of reference.
 Table times_table();
-/// The fewest evaluations, in steps of a quarter more, to come round within 1e-6 of the start.
+/// The fewest evaluations, in steps of a quarter more, that close an orbit to within 1e-6.
 Table eccentricity_table();
 
 // ── stability.cpp ──
@@ -103,7 +103,7 @@ Table indifferent_table();
 std::string dust_figure();
 /// Ten seconds of dust.
 std::string stiffness_figure();
-/// The rounds in which the equation of a backward Euler step is solved, or not.
+/// The iterations that solve the equation of a backward Euler step, or do not.
 Table newton_table();
 
 }  // namespace solvers_chapter

@@ -144,7 +144,8 @@ std::vector<double> times_to(const std::vector<Runner>& runners, double goal) {
 }  // namespace
 
 std::string comet_work_figure() {
-  return work_figure("one round of the comet", "distance from the start [AU]", comet_runners());
+  return work_figure("one revolution of the comet", "distance from the start [AU]",
+                     comet_runners());
 }
 
 std::string dust_work_figure() {
