@@ -159,7 +159,7 @@ Eigen::Index nearest_tip(const Mat3& M, const Vec2& point) {
 }
 
 /// Takes the tip with the pointer, in the plane of the picture. An arrow that was pulled before
-/// goes back: so one sees what each of them does.
+/// goes back, so you see what each of them does.
 void drag(std::span<double> settings, const Drag& pointer) {
   const support::Window left = window(left_x);
   const Vec2 at((pointer.x - left.x) / left.scale, (left.y - pointer.y) / left.scale);
