@@ -6,7 +6,7 @@ namespace solvers {
 
 Eigen::VectorXd backward_euler_step(const Rhs& f, const Jacobian& dfdy, double t,
                                     const Eigen::VectorXd& y, double h) {
-  // Each iteration squares what is left, so after a correction below this nothing is left.
+  // Each round squares what is left, so that after a correction below this nothing is left.
   constexpr double small_correction = 1e-10;
   constexpr int enough = 25;
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(y.size(), y.size());

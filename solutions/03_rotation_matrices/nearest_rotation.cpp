@@ -14,7 +14,7 @@ Eigen::Matrix3d inverse_transpose(const Eigen::Matrix3d& X) {
 }  // namespace
 
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M) {
-  // Each step squares what is left, so after a change below this nothing is left.
+  // Each step squares what is left, so that after a change below this nothing is left.
   constexpr double small_change = 1e-9;
   constexpr int enough = 100;  // a stretch by 1000 takes 15 steps
   Eigen::Matrix3d X = M;
