@@ -5,6 +5,7 @@
 
 #include "book/tool/exercises.hpp"
 #include "book/tool/form.hpp"
+#include "book/tool/known_mistakes.hpp"
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
 #include "book/tool/terms.hpp"
@@ -108,6 +109,7 @@ std::vector<std::string> mistakes_in(const Places& places, const fs::path& file)
     const Page page = read_page(file);
     add(stale_fences(places, page));
     add(stale_exercises(places.root, page));
+    add(stale_counts(places.root, page));
     add(unannounced_fences(page));
     add(wide_tables(page));
     add(bad_formulas(page));

@@ -9,6 +9,7 @@
 #include "book/tool/exercises.hpp"
 #include "book/tool/finish.hpp"
 #include "book/tool/html.hpp"
+#include "book/tool/known_mistakes.hpp"
 #include "book/tool/page_numbers.hpp"
 #include "book/tool/prepare.hpp"
 #include "book/tool/printed.hpp"
@@ -28,7 +29,8 @@ void write_all(const Places& places) {
   std::vector<Page> changed;
   for (const fs::path& file : pages_of(places.root)) {
     const Page page = read_page(file);
-    const Page fresh = refreshed(places, with_fresh_exercises(places.root, page));
+    const Page exercises = with_fresh_exercises(places.root, page);
+    const Page fresh = refreshed(places, with_fresh_counts(places.root, exercises));
     if (fresh.lines != page.lines) changed.push_back(fresh);
   }
   for (const Page& page : changed) write_page(page);

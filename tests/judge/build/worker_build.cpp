@@ -325,10 +325,13 @@ void require_machine_builds(const Job& job, Instrumentation instrumentation) {
 }
 
 /// How often a failure has to come again, a build of ours in between succeeding, before it is the
-/// student's: a disk that is full now may have room a moment later.
+/// student's: a disk that is full now may have room a moment later. What may not be read does not
+/// change so soon.
 int repeats_before_blame(const WorkerBuild& build) {
   if (build.is_certain()) return 0;
-  return build.explained || build.outcome == BuildOutcome::too_expensive ? 1 : 3;
+  const bool lasts = build.explained || build.outcome == BuildOutcome::too_expensive ||
+                     build.outcome == BuildOutcome::forbidden_include;
+  return lasts ? 1 : 3;
 }
 
 /// The build, with a failure that is the student's for sure.

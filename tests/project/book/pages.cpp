@@ -103,6 +103,17 @@ TEST_CASE("times may be others, but neither the words nor the counts") {
                  "has changed"));
 }
 
+TEST_CASE("ways to go wrong that the judge no longer counts so") {
+  const SmallBook book;
+  const std::string head = "| exercise | ways that the judge knows by name |\n|---|---|\n";
+  const std::string other = "\n| 1.1 | 7 |\n";
+  CHECK(book.mistakes(head + "| 1.1 | 9 |\n" + other) == "");  // nothing lists them here
+  book.write("chapters/for_instructors/what_students_get_wrong.md",
+             "# List\n\n### 1.1 `twice`\n\n- *thrice*: You have.\n- *once*: You have not.\n");
+  CHECK(book.mistakes(head + "| 1.1 | 2 |\n" + other) == "");
+  CHECK(contains(book.mistakes(head + "| 1.1 | 9 |\n" + other), ":5: the judge knows another"));
+}
+
 TEST_CASE("code and output that nothing keeps true") {
   const SmallBook book;
   CHECK(contains(book.mistakes("```cpp\nint x;\n```\n"), ":3: nothing says where this comes from"));

@@ -38,9 +38,17 @@ long over_the_wire(const std::filesystem::path& file) {
   return std::stol(run_command(show + file.string() + "' | wc -c").output);
 }
 
+/// No complaint, no request of the network, nothing beyond the window.
+void check_the_look(Chromium& browser, int width) {
+  CHECK(browser.evaluate(overflows) == nlohmann::json::array());
+  CHECK(browser.evaluate("document.documentElement.scrollWidth") == width);
+  CHECK(browser.complaints() == std::vector<std::string>{});
+}
+
 }  // namespace
 
-TEST_CASE("the site: from a server a page asks for nothing else, and is loaded soon") {
+TEST_CASE(
+    "the site: from a server, and on a desktop, a page asks for nothing else and is loaded soon") {
   if (!can_look()) return;
   if (server_program().empty()) return skip("the server is not built");
   constexpr long most = 260'000;  // two seconds at 1 Mbit/s; chapter 6 has 252 kB
@@ -51,7 +59,7 @@ TEST_CASE("the site: from a server a page asks for nothing else, and is loaded s
   for (const std::string& page : pages_of_the_book()) {
     CAPTURE(page);
     browser.open(server.address() + page);
-    CHECK(browser.complaints() == std::vector<std::string>{});
+    check_the_look(browser, 1280);
     long bytes = 0;
     for (const auto& path : browser.evaluate(loaded)) {
       const std::filesystem::path file = site_folder() / path.get<std::string>();
@@ -63,22 +71,16 @@ TEST_CASE("the site: from a server a page asks for nothing else, and is loaded s
   }
 }
 
-TEST_CASE("the site: no page complains, asks the network, or reaches beyond the window") {
+TEST_CASE("the site: from disk, and on a phone, no page complains or reaches beyond the window") {
   if (!can_look()) return;
   Chromium browser;
   const auto pages = pages_of_the_book();
   REQUIRE(pages.size() > 20);
-  for (const std::pair<int, bool>& window : {std::pair{1280, false}, {390, true}}) {
-    const int width = window.first;
-    browser.resize(width, 800, window.second);
-    for (const std::string& page : pages) {
-      CAPTURE(page);
-      CAPTURE(width);
-      browser.open(address_of(page));
-      CHECK(browser.evaluate(overflows) == nlohmann::json::array());
-      CHECK(browser.evaluate("document.documentElement.scrollWidth") == width);
-      CHECK(browser.complaints() == std::vector<std::string>{});
-    }
+  browser.resize(390, 800, true);
+  for (const std::string& page : pages) {
+    CAPTURE(page);
+    browser.open(address_of(page));
+    check_the_look(browser, 390);
   }
 }
 
