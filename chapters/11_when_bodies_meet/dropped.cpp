@@ -20,11 +20,11 @@ void add_ball_row(Table& table, const std::string& method, int work, const Falli
 
 /// Both ways to turn the velocity round.
 void add_stepped_rows(Table& table, int rate, const std::string& how,
-                      Falling (*flight)(const Falling&, double)) {
+                      Falling (*step)(const Falling&, double, Turn)) {
   for (const Turn turn : {Turn::when_below, Turn::before_it_would_pass}) {
     Falling ball{dropped_from, 0};
     const int steps = static_cast<int>(ball_time) * rate;
-    for (int i = 0; i < steps; ++i) ball = stepped(ball, 1. / rate, turn, flight);
+    for (int i = 0; i < steps; ++i) ball = step(ball, 1. / rate, turn);
     const std::string name =
         turn == Turn::when_below ? "turn v below the floor" : "turn v before it passes";
     add_ball_row(table, std::to_string(rate) + " Hz" + how + ": " + name, steps, ball);
@@ -35,9 +35,9 @@ void add_stepped_rows(Table& table, int rate, const std::string& how,
 
 Table ball_table() {
   Table table({"method", "steps or contacts", "place off [m]", "energy off"});
-  add_stepped_rows(table, 60, "", game_step);
-  add_stepped_rows(table, 3840, "", game_step);
-  add_stepped_rows(table, 60, ", exact flights", exact_step);
+  add_stepped_rows(table, 60, "", game_step_with_floor);
+  add_stepped_rows(table, 3840, "", game_step_with_floor);
+  add_stepped_rows(table, 60, ", exact flights", exact_step_with_floor);
   int contacts = 0;
   const Falling ball = by_flights(ball_time, contacts);
   add_ball_row(table, "closed form, time of contact exact", contacts, ball);
@@ -53,8 +53,8 @@ std::string dropped_figure() {
     const double t = i / 60.;
     for (Series* series : {&exact, &below, &before}) series->x.push_back(t);
     exact.y.push_back(in_truth(t).z), below.y.push_back(a.z), before.y.push_back(b.z);
-    a = stepped(a, 1. / 60, Turn::when_below);
-    b = stepped(b, 1. / 60, Turn::before_it_would_pass);
+    a = game_step_with_floor(a, 1. / 60, Turn::when_below);
+    b = game_step_with_floor(b, 1. / 60, Turn::before_it_would_pass);
   }
   plot.series = {exact, below, before};
   return support::to_svg(plot);

@@ -47,14 +47,21 @@ inline Falling exact_step(const Falling& ball, double h) {
   return {ball.z + h * ball.v - gravity * h * h / 2, ball.v - h * gravity};
 }
 
-/// One step with the floor.
-/// @param flight game_step or exact_step
-inline Falling stepped(const Falling& ball, double h, Turn turn,
-                       Falling (*flight)(const Falling&, double) = game_step) {
-  const Falling next = flight(ball, h);
+/// One step of a game with the floor: what is turned round is the new velocity, and the ball moves
+/// by it.
+inline Falling game_step_with_floor(const Falling& ball, double h, Turn turn) {
+  const Falling next = game_step(ball, h);
+  if (next.z >= 0) return next;
+  const double v = std::abs(next.v);
+  return {turn == Turn::when_below ? next.z : ball.z + h * v, v};
+}
+
+/// The same with parabolas before and after the turn.
+inline Falling exact_step_with_floor(const Falling& ball, double h, Turn turn) {
+  const Falling next = exact_step(ball, h);
   if (next.z >= 0) return next;
   if (turn == Turn::when_below) return {next.z, std::abs(next.v)};
-  return {ball.z + h * std::abs(next.v), std::abs(next.v)};
+  return exact_step({ball.z, std::abs(ball.v)}, h);
 }
 
 }  // namespace contact_chapter

@@ -26,8 +26,8 @@ using bounding_boxes::Box;
 using rigid_body::Body;
 using rigid_body::State;
 
-/// A box along the axes of the world, which a body doesn't leave: all points with
-/// low ≤ (x, y, z) ≤ high, borders included.
+/// A box along the axes of the world that contains a body: all points with low ≤ (x, y, z) ≤ high,
+/// borders included.
 struct Bounds {
   Eigen::Vector3d low, high;  ///< [m]
 };
@@ -46,7 +46,7 @@ struct Separation {
   Eigen::Vector3d normal;  ///< of the planes, length 1, from the first box to the second
 };
 
-/// Gives the distance of two bodies at the time t [m], negative where they overlap. That is
+/// Gives the gap between two bodies at the time t [m], negative where they overlap. That is
 /// expensive.
 using GapAt = std::function<double(double t)>;
 
@@ -103,24 +103,25 @@ std::vector<Pair> overlapping_pairs(const std::vector<Bounds>& bounds, const Mee
 /// an overlap, which is a negative gap. Give the largest gap of all directions. If it is positive,
 /// the boxes are apart, and a plane with this normal between them proves it. If it is negative, it
 /// is the least that you must move one of them to free it.
-/// @param a, b boxes anywhere, with edges of 1e-6 to 1e6 m; their centres may be at one place. An
-///             edge of A and one of B are at 0.01 rad or more to each other, or parallel up to
-///             rounding, which is at most 1e-13 rad: leave their product out then
+/// @param a, b boxes anywhere, with edges of 1e-6 to 1e6 m; their centres may be at one place. Each
+///             edge of A makes an angle of at least 0.01 rad with each edge of B, or is parallel to
+///             it up to rounding (1e-13 rad): leave out the product of parallel edges
 /// @return the largest gap, to rounding of the places (you must lose no digit if both boxes are
 ///         1e8 m away from the origin), and its direction, from A to B. If several directions have
-///         the largest gap, give any of them; if the centres are equally far along it, either side
+///         the largest gap, give any of them; if a plane with this normal holds both centres,
+///         either direction of the normal is right
 Separation separation(const Box& a, const Box& b);
 
 // == 11.3 first_contact: the time at which two bodies touch
 /// Conservative advancement: two bodies that are d apart and come together with `speed` at most
 /// can't touch before the time d/speed from now. So go there, and look again.
-/// @param gap       their distance; the largest change per second is `speed`. Each evaluation is
+/// @param gap       between them; the largest change per second is `speed`. Each evaluation is
 ///                  expensive: don't evaluate it twice at the same time, and don't make more than
-///                  twice as many steps as you must, which may be thousands
+///                  twice as many steps as jumps of d/speed take, which may be thousands
 /// @param speed     bound on |d gap/dt| [m/s], positive
 /// @param t0, t1    from when to when you look [s], t0 ≤ t1
-/// @param tolerance a gap that is not larger counts as touching [m]: positive, and large enough
-///                  for the rounding of times to move nothing as far as that
+/// @param tolerance a gap that is not larger counts as touching [m]: positive, and so large that
+///                  the gap changes by less when t is rounded
 /// @return the first of the times that you looked at where gap(t) ≤ tolerance; `found` is false if
 ///         there is none up to t1. Between t0 and the answer the gap is nowhere below 0, however
 ///         fast they are. A gap ≤ tolerance at t0 is a contact at t0
@@ -151,7 +152,8 @@ Eigen::Vector3d collide(const Eigen::Matrix3d& K, const Eigen::Vector3d& u,
 /// the normal impulse p grows from 0, the velocity follows u(p) = u + K j(p). Friction adds ∓μ per
 /// unit of p, against the slip u_t *as it is then*. When the slip comes to an end, it stays at rest
 /// if a friction of size ≤ μ can hold it there. Otherwise it goes on in the direction in which the
-/// normal impulse drives it, against friction μ. A contact that begins without slip begins there.
+/// normal impulse drives it, against friction μ. A contact without slip at its start begins with
+/// the same question.
 ///
 /// The contact ends by Stronge's law. Up to the moment when u_n = 0 the normal impulse takes the
 /// work W = −∫ u_n dp, and from then on it gives back e² W. Then the contact is over. In a plane
@@ -162,7 +164,8 @@ Eigen::Vector3d collide(const Eigen::Matrix3d& K, const Eigen::Vector3d& u,
 /// @param e  coefficient of restitution, 0 … 1
 /// @param mu coefficient of friction, 0 or more
 /// @return the impulse on the first body, to rounding. `jammed` if the slip with which the contact
-///         begins doesn't let u_n grow: K_nn ∓ μ K_nt ≤ 0. The impulse is right there, too
+///         begins doesn't let u_n grow: K_nn ∓ μ K_nt ≤ 0. In this case, too, the
+///         impulse must be right
 PlanarImpulse collide_with_friction(const Eigen::Matrix2d& K, const Eigen::Vector2d& u, double e,
                                     double mu);
 
@@ -172,10 +175,9 @@ PlanarImpulse collide_with_friction(const Eigen::Matrix2d& K, const Eigen::Vecto
 /// slip. There z is exactly height + radius, and v_z afterwards is e times the speed of the
 /// landing.
 ///
-/// With e < 1 it bounces infinitely often in a finite time. So as soon as it leaves a contact with
-/// a billionth (1e-9) of the speed v_z at which it landed first, or less, that contact is the last
-/// one that you list. The flights that are left, each e times as long as the one before, add up to
-/// the rest_time.
+/// With e < 1 it bounces infinitely often in a finite time. If v_z after a contact is at most a
+/// billionth (1e-9) of the speed of the first landing, list this contact and no more. The flights
+/// that are left, each e times as long as the one before, add up to the rest_time.
 /// @param scene the ball and the floor
 /// @param start the ball above the floor, or just on it. If it is on it, and v_z < 0, it lands at
 ///              once; if v_z = 0, it is at rest since start.t
