@@ -58,7 +58,7 @@ inline std::string line(double x1, double y1, double x2, double y2, const std::s
 inline std::string text(double x, double y, const std::string& words,
                         const std::string& attributes) {
   return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" " + attributes + ">" +
-         svg_text(words) + "</text>\n";
+         svg_words(words) + "</text>\n";
 }
 
 inline std::string axes(const Plot& plot, const Frame& frame) {

@@ -123,7 +123,7 @@ class Sketch {
     const Vec2 p = pixels(point) + offset;
     svg_ += "<text x=\"" + svg_number(p.x()) + "\" y=\"" + svg_number(p.y()) + "\" " + look +
             " font-size=\"" + svg_number(text_size_) + "\" text-anchor=\"" + anchor + "\">" +
-            svg_text(text) + "</text>\n";
+            svg_words(text) + "</text>\n";
   }
 
   Vec2 pixels(const Vec2& point) const {

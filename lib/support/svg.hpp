@@ -63,6 +63,12 @@ inline std::string svg_text(std::string_view text) {
   return escaped;
 }
 
+/// Words of a picture, escaped. A number has its minus sign there, and no hyphen.
+inline std::string svg_words(std::string_view words) {
+  const bool negative = words.size() > 1 && words[0] == '-' && words[1] >= '0' && words[1] <= '9';
+  return negative ? "−" + svg_text(words.substr(1)) : svg_text(words);
+}
+
 /// The opening of a figure: size, title for screen readers, style, background. Close
 /// it with </svg>.
 inline std::string svg_open(double width, double height, std::string_view title) {

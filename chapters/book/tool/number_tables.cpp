@@ -72,7 +72,7 @@ std::string row_html(const Row& cells, const std::vector<Column>& columns, const
     html.append("<")
         .append(tag)
         .append(columns[k].holds_text ? " class=\"words\">" : ">")
-        .append(support::svg_text(cells[k]))
+        .append(support::svg_words(cells[k]))
         .append("</")
         .append(tag)
         .append(">");

@@ -30,6 +30,12 @@ TEST_CASE("svg_text: what XML reserves is escaped") {
   CHECK(svg_text("a<b & c>d") == "a&lt;b &amp; c&gt;d");
 }
 
+TEST_CASE("svg_words: a number below zero has a minus sign, a word keeps its hyphen") {
+  CHECK(svg_words("-0.5") == "−0.5");
+  CHECK(svg_words("-") == "-");
+  CHECK(svg_words("T-handle <1e-9") == "T-handle &lt;1e-9");
+}
+
 TEST_CASE("axis: ticks are round numbers that span the data") {
   FittedAxis linear({"t"});
   linear.include(0.13);
