@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "book/tool/fences.hpp"
+
 namespace tumble::book {
 
 namespace {

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "book/tool/exercises.hpp"
+#include "book/tool/fences.hpp"
 #include "book/tool/form.hpp"
 #include "book/tool/known_mistakes.hpp"
 #include "book/tool/links.hpp"

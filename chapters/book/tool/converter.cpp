@@ -8,6 +8,7 @@
 #include "book/tool/boxes.hpp"
 #include "book/tool/contents.hpp"
 #include "book/tool/exercises.hpp"
+#include "book/tool/fences.hpp"
 #include "book/tool/figures.hpp"
 #include "book/tool/html.hpp"
 #include "book/tool/links.hpp"

@@ -6,6 +6,7 @@
 #include "book/tool/addresses.hpp"
 #include "book/tool/contract.hpp"
 #include "book/tool/exercises.hpp"
+#include "book/tool/fences.hpp"
 #include "book/tool/html.hpp"
 #include "book/tool/links.hpp"
 

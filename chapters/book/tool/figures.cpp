@@ -1,5 +1,6 @@
 #include "book/tool/figures.hpp"
 
+#include "book/tool/fences.hpp"
 #include "book/tool/links.hpp"
 
 namespace tumble::book {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "book/tool/fences.hpp"
 #include "support/heading_anchor.hpp"
 
 namespace tumble::book {

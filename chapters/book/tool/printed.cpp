@@ -4,6 +4,7 @@
 
 #include "book/tool/addresses.hpp"
 #include "book/tool/contents.hpp"
+#include "book/tool/fences.hpp"
 #include "book/tool/form.hpp"
 #include "book/tool/html.hpp"
 #include "book/tool/links.hpp"

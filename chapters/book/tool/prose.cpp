@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "book/tool/fences.hpp"
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
 

@@ -3,6 +3,7 @@
 #include "book/tool/addresses.hpp"
 #include "book/tool/contents.hpp"
 #include "book/tool/exercise_pages.hpp"
+#include "book/tool/fences.hpp"
 #include "book/tool/html.hpp"
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"

@@ -5,6 +5,7 @@
 
 #include "book/tool/addresses.hpp"
 #include "book/tool/check.hpp"
+#include "book/tool/fences.hpp"
 #include "book/tool/links.hpp"
 
 namespace tumble::book {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "book/tool/page.hpp"
+#include "book/tool/fences.hpp"
 
 namespace tumble::book {
 
