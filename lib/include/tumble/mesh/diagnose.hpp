@@ -20,6 +20,7 @@
 #include "tumble/mesh/check_parts.hpp"
 #include "tumble/mesh/components.hpp"
 #include "tumble/mesh/crossing_search.hpp"
+#include "tumble/mesh/doubled_surface.hpp"
 #include "tumble/mesh/finite_bounds.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
 #include "tumble/mesh/stray_faces.hpp"
@@ -59,6 +60,9 @@ inline std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, const 
                                                  crossings::Search search,
                                                  std::optional<double> rounding) {
   const Components surface = components(mesh, all.enclosed);
+  double volume = 0;
+  for (const Component& part : surface.parts) volume += part.volume;
+  if (const auto doubled = find_doubled_surface(mesh, volume, rounding)) return {*doubled};
   std::vector<MeshDefect> findings = find_flat_parts(mesh, surface);
   const std::vector<MeshDefect> depth =
       find_wrong_depth({mesh, surface, box, lattices, all.near_lines,

@@ -167,7 +167,7 @@ const std::vector<Planted>& defects() {
        {self_crossing}},
       {"a part and its mirror image",
        [](const PolygonMesh& m) { return test::together(m, test::inside_out(m)); },
-       {}},
+       {flat}},
       {"corners of its own for each face",
        [](const PolygonMesh& m) { return test::soup(m); },
        {open_edge}},

@@ -148,3 +148,56 @@ TEST_CASE("diagnose: plates and needles that lie askew are bodies, and inside ou
     CHECK(found_in(test::inside_out(thin)) == "inverted");
   }
 }
+
+namespace {
+
+/// All faces, and all of them once more, the other way round and from another corner on: a fan of
+/// quads has other diagonals.
+PolygonMesh doubled(const PolygonMesh& mesh) {
+  PolygonMesh result = mesh;
+  for (int f = 0; f < mesh.face_count(); ++f)
+    result.add_face(std::vector<int>(mesh.face(f).rbegin(), mesh.face(f).rend()));
+  return result;
+}
+
+PolygonMesh with_decimals(PolygonMesh mesh, int places) {
+  const double power = std::pow(10, places);
+  for (Vec3& p : mesh.vertices)
+    for (double& x : p) x = std::round(x * power) / power;
+  return mesh;
+}
+
+/// A box that lies askew: corner by corner it is rounded.
+PolygonMesh askew_box(int i, const Vec3& size) {
+  PolygonMesh mesh = test::box(Vec3::Zero(), size);
+  const Mat3 R = Eigen::AngleAxisd(0.7 + i, Vec3(1, 2 + i, 3).normalized()).toRotationMatrix();
+  for (Vec3& p : mesh.vertices) p = R * p + Vec3(0.1, 3, 0.2);
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("diagnose: faces that are there twice, along other diagonals, enclose nothing") {
+  for (int i = 0; i < 40; ++i)
+    for (const int places : {17, 9, 6, 4}) {
+      CAPTURE(i);
+      CAPTURE(places);
+      const PolygonMesh askew = askew_box(i, {1, 2, 0.5});
+      const PolygonMesh box = places == 17 ? askew : with_decimals(askew, places);
+      const PolygonMesh mesh = doubled(box);
+      PolygonMesh apart = mesh;  // each copy with vertices of its own
+      apart.vertices.insert(apart.vertices.end(), box.vertices.begin(), box.vertices.end());
+      for (std::size_t k = box.corners.size(); k < apart.corners.size(); ++k)
+        apart.corners[k] += static_cast<int>(box.vertices.size());
+      for (const PolygonMesh& twice : {mesh, test::triangulated(mesh), apart})
+        CHECK(found_in(twice).find("flat") != std::string::npos);
+    }
+}
+
+TEST_CASE("diagnose: a foil is thin, and not there twice") {
+  for (int i = 0; i < 40; ++i) {
+    CAPTURE(i);
+    CHECK(found_in(askew_box(i, {1, 2, 1e-13})) == "");
+    CHECK(found_in(with_decimals(test::box({0, 0, 0}, {1.234567, 2.345678, 1e-6}), 6)) == "");
+  }
+}

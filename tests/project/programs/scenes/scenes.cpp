@@ -491,6 +491,7 @@ TEST_CASE("mass: a shell of a material has a thickness, in the unit of the file"
   CHECK(mentions(said("--thickness 1"), "--thickness needs a --density"));
   CHECK(mentions(said("--thickness 0 --density 1"), "the thickness 0 m is not positive"));
   CHECK(mentions(said("--thickness 1 --shell 1"), "excludes"));
+  CHECK(mentions(said("--mass 3 --shell 1"), "a mass and a surface density", "--thickness"));
   CHECK(mentions(said("--thickness 1 --density a=1"), "without a name"));
 }
 
