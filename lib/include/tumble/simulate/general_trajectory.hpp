@@ -46,6 +46,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   double predicted_steps() const { return budget_.predicted(); }
   double radians() const { return radians_; }
   bool has_jumped() const { return after_jump_ >= 0; }  ///< the forces
+  bool is_rough() const { return rough_; }  ///< whether they jump or bend, as far as steps tell
 
   /// @throws std::runtime_error that says how many steps it would take
   [[noreturn]] void refuse() const {
@@ -81,6 +82,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
     if (!dydt.allFinite()) stop("a force is not finite", s, end - s);
     typename Method::template Stepper<Numbers, MotionTolerance<Numbers>> stepper(tolerance_, dydt);
     double h = initial_step_size(f, s, y, dydt, end - s, Method::error_order, tolerance_);
+    int in_vain = 0;  // attempts in turn
     while (s != end && end_ == RunEnd::complete) {
       const double shortest = 8 * 0x1p-52 * std::max(s, 0.01 * breaks_.back());
       h = std::max(guide_.longest(s, std::min(h, settings_.longest)), shortest);
@@ -95,8 +97,10 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
         require_range(stepper.tolerances().squares.maxCoeff(), t0_ + next);
         s = next;
         y = attempt.y;
+        in_vain = 0;
       } else {
         ++rejected_;
+        rough_ |= ++in_vain >= 3;
         if (h <= shortest) {
           cross_jump(stepper, f, attempt, s, last ? end : s + h, h);
           break;
@@ -188,6 +192,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   StepBudget budget_;
   double radians_ = 0;
   int rejected_ = 0, evaluations_ = 0, stiff_steps_ = 0;
+  bool rough_ = false;
   int after_jump_ = -1;  ///< how many steps there were behind the last jump
   RunEnd end_ = RunEnd::complete;
 };

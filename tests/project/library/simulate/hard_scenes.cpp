@@ -431,3 +431,32 @@ TEST_CASE("hard scenes: between steps the motion is as exact as at their ends, a
     CHECK(std::abs(motion.at(t).x.x() - std::cos(3 * t)) <= 1e-8);
   }
 }
+
+TEST_CASE(
+    "hard scenes: a force that jumps where the body is tells no error that is a matter of luck") {
+  constexpr int scenes = 200;
+  int beyond = 0;
+  double worst = 0;
+  for (int i = 0; i < scenes; ++i) {
+    // To and fro: a push of always the same size towards x = 0. A quarter of it takes √(2/push).
+    const double push = std::exp(4 * std::fmod(0.618 * i, 1)), quarter = std::sqrt(2 / push);
+    const double tolerance = std::pow(10, -4 - 5 * std::fmod(0.377 * i, 1)), t = 3 + 0.01 * i;
+    const AnyForce to_and_fro = [push](double, const RigidBody<>&, const Derived<>& now) {
+      return Wrench<>{.force = Vec3(now.x.x() > 0 ? -push : push, 0, 0)};
+    };
+    RigidBodyState<> start;
+    start.x = Vec3(1, 0, 0);
+    const Trajectory motion =
+        simulate(unit_ball, start, {.t1 = t, .tolerance = tolerance}, to_and_fro);
+    const double turn = 2 * quarter * std::round(t / (2 * quarter));  // the nearest, at x = ±1
+    const double side = std::cos(std::acos(-1.0) * std::round(t / (2 * quarter))), s = t - turn;
+    const double x = side * (1 - push * s * s / 2), P = -side * push * s;
+    const double error = std::max(std::abs(motion.end().x.x() - x),
+                                  std::abs(motion.end().P.x() - P) / (push * quarter));
+    CHECK(error <= tolerance);
+    worst = std::max(worst, error / motion.report().error_estimate);
+    beyond += error > motion.report().error_estimate;
+  }
+  CHECK(beyond <= scenes / 40);
+  CHECK(worst <= 10);
+}
