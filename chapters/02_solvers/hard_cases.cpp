@@ -112,7 +112,7 @@ Table floor_table() {
 
 Table no_solution_table() {
   using Vec1 = Eigen::Matrix<double, 1, 1>;
-  Table table({"h", "iterations", "y₁ found", "(1 − √(1 − 4h)) / 2h"});
+  Table table({"h", "iterations", "y₁ found", "(1 − √(1 − 4h)) / (2h)"});
   for (const double h : {0.1, 0.2, 0.24, 0.2499, 0.26, 0.5}) {
     int iterations = 0;
     const auto square = [&](double, const Vec1& y) {

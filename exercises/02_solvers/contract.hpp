@@ -78,7 +78,8 @@ double error_norm(const Eigen::VectorXd& error, const Eigen::VectorXd& y0,
 ///              next one
 /// @param error its error norm, 0 or more. If it is infinite, or NaN because something went wrong,
 ///              the next step is the shortest possible
-/// @param order q ≥ 1: the error norm of a step is proportional to |h| to the power q + 1
+/// @param order q ≥ 1, the order of the worse one of the two results: the error norm of a step is
+///              proportional to |h| to the power q + 1
 /// @return the next step [s]
 double adaptive_step_size(double h, double error, int order);
 
@@ -91,12 +92,13 @@ double adaptive_step_size(double h, double error, int order);
 /// @param t    time at the start [s]
 /// @param y    state at the start, of any length, also empty, and in any unit: its numbers may be
 ///             zero, or as small as 1e-30, or as large as 1e30. In all that the judge tries,
-///             Newton's method finds y₁ from here in at most 20 iterations; sometimes it takes more
-///             than 10. If the equation has several solutions, y₁ is the one that it finds
+///             Newton's method finds y₁ from y in at most 20 iterations; sometimes it takes more
+///             than 10. So there is always a solution. If the equation has several, y₁ is the one
+///             that it finds
 /// @param h    step [s]: positive, zero, or negative to go back in time
 /// @return y₁, as exactly as rounding allows: you may stop after a correction below 1e-8 of the
 ///         size of y or y₁, whichever is larger, since the next one would be about the square of
-///         that
+///         that. The size of a state is that of its largest component
 Eigen::VectorXd backward_euler_step(const Rhs& f, const Jacobian& dfdy, double t,
                                     const Eigen::VectorXd& y, double h);
 
