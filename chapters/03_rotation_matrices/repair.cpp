@@ -2,6 +2,8 @@
 /// What each repair leaves, moves and costs, on average over many matrices that have drifted.
 
 #include <algorithm>
+#include <limits>
+#include <string>
 
 #include "parts.hpp"
 #include "steady_turn.hpp"
@@ -80,6 +82,13 @@ std::string repair_figure() {
 
 namespace {
 
+constexpr int never = std::numeric_limits<int>::max();
+
+std::string every_text(int every) {
+  if (every == never) return "never";
+  return every == 1 ? "step" : number(every) + " steps";
+}
+
 /// One minute of midpoint steps, the matrix repaired every so often.
 void add_schedule(Table& table, const Repair& repair, int every) {
   constexpr int steps = 60 * 60;
@@ -90,7 +99,7 @@ void add_schedule(Table& table, const Repair& repair, int every) {
     worst = std::max(worst, rotation::orthonormality_error(R));
     if (i % every == 0) R = repair.apply(R);
   }
-  table.add({repair.name, every == 1 ? "step" : number(every) + " steps", error_number(worst),
+  table.add({repair.name, every_text(every), error_number(worst),
              error_number(angle_apart(exact_orientation(steps), nearest_rotation(R))) + " rad"});
 }
 
@@ -100,7 +109,7 @@ Table schedule_table() {
   Table table({"repair", "every", "‖RᵀR − 1‖ at worst", "orientation off by"});
   for (const Repair& repair : repairs)
     for (const int every : {1, 60}) add_schedule(table, repair, every);
-  add_schedule(table, {"none", [](const Mat3& R) { return R; }}, 1);
+  add_schedule(table, {"none", [](const Mat3& R) { return R; }}, never);
   return table;
 }
 

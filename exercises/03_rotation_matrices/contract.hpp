@@ -5,8 +5,9 @@
 /// R maps body → world: its columns are the body's axes x, y, z in world coordinates. A matrix that
 /// a solver has moved is not quite a rotation any more; you repair it in the last two exercises.
 ///
-/// The condition number of a matrix M is its largest stretch over its smallest one: of the lengths
-/// |M v| for all v of length 1 the largest, divided by the smallest.
+/// The condition number of a matrix M is its largest stretch over its smallest one: the largest of
+/// the lengths |M v| for all v of length 1, divided by the smallest of them. A rounding is the eps
+/// of a double, 2.2e-16.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises. Other parts
 /// of Eigen are not there: no cross(), inverse(), determinant() or decomposition, no rotations.
@@ -47,8 +48,9 @@ Eigen::Matrix3d rotation_dot(const Eigen::Matrix3d& R, const Eigen::Vector3d& om
 /// Take the columns in the order x, y, z. The first keeps its direction. The second stays in the
 /// plane of the first two, on the side where it was.
 /// @param M a matrix with a positive determinant. Its columns may be as short as 1e-50 or as long
-///          as 1e50, and almost parallel. Your errors may be as large as the rounding of a double
-///          times the condition number of M with its columns scaled to length 1, and no larger
+///          as 1e50, and almost parallel. Each number of your answer may be off by some thirty
+///          roundings times the condition number of M with its columns scaled to length 1, and no
+///          more
 /// @return the rotation: perpendicular columns of length 1, right-handed
 Eigen::Matrix3d gram_schmidt(const Eigen::Matrix3d& M);
 
@@ -57,8 +59,8 @@ Eigen::Matrix3d gram_schmidt(const Eigen::Matrix3d& M);
 ///          from any rotation: ten times too long in one direction, flattened to a tenth, sheared
 ///          by twice its size, or as a whole 1000 times too large or too small
 /// @return the rotation R with the smallest ‖R − M‖, the root of the sum of the squares of all nine
-///         differences. Its errors may be as large as rounding times the square of M's condition
-///         number
+///         differences. Each of its numbers may be off by some sixty roundings times the square of
+///         M's condition number
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M);
 
 }  // namespace rotation_matrices
