@@ -63,10 +63,18 @@ inline std::string svg_text(std::string_view text) {
   return escaped;
 }
 
-/// Words of a picture, escaped. A number has its minus sign there, and no hyphen.
+/// Words of a picture, escaped. A number below zero has its minus sign there, and no hyphen.
 inline std::string svg_words(std::string_view words) {
-  const bool negative = words.size() > 1 && words[0] == '-' && words[1] >= '0' && words[1] <= '9';
-  return negative ? "−" + svg_text(words.substr(1)) : svg_text(words);
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool begins = i == 0 || words[i - 1] == ' ' || words[i - 1] == '(';
+    const bool number = i + 1 < words.size() && words[i + 1] >= '0' && words[i + 1] <= '9';
+    if (words[i] == '-' && begins && number)
+      text += "−";
+    else
+      text += words[i];
+  }
+  return svg_text(text);
 }
 
 /// The opening of a figure: size, title for screen readers, style, background. Close

@@ -32,6 +32,8 @@ TEST_CASE("svg_text: what XML reserves is escaped") {
 
 TEST_CASE("svg_words: a number below zero has a minus sign, a word keeps its hyphen") {
   CHECK(svg_words("-0.5") == "−0.5");
+  CHECK(svg_words("energy -39.3 %") == "energy −39.3 %");
+  CHECK(svg_words("(-1, 2)") == "(−1, 2)");
   CHECK(svg_words("-") == "-");
   CHECK(svg_words("T-handle <1e-9") == "T-handle &lt;1e-9");
 }
