@@ -150,9 +150,10 @@ void require_meaning(const MassCommand& command) {
     require(std::isfinite(x), "--about: ", x, " m is not finite");
   require(!command.mass || !density.of_all,
           "there are a mass and a density: give one of them, and the other follows from it");
-  require(!command.mass || !command.shell,
-          "there are a mass and a surface density, --shell: give one of them, and the other follows "
-          "from it. For a shell of this mass say --thickness in place of --shell");
+  require(
+      !command.mass || !command.shell,
+      "there are a mass and a surface density, --shell: give one of them, and the other follows "
+      "from it. For a shell of this mass say --thickness in place of --shell");
   require(density.of_parts.empty() || !command.thickness,
           "--thickness is for one material: give one density, without a name");
   require(!command.thickness || command.mass || density.of_all,
