@@ -86,7 +86,7 @@ double largest_lean(double spin) {
 }  // namespace
 
 Table sleep_table() {
-  Table table({"spin", "by the threshold", "leans at most", "by the formula"});
+  Table table({"spin", "÷ threshold", "leans at most", "by the formula"});
   for (const double part : {0.5, 0.8, 0.9, 0.95, 0.99, 1.01, 1.05, 1.2}) {
     const double spin = part * waking_spin();
     const double cosine = 2 * part * part - 1;  // L_n²/(2 A μ) − 1

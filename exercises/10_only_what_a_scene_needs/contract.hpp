@@ -10,8 +10,9 @@
 /// roundings of a double, not more.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
-/// those of chapters 4, 5 and 9. Other parts of Eigen are not there, so no `.cross()`: for a × b
-/// call `rotation_matrices::skew(a) * b`.
+/// those of chapters 4, 5 and 9. You may want `quaternions::product` (4.1), `rotate` (4.3) and
+/// `from_axis_angle` (4.4), and `rigid_body::derived` (9.3), which gives v and ω. Other parts of
+/// Eigen are not there, so no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`.
 
 #include <Eigen/Core>
 #include <vector>
@@ -37,12 +38,13 @@ enum class Model {
 /// fast the body spins, as that of the air on a ball with top-spin does.
 struct Scene {
   Eigen::Vector3d moments;            ///< principal moments of inertia, in any order [kg m²]:
-                                      ///< positive, of any size
+                                      ///< positive, between 1e-110 and 1e110
   double omega;                       ///< the largest |ω| that occurs [rad/s], 0 or more
-  double duration;                    ///< how long you follow it [s], 0 or more
+  double duration;                    ///< how long you follow it [s], 0 or more; omega · duration
+                                      ///< is at most 1e10
   bool orientation_is_asked;          ///< you want to know how it is turned
-  bool force_depends_on_orientation;  ///< such as that of a sail or of a rocket's engine
-  bool torque_acts;
+  bool force_depends_on_orientation;  ///< such as the force on a sail
+  bool torque_acts;                   ///< of any kind, also that of a top's weight
 };
 
 /// The least that will do.
@@ -82,9 +84,10 @@ Choice choose_model(const Scene& scene, double tolerance);
 /// a single step: there are two turns, each at a rate that stays the same.
 /// @param A  moment of inertia about every axis perpendicular to that of symmetry [kg m²]
 /// @param C  moment of inertia about the axis of symmetry, which is the body's z axis [kg m²]. Both
-///           are positive, C is at most 2 A, and may be a millionth of A, nearly A, or A.
+///           are between 1e-60 and 1e60. C is at most 2 A, since no body has more, and may be a
+///           millionth of A, nearly A, or A.
 /// @param q0 orientation at time 0, of length 1 to rounding
-/// @param L  angular momentum in world axes [kg m²/s]: also zero, and of any size
+/// @param L  angular momentum in world axes [kg m²/s]: zero, or |L| is between 1e-60 and 1e60
 /// @param t  time [s], of any length, negative for what was before
 /// @return q at time t, of length 1 to rounding, of q and −q either. To rounding, times the
 ///         angle |t| |L| (1/A + 1/C) where that is more than 1: a turn is rounded too.
@@ -93,7 +96,7 @@ Quaternion free_symmetric_top(double A, double C, const Quaternion& q0, const Ei
 
 // == 10.3 energy_drift: does the energy swing, or does it run away?
 /// The energy is kinetic, of the centre's motion and of the turning about it. A good method lets it
-/// swing about the right value: then `largest` stays, however long you look on, and `trend` goes
+/// swing between fixed bounds: then `largest` stays, however long you look on, and `trend` goes
 /// to zero. A bad one lets it run away: then `trend` stays, and `largest` grows.
 ///
 /// With eᵢ = (Eᵢ − E₀)/E₀, for the state with the number i at the time i h,
