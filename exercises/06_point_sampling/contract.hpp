@@ -4,7 +4,8 @@
 ///
 /// An inertia tensor says how hard it is to turn a body: L = I ω. Its products, the numbers off the
 /// diagonal, carry the minus sign: I_xy = −∫ x y dm. Where we say nothing else, it is about the
-/// centre of mass. "To rounding" means: off by some roundings of a double, not more.
+/// centre of mass. "To rounding" means: off by some roundings of a double, not more. "To rounding
+/// of the places" means: as if each coordinate were off by some roundings of the largest one.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
 /// those of chapter 5 and `rotation_matrices::skew(a) * b` for a × b. Other parts of Eigen are not
@@ -20,6 +21,7 @@
 
 namespace point_sampling {
 
+/// From chapter 5: a `mass` [kg] in the point `position` of the world [m].
 using momentum::PointMass;
 
 /// Tells for a point of the world [m] whether it is inside a body.
