@@ -3,7 +3,8 @@
 /// Chapter 7, bounding boxes: what you write, one function per file.
 ///
 /// A box around a body can stand in for it, because its inertia is a short formula. The page says
-/// what that costs in accuracy; here you make the boxes.
+/// what that costs in accuracy; here you make the boxes. "To rounding of the places" means: as if
+/// each coordinate were off by some roundings of the largest one.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
 /// those of chapter 6. Other parts of Eigen are not there, so no eigenvectors: principal_axes(),
