@@ -90,7 +90,7 @@ std::string comet_figure() {
 Table norm_table() {
   const Vec4 y(7e6, 7500, 0.001, 0), error(2, -1e-3, 2e-9, 1.5e-9);
   const Tolerances tolerances{1e-6, 1e-9};
-  const std::vector<std::string> names{"distance from the earth's centre", "speed", "turning rate",
+  const std::vector<std::string> names{"distance from the Earth's centre", "speed", "turning rate",
                                        "angle to the sun"},
       units{" m", " m/s", " rad/s", " rad"};
   Table table({"component", "size", "error", "allowed", "ratio"});
