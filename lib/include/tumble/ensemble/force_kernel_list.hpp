@@ -17,7 +17,8 @@ struct Numbered : T {};
 template <class Numbers, class... Kernels>
 struct ForceKernelList;
 
-/// Each kernel with its number, so that two of a kind are two.
+/// Each kernel with its number, so that two of a kind are two. A std::tuple would fill them with
+/// zeros first, which single steps of many bodies notice: they took up to 1.6 times as long.
 template <std::size_t... i, class... Kernels>
 struct ForceKernelList<std::index_sequence<i...>, Kernels...> : Numbered<i, Kernels>... {
   static constexpr bool drags = (Kernels::drags || ...);
