@@ -31,11 +31,9 @@ void look_at_mass(const ProblemResult& result, std::vector<std::string>& found) 
                     "smaller steps.");
 }
 
-std::string name_of(const only_what_a_scene_needs::Choice& choice) {
-  const int model = static_cast<int>(choice.model);
-  const std::string name =
-      model >= 0 && model <= 3 ? tumble::name_of(static_cast<Model>(model)) : "no model";
-  return name + (choice.steps ? ", in steps" : ", without steps");
+std::string name_of_choice(std::optional<Model> model, bool steps) {
+  const std::string name = model ? tumble::name_of(*model) : "no model";
+  return name + (steps ? ", in steps" : ", without steps");
 }
 
 void look_at_choice(const ProblemResult& result, std::vector<std::string>& found) {
@@ -43,11 +41,10 @@ void look_at_choice(const ProblemResult& result, std::vector<std::string>& found
   if (!result.chosen.failure.empty()) {
     found.push_back("10.1 choose_model: " + result.chosen.failure + ".");
   } else if (!result.chosen.right) {
-    const only_what_a_scene_needs::Choice right{
-        static_cast<only_what_a_scene_needs::Model>(static_cast<int>(problem.model)),
-        problem.pull.has_value()};
-    found.push_back("10.1 choose_model says “" + name_of(*result.chosen.choice) + "”; it is “" +
-                    name_of(right) + "”.");
+    const only_what_a_scene_needs::Choice& choice = *result.chosen.choice;
+    found.push_back("10.1 choose_model says “" +
+                    name_of_choice(model_of(choice.model), choice.steps) + "”; it is “" +
+                    name_of_choice(problem.model, problem.pull.has_value()) + "”.");
   }
 }
 

@@ -118,7 +118,7 @@ Chosen chosen_for(const OwnEngine& engine, const Problem& problem) {
   Chosen chosen;
   try {
     chosen.choice = engine.choose(scene, tolerance);
-    chosen.right = static_cast<int>(chosen.choice->model) == static_cast<int>(problem.model) &&
+    chosen.right = model_of(chosen.choice->model) == problem.model &&
                    chosen.choice->steps == problem.pull.has_value();
   } catch (const NoAnswer& why) {
     chosen.failure = text_of(why);

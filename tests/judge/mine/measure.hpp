@@ -35,6 +35,22 @@ struct OwnCurve {
   bool right() const;
 };
 
+/// A student's model as the library has it; nothing where the answer is none of the four.
+constexpr std::optional<Model> model_of(only_what_a_scene_needs::Model model) {
+  using enum only_what_a_scene_needs::Model;
+  switch (model) {
+    case particle:
+      return Model::particle;
+    case ball:
+      return Model::ball;
+    case symmetric_top:
+      return Model::symmetric_top;
+    case full_body:
+      return Model::full_body;
+  }
+  return {};
+}
+
 struct Chosen {
   std::optional<only_what_a_scene_needs::Choice> choice;
   std::string failure;
