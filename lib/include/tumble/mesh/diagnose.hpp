@@ -62,8 +62,9 @@ inline std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, const 
   const Components surface = components(mesh, all.enclosed);
   double volume = 0;
   for (const Component& part : surface.parts) volume += part.volume;
-  if (const auto doubled = find_doubled_surface(mesh, volume, rounding)) return {*doubled};
   std::vector<MeshDefect> findings = find_flat_parts(mesh, surface);
+  if (findings.empty())
+    if (const auto doubled = find_doubled_surface(mesh, volume, rounding)) return {*doubled};
   const std::vector<MeshDefect> depth =
       find_wrong_depth({mesh, surface, box, lattices, all.near_lines,
                         search == crossings::Search::thorough, rounding},
