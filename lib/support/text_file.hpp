@@ -2,6 +2,8 @@
 /// @file
 /// Text files that are kept for people: read whole, written whole or not at all.
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,23 +13,32 @@
 
 namespace tumble::support {
 
+/// "cannot write grades.csv: No space left on device".
+/// @param error of errno; 0 if the system has said nothing
+inline std::string failed_at(const std::string& what, const std::filesystem::path& file,
+                             int error) {
+  return what + " " + file.string() + (error == 0 ? "" : std::string(": ") + std::strerror(error));
+}
+
 /// @throws std::runtime_error naming the file if it cannot be read, or is a folder
 inline std::string read_text(const std::filesystem::path& file) {
   std::error_code missing;
   if (std::filesystem::is_directory(file, missing))
     throw std::runtime_error("cannot read " + file.string() + ": it is a folder");
+  errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot read " + file.string());
+  if (!in) throw std::runtime_error(failed_at("cannot read", file, errno));
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// Writes into the file as it is.
 /// @throws std::runtime_error naming the file if it cannot be written
 inline void write_in_place(const std::filesystem::path& file, const std::string& text) {
+  errno = 0;
   std::ofstream out(file, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw std::runtime_error("cannot write " + file.string());
+  if (!out) throw std::runtime_error(failed_at("cannot write", file, errno));
 }
 
 /// Writes beside the file and then puts it in its place: an interruption, or a full disk, leaves
