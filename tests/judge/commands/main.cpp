@@ -1,5 +1,7 @@
 /// @file
 /// The judge's command line; ./tumble calls it.
+#include <signal.h>
+
 #include <functional>
 #include <iostream>
 
@@ -263,4 +265,8 @@ class CommandLine {
 
 }  // namespace
 
-int main(int argc, char** argv) { return CommandLine().run(argc, argv); }
+int main(int argc, char** argv) {
+  // Who ignores it hands that on, and a judge that does could not learn how its workers ended.
+  signal(SIGCHLD, SIG_DFL);
+  return CommandLine().run(argc, argv);
+}

@@ -168,7 +168,10 @@ void ConfinedProcess::kill() {
   killed_here_ = true;
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);
-  wait(60);
+  try {
+    wait(60);
+  } catch (const std::runtime_error&) {  // who waits for an answer is told
+  }
 }
 
 bool ConfinedProcess::waits_for_processor() const {
@@ -179,12 +182,20 @@ bool ConfinedProcess::killed_from_outside() const {
   return ending_ == Ending{true, SIGKILL} && !killed_here_ && cpu_seconds_ < cpu_seconds_allowed_;
 }
 
+void ConfinedProcess::give_up() {
+  const int error = errno;
+  if (pid_ > 0) ::kill(-pid_, SIGKILL);
+  pid_ = -1;  // its number may be anybody's from now on
+  throw std::runtime_error(std::string("cannot wait for a process: ") + std::strerror(error));
+}
+
 std::optional<Ending> ConfinedProcess::wait(double seconds) {
   const Clock::time_point deadline = after(seconds);
   for (useconds_t pause = 50; !ending_; pause = pause < 5000 ? pause * 2 : pause) {
     siginfo_t info = {};
     const auto id = static_cast<id_t>(pid_);
-    if (waitid(P_PID, id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_) {
+    if (waitid(P_PID, id, &info, WEXITED | WNOHANG | WNOWAIT) != 0 && errno != EINTR) give_up();
+    if (info.si_pid == pid_) {
       ::kill(-pid_, SIGKILL);  // what it has started, while its number cannot be anybody else's
       rusage used = {};
       int status = 0;

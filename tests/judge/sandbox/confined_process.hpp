@@ -33,6 +33,7 @@ class ConfinedProcess {
   ~ConfinedProcess();
 
   /// How it has ended, or nothing if it still runs after `seconds`.
+  /// @throws std::runtime_error if the system does not let this process wait for it
   std::optional<Ending> wait(double seconds);
   void kill();
   /// Whether it wants to compute and does not get to it: a machine with too much to do.
@@ -41,6 +42,8 @@ class ConfinedProcess {
   bool killed_from_outside() const;
 
  private:
+  [[noreturn]] void give_up();
+
   pid_t pid_ = -1;
   std::optional<Ending> ending_;
   int cpu_seconds_allowed_;

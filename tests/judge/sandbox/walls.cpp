@@ -25,12 +25,21 @@ std::string name_of(Wall wall) {
   return "unknown wall";
 }
 
+namespace {
+
+/// "8 MB", and below one of them "200 KB", below one of these "100 bytes": none that is there is 0.
+std::string amount(std::uint64_t bytes) {
+  if (bytes >= 1 << 20) return std::to_string(bytes >> 20) + " MB";
+  return bytes >= 1 << 10 ? std::to_string(bytes >> 10) + " KB" : std::to_string(bytes) + " bytes";
+}
+
+}  // namespace
+
 std::string lowered_limits(const Limits& limits) {
-  const auto mega = [](std::uint64_t bytes) { return std::to_string(bytes >> 20); };
-  const auto lowered = [&](platform::Resource resource, std::uint64_t wanted, const char* what) {
+  const auto lowered = [](platform::Resource resource, std::uint64_t wanted, const char* what) {
     const std::uint64_t granted = platform::granted(resource);
     if (granted >= wanted) return std::string();
-    return mega(granted) + " MB " + what + " instead of " + mega(wanted);
+    return amount(granted) + " " + what + " instead of " + amount(wanted);
   };
   for (const std::string& text : {lowered(RLIMIT_AS, limits.memory_bytes, "of memory"),
                                   lowered(RLIMIT_STACK, limits.stack_bytes, "of stack"),

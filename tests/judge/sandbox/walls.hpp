@@ -22,7 +22,7 @@ struct Limits {
 };
 
 /// What this machine grants less of, by limits of its own (ulimit): "300 MB of memory instead of
-/// 512"; empty if nothing.
+/// 512 MB"; empty if nothing.
 std::string lowered_limits(const Limits& limits);
 
 /// A wall. A worker stands behind all of them, the compiler behind all but the system calls.

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -91,6 +93,27 @@ TEST_CASE("time, memory and file size end") {
   walls.files.read.emplace_back("/dev/zero");
   CHECK(shell("head -c 200000000 /dev/zero | tail", walls).output.find("exhausted") !=
         std::string::npos);
+}
+
+TEST_CASE("a system that lets nobody wait for it is said at once") {
+  signal(SIGCHLD, SIG_IGN);
+  const auto start = std::chrono::steady_clock::now();
+  CHECK_THROWS_WITH(shell("exit 3"), "cannot wait for a process: No child processes");
+  signal(SIGCHLD, SIG_DFL);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+}
+
+TEST_CASE("what this machine grants less of is said in numbers that are not 0") {
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit small{200 << 10, 200 << 10};
+    const bool said = setrlimit(RLIMIT_STACK, &small) == 0 &&
+                      lowered_limits(Limits()) == "200 KB of stack instead of 8 MB";
+    _exit(said ? 0 : 1);
+  }
+  int status = 1;
+  waitpid(child, &status, 0);
+  CHECK(status == 0);
 }
 
 TEST_CASE("what it has started ends with it") {
