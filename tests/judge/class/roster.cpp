@@ -5,6 +5,7 @@
 #include <set>
 
 #include "judge/class/file_kinds.hpp"
+#include "judge/class/file_names.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -37,6 +38,12 @@ std::string squeezed(const std::string& name) {
   return text;
 }
 
+/// "Ann Lee" for "Lee, Ann"; empty for a name without a comma.
+std::string turned(const std::string& name) {
+  const std::size_t comma = name.find(',');
+  return comma == std::string::npos ? "" : name.substr(comma + 1) + " " + name.substr(0, comma);
+}
+
 Lms lms_of(const CsvTable& table) {
   if (table.column({"identifier"})) return Lms::moodle;
   const bool canvas = table.header.size() > 3 && table.header[0] == "Student" &&
@@ -45,17 +52,21 @@ Lms lms_of(const CsvTable& table) {
   return table.column({"sid"}) && table.column({"email"}) ? Lms::gradescope : Lms::none;
 }
 
+const std::string& name_for_people(const Identity& who) {
+  return !who.name.empty() ? who.name : !who.email.empty() ? who.email : who.id;
+}
+
 /// Reads the members out of the table.
 class RosterReader {
  public:
-  explicit RosterReader(Roster& roster) : roster_(roster) {}
+  RosterReader(Roster& roster, const std::string& name) : roster_(roster), name_(name) {}
 
   void read() {
     for (std::size_t i = 0; i < roster_.table.rows.size(); ++i) {
       const Member member = member_in(i);
       const bool nobody = member.who.name.empty() && member.who.id.empty() &&
                           member.who.email.empty() && member.login.empty();
-      if (!nobody && !is_canvas_own(i)) roster_.members.push_back(member);
+      if (!nobody && !is_canvas_own(i) && is_new(member)) roster_.members.push_back(member);
     }
   }
 
@@ -81,6 +92,17 @@ class RosterReader {
     return member;
   }
 
+  /// Who stands there twice, in two sections of a course, is one; two of one number are not.
+  bool is_new(const Member& member) {
+    if (member.who.id.empty()) return true;
+    const auto [found, is_first] = of_id_.try_emplace(member.who.id, member);
+    const Identity &one = found->second.who, &other = member.who;
+    require(is_first || (one.name == other.name && one.email == other.email), name_,
+            " has the number ", escaped(other.id), " twice, of ", escaped(one.name), " and of ",
+            escaped(other.name), ": we could not tell whose grade is whose");
+    return is_first;
+  }
+
   /// Canvas's rows for the points and for a student that is not one.
   bool is_canvas_own(std::size_t row) const {
     const std::string& first = roster_.table.rows[row].front();
@@ -89,6 +111,8 @@ class RosterReader {
   }
 
   Roster& roster_;
+  const std::string& name_;
+  std::map<std::string, Member> of_id_;
 };
 
 }  // namespace
@@ -97,8 +121,8 @@ MemberFinder::MemberFinder(const Roster& roster) {
   for (const Member& member : roster.members) {
     by_id_.try_emplace(member.who.id, &member);
     const std::string& email = member.who.email;
-    for (const std::string& name :
-         {member.who.name, member.who.id, email, member.login, email.substr(0, email.find('@'))})
+    for (const std::string& name : {member.who.name, turned(member.who.name), member.who.id, email,
+                                    member.login, email.substr(0, email.find('@'))})
       by_name_[squeezed(name)].insert(&member);
   }
 }
@@ -106,12 +130,17 @@ MemberFinder::MemberFinder(const Roster& roster) {
 const Member* MemberFinder::find(const Submission& submission) const {
   const auto with_id = by_id_.find(submission.who.id);
   if (!submission.who.id.empty() && with_id != by_id_.end()) return with_id->second;
+  const std::set<const Member*> named = all_named(submission);
+  return named.size() == 1 ? *named.begin() : nullptr;  // of two of one name neither
+}
+
+std::set<const Member*> MemberFinder::all_named(const Submission& submission) const {
   std::set<const Member*> named;
   for (const std::string* name : {&submission.student, &submission.who.name, &submission.who.email})
     if (const auto found = by_name_.find(squeezed(*name));
         found != by_name_.end() && !found->first.empty())
       named.insert(found->second.begin(), found->second.end());
-  return named.size() == 1 ? *named.begin() : nullptr;  // of two of one name neither
+  return named;
 }
 
 Roster read_roster(const std::filesystem::path& file) {
@@ -122,7 +151,7 @@ Roster roster_in(const std::string& text, const std::string& name) {
   Roster roster;
   roster.table = read_csv(text, name);
   roster.lms = lms_of(roster.table);
-  RosterReader(roster).read();
+  RosterReader(roster, name).read();
   std::string columns;
   for (const std::string& column : roster.table.header)
     columns += (columns.empty() ? "" : ", ") + column;
@@ -133,15 +162,23 @@ Roster roster_in(const std::string& text, const std::string& name) {
 
 RosterMatch match(const Roster& roster, std::vector<Submission>& submissions) {
   RosterMatch result;
-  std::set<std::size_t> handed_in;
+  std::map<std::size_t, std::string> handed_in;  // whose work, by the row of the table
   const MemberFinder members(roster);
   for (Submission& submission : submissions) {
     const Member* member = members.find(submission);
     if (!member) {
-      result.strangers.push_back(submission.student);
+      const bool several = members.all_named(submission).size() > 1;
+      result.strangers.push_back(
+          submission.student +
+          (several ? ": this means several there, so it counts for none" : ""));
       continue;
     }
-    handed_in.insert(member->row);
+    const std::string& first = handed_in.try_emplace(member->row, submission.student).first->second;
+    require(first == submission.student, "the submissions ", escaped(first), " and ",
+            escaped(submission.student), " are of one student on the roster, ",
+            escaped(name_for_people(member->who)),
+            ": remove one of them, or give both one name and say in course.json by "
+            "\"several\" which counts");
     if (!member->who.name.empty()) submission.who.name = member->who.name;
     if (!member->who.id.empty()) submission.who.id = member->who.id;
     if (!member->who.email.empty()) submission.who.email = member->who.email;

@@ -36,13 +36,16 @@ class MemberFinder {
 
   /// Who has handed this in; null if nobody in the class, or not one alone.
   const Member* find(const Submission& submission) const;
+  /// Everybody who is called like this submission.
+  std::set<const Member*> all_named(const Submission& submission) const;
 
  private:
   std::map<std::string, const Member*> by_id_;
   std::map<std::string, std::set<const Member*>> by_name_;  ///< letters and digits of each name
 };
 
-/// @throws std::invalid_argument if the file is no table, or has no column with names
+/// @throws std::invalid_argument if the file is no table, has no column with names, or gives two
+///         students one number
 Roster read_roster(const std::filesystem::path& file);
 /// The same of a file's text, called by this name in messages.
 Roster roster_in(const std::string& text, const std::string& name);
@@ -53,6 +56,7 @@ struct RosterMatch {
 };
 
 /// Gives each submission its student's name, number and time from the roster.
+/// @throws std::invalid_argument if two rows would be of one student: which of them counts?
 RosterMatch match(const Roster& roster, std::vector<Submission>& submissions);
 
 }  // namespace tumble::judge

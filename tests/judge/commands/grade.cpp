@@ -8,6 +8,7 @@
 #include "judge/class/collect.hpp"
 #include "judge/class/final_grade.hpp"
 #include "judge/class/grading_lock.hpp"
+#include "judge/class/one_student_each.hpp"
 #include "judge/class/progress_line.hpp"
 #include "judge/class/shard_manifest.hpp"
 #include "judge/commands/commands.hpp"
@@ -40,6 +41,7 @@ struct Work {
     roll.left_out = std::move(all.left_out);
     roll.lms = all.lms;
     if (roll.roster) roll.match = judge::match(*roll.roster, roll.submissions);
+    require_one_student_each(settings.rules, roll);
     if (roll.lms == Lms::none && roll.roster && !from) roll.lms = roll.roster->lms;
   }
 };

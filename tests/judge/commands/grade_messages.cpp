@@ -107,7 +107,7 @@ void say_list(const std::string& head, const std::vector<std::string>& lines) {
 void say_about(const std::vector<LeftOut>& left_out, const std::vector<std::string>& strangers,
                const CourseSettings& settings, const std::vector<StudentRecord>& records) {
   say_left_out(left_out);
-  say_list("not on the roster:", strangers);
+  say_list("not found on the roster:", strangers);
   say_unknown(settings, records);
   say_identical(identical_files(settings, records));
   say_timeless(settings, records);

@@ -220,7 +220,7 @@ TEST_CASE("roster: names, numbers, and who has not handed in") {
   test::write_files(two.handed_in / "zoe", test::both());
   const CommandResult graded = two.grade("--roster class.csv");
   CHECK_MESSAGE(graded.status == 0, graded.output);
-  CHECK(tells(graded, "not on the roster:\n  zoe\n"));
+  CHECK(tells(graded, "not found on the roster:\n  zoe\n"));
   CHECK(two.cell("Cleo", "note") == "not handed in");
   CHECK(two.cell("ann", "name") == "Ann Meyer");
   CHECK(two.cell("ben", "id") == "8");

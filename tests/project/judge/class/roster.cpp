@@ -10,6 +10,7 @@
 #include "judge/class/feedback.hpp"
 #include "judge/class/gradescope_metadata.hpp"
 #include "judge/class/lms_grades.hpp"
+#include "judge/class/one_student_each.hpp"
 #include "project/harness/refusal.hpp"
 #include "project/judge/class/archives.hpp"
 
@@ -94,10 +95,42 @@ TEST_CASE("rosters: whose submission it is") {
   };
   CHECK(number_of({"doejane_12345", "", false, {}, {"doejane", "12345", ""}}) == "1");
   CHECK(number_of({"jane", ""}) == "1");
+  CHECK(number_of({"Jane Doe", ""}) == "1");
   CHECK(number_of({"JANE@x.edu", ""}) == "1");
   CHECK(number_of({"Ann Lee", ""}) == "");  // which of the two?
   CHECK(number_of({"x", "", false, {}, {"Ann Lee", "3", ""}}) == "3");
   CHECK(number_of({"bob", ""}) == "");
+}
+
+TEST_CASE("rosters: two students of one number are refused, one student in two rows is one") {
+  CHECK(roster_in("name,id\nAnn,7\nBen,07\nAnn,7\n").members.size() == 2);
+  CHECK_REFUSED(
+      roster_in("name,id\nAnn,7\nBen,7\n"),
+      "has the number 7 twice, of Ann and of Ben: we could not tell whose grade is whose");
+}
+
+TEST_CASE("rosters: one student has one row, and who could be two is nobody") {
+  const Roster roster = roster_in("name,id\nAnn Lee,1\nBen Kim,2\nBen Kim,3\n");
+  std::vector<Submission> both = {{"Ann Lee", ""}, {"ann lee ", ""}};
+  CHECK_REFUSED(match(roster, both),
+                "the submissions Ann Lee and ann lee  are of one student on the roster, Ann Lee: ");
+  std::vector<Submission> attempts = {{"Ann Lee", ""}, {"Ann Lee", ""}, {"Ben Kim", ""}};
+  const RosterMatch result = match(roster, attempts);
+  CHECK(result.missing.size() == 2);
+  CHECK(result.strangers ==
+        std::vector<std::string>{"Ben Kim: this means several there, so it counts for none"});
+}
+
+TEST_CASE("course.json: a name that two students have is refused, for it would be for both") {
+  ClassRoll roll;
+  roll.submissions = {{"Ann Lee_1", "", false, {}, {"Ann Lee", "1", ""}},
+                      {"Ann Lee_2", "", false, {}, {"Ann Lee", "2", ""}}};
+  ClassRules rules;
+  rules.extensions["1"] = rules.extensions["Ann Lee_2"] = "2026-12-08T23:59:00Z";
+  require_one_student_each(rules, roll);
+  rules.overrides["ann lee"] = {};
+  CHECK_REFUSED(require_one_student_each(rules, roll),
+                "course.json, overrides: ann lee means 2 students, Ann Lee_1 and Ann Lee_2: ");
 }
 
 TEST_CASE("Moodle: its worksheet, filled in") {

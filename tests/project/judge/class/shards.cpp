@@ -188,7 +188,7 @@ TEST_CASE("shards: merged they are what one machine makes, byte for byte") {
   const CommandResult merged = dozen.run("--merge a b c --out merged");
   REQUIRE_MESSAGE(merged.status == 0, merged.output);
   CHECK(said_in(merged, "tumble: 3 shards, 13 submissions"));  // one student's are two
-  CHECK(said_in(merged, "not on the roster:\n  Zoe Late_199"));
+  CHECK(said_in(merged, "not found on the roster:\n  Zoe Late_199"));
   CHECK(said_in(merged, "notes.txt"));
   const Files all = dozen.files_in("merged");
   CHECK(all.contains("moodle.csv"));
