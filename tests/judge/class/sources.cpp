@@ -7,6 +7,7 @@
 #include "judge/class/archive.hpp"
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
+#include "judge/class/unjudged_files.hpp"
 #include "judge/class/utf16.hpp"
 #include "judge/course/progress.hpp"
 #include "support/entry.hpp"
@@ -185,9 +186,10 @@ void Sources::add_archive(const std::string& within, const fs::path& archive) {
 }
 
 void Sources::add_file(const fs::path& name, const fs::path& file) {
+  if (is_nobodys(name)) return;
   if (!source_stem(name.filename().string()).empty())
     files_[name] = file;
-  else if (!is_nobodys(name))
+  else
     others_.push_back(name.string());
 }
 
@@ -199,19 +201,25 @@ void Sources::choose(const Course& course, const std::vector<Unit>& counted) {
     handed_in_[unit] = file.path;
     of_unit_[unit] = files_.at(file.path);
   }
-  bool any = false;
+  std::vector<Unit> without_file;
   for (const Unit& unit : counted) {
-    if (!chosen.contains(unit.id())) continue;
-    any = true;
+    if (!chosen.contains(unit.id())) {
+      without_file.push_back(unit);
+      continue;
+    }
     note_ties(unit, chosen.at(unit.id()));
     convert(unit.id());
   }
+  const bool any = without_file.size() < counted.size();
   if (any || refused_archives_.empty()) {
     for (const std::string& archive : refused_archives_) notes_.push_back("not read: " + archive);
-    if (any)
+    if (any) {
       note_other_names(course, not_exercises(chosen, names));
-    else
+      for (std::string& note : notes_on_unjudged(without_file, names, others_))
+        notes_.push_back(std::move(note));
+    } else {
       note_nothing_found();
+    }
   } else {
     refused_ = "has " + refused_archives_.front();
   }
@@ -246,8 +254,7 @@ void Sources::note_other_names(const Course& course, const std::vector<fs::path>
 
 void Sources::note_nothing_found() {
   std::vector<std::string> found = others_;
-  for (const auto& [name, file] : files_)
-    if (!is_nobodys(name)) found.push_back(name.string());
+  for (const auto& [name, file] : files_) found.push_back(name.string());
   std::sort(found.begin(), found.end(), [](const std::string& a, const std::string& b) {
     return natural_less(fs::path(a), fs::path(b));
   });

@@ -141,6 +141,14 @@ std::vector<fs::path> not_exercises(const std::map<std::string, ChosenFile>& cho
   return others;
 }
 
+std::string folder_of_the_course(const fs::path& path, const std::vector<fs::path>& paths) {
+  if (is_whole_tree(paths)) return "";
+  const std::vector<const char*> folders = folders_of_the_course(paths);
+  const auto found = std::find_if(folders.begin(), folders.end(),
+                                  [&](const char* folder) { return has_part(path, folder); });
+  return found == folders.end() ? "" : *found;
+}
+
 std::map<std::string, fs::path> files_of_units(const Course& course,
                                                const std::vector<Unit>& counted,
                                                const std::vector<fs::path>& paths) {

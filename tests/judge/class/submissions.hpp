@@ -67,6 +67,10 @@ std::map<std::string, ChosenFile> choose_files(const Course& course,
 std::vector<fs::path> not_exercises(const std::map<std::string, ChosenFile>& chosen,
                                     const std::vector<fs::path>& paths);
 
+/// The folder of the course, not of the student's, that a source file lies in: "build". Empty if it
+/// lies in none, or if all of the course is there: its own files are not the student's.
+std::string folder_of_the_course(const fs::path& path, const std::vector<fs::path>& paths);
+
 /// The same without the others.
 std::map<std::string, fs::path> files_of_units(const Course& course,
                                                const std::vector<Unit>& counted,

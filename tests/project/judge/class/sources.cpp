@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "project/harness/command.hpp"
+#include "project/judge/class/archives.hpp"
 #include "project/judge/class/without_files.hpp"
 #include "support/text_file.hpp"
 
@@ -53,6 +54,34 @@ TEST_CASE("sources: copies are known by their names, and nothing is said of the 
   CHECK(notes_on({"exercises/04_quaternions/product.cpp", "exercises/04_quaternions/invers.cpp"}) ==
         "exercises/04_quaternions/invers.cpp is not judged: it is not an exercise's name; did you "
         "mean inverse.cpp?\n");
+}
+
+TEST_CASE("sources: what was meant for an exercise and is not judged is said") {
+  CHECK(notes_on({"inverse.cpp", "product.cc"}) ==
+        "product.cc is not judged: it has to be called product.cpp\n");
+  CHECK(notes_on({"inverse.cpp", "a/Product (1).cxx", "product"}) ==
+        "a/Product (1).cxx is not judged: it has to be called product.cpp\n");
+  CHECK(notes_on({"inverse.cpp", "product.cpp", "product.h", "product.txt"}) == "");
+  CHECK(notes_on({"inverse.cpp", "build/product.cpp"}) ==
+        "build/product.cpp is not judged: we look for no exercise in a folder build/\n");
+}
+
+TEST_CASE("sources: what is hidden is nobody's work, in an archive as in a folder") {
+  const Course all = four_units();
+  const WorkFolder work;
+  const std::vector<tumble::test::Entry> files = {{"inverse.cpp", "// new\n"},
+                                                  {".history/inverse.cpp", "// old\n"},
+                                                  {".history/product.cpp", "// old\n"},
+                                                  {"__MACOSX/._product.cpp", "Mac OS X"}};
+  tumble::test::write_archive(work.path() / "ben.zip", files);
+  for (const tumble::test::Entry& file : files)
+    support::write_text_and_folders(work.path() / "ben" / file.path, file.content);
+  for (const char* name : {"ben", "ben.zip"}) {
+    const Sources sources(all, all.units, {"ben", work.path() / name});
+    CHECK(sources.handed_in(all.units[2]) == "inverse.cpp");
+    CHECK_FALSE(sources.handed_in(all.units[1]));
+    CHECK(sources.notes().empty());
+  }
 }
 
 TEST_CASE("sources: a folder that this machine cannot open is no refusal of the student's work") {

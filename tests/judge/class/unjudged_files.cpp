@@ -1,0 +1,42 @@
+#include "judge/class/unjudged_files.hpp"
+
+#include <optional>
+
+#include "judge/class/file_names.hpp"
+
+namespace tumble::judge {
+
+namespace {
+
+std::string not_judged(const std::string& path) { return escaped(path) + " is not judged: "; }
+
+/// The exercise that product.cc, product.txt or product would be with the right ending.
+std::string exercise_without_ending(const std::string& path) {
+  const std::string file = fs::path(path).filename().string();
+  return exercise_named(file.substr(0, file.find('.')) + ".cpp");
+}
+
+std::optional<std::string> note_on(const Unit& unit, const std::vector<fs::path>& sources,
+                                   const std::vector<std::string>& others) {
+  for (const fs::path& path : sources)
+    if (exercise_named(path.filename().string()) == unit.name)
+      if (const std::string folder = folder_of_the_course(path, sources); !folder.empty())
+        return not_judged(path.string()) + "we look for no exercise in a folder " + folder + "/";
+  for (const std::string& path : others)
+    if (exercise_without_ending(path) == unit.name)
+      return not_judged(path) + "it has to be called " + unit.name + ".cpp";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on_unjudged(const std::vector<Unit>& without_file,
+                                           const std::vector<fs::path>& sources,
+                                           const std::vector<std::string>& others) {
+  std::vector<std::string> notes;
+  for (const Unit& unit : without_file)
+    if (const auto note = note_on(unit, sources, others)) notes.push_back(*note);
+  return notes;
+}
+
+}  // namespace tumble::judge

@@ -1,0 +1,20 @@
+#pragma once
+/// @file
+/// Files that were meant for an exercise, by their names, and are not judged.
+
+#include <string>
+#include <vector>
+
+#include "judge/class/submissions.hpp"
+
+namespace tumble::judge {
+
+/// What is said of them: "product.cc is not judged: it has to be called product.cpp". Each unit
+/// that has no file counts, and once.
+/// @param sources paths of source files that were handed in
+/// @param others paths of all other files
+std::vector<std::string> notes_on_unjudged(const std::vector<Unit>& without_file,
+                                           const std::vector<fs::path>& sources,
+                                           const std::vector<std::string>& others);
+
+}  // namespace tumble::judge
