@@ -8,7 +8,7 @@
 ///       template <class P>
 ///       TUMBLE_INLINE PackWrench<P> operator()(double t, const PackBody<P>& body,
 ///                                              const PackKinematics<P>& now) const {
-///         return {-k * now.x, {}};
+///         return PackWrench<P>{-k * now.x, {}};
 ///       }
 ///     };
 ///
