@@ -25,7 +25,11 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   using Record = MotionRecord<Rhs>;
 
  public:
-  static constexpr double error_exponent = 0.5, margin = 1, careful = 4;
+  /// Its steps are as long as the tolerance lets them be.
+  static constexpr double margin = 1;
+  /// Forces may be rough, and fool the control of steps now and then: then a smaller tolerance
+  /// promises nothing. All of the difference counts as the fine run's error.
+  static constexpr double careful = std::numeric_limits<double>::infinity();
   using typename Record::Numbers, typename Record::State;
 
   /// @throws std::runtime_error if a force is not finite, or no step is short enough

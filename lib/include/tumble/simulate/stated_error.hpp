@@ -6,12 +6,7 @@
 /// What the two differ by, d, is the rough run's error: its tolerance ε times what the motion makes
 /// of errors. So the fine run, with a smaller tolerance, has an error of a share of d, and its
 /// rounding makes one of about d u/ε for each step. If that is not good enough, both are run again
-/// with an ε that is. How far proportion can be trusted, a Run says:
-///
-///     error_exponent   errors fall at least as tolerance^exponent: 1, or less where forces may be
-///                      rough and now and then fool the control of steps
-///     margin           how much smaller the error of a step is than its tolerance
-///     careful          how much larger errors may be than that says: measured on random scenes
+/// with an ε that is. How far proportion can be trusted, a run says: see KnowsItsErrors.
 ///
 /// The rough run starts a little beside the start: what the motion makes of that is in d too.
 ///
@@ -20,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <vector>
 
 #include "tumble/body/state.hpp"
@@ -61,21 +57,30 @@ struct TwoRuns {
   double radians;     ///< by which the body turns
 };
 
-/// What part of the difference is the fine run's error.
+/// How far what two runs differ by tells their errors.
 template <class Run>
+concept KnowsItsErrors = requires {
+  /// The error of a step may be so many times smaller than its tolerance.
+  { Run::margin } -> std::convertible_to<double>;
+  /// The fine run's error may be so many times larger than in proportion to its tolerance.
+  { Run::careful } -> std::convertible_to<double>;
+};
+
+/// What part of the difference is the fine run's error.
+template <KnowsItsErrors Run>
 double fine_share(const TwoRuns& runs) {
   // What differs by so much is not proportional to anything.
   constexpr double too_large = 0.05;
   if (!(runs.difference < too_large)) return 1;
   constexpr double of_start = 4;  // turned into other axes, which is in both runs alike
   const double rounding = (of_start + std::sqrt(static_cast<double>(runs.steps))) * unit_roundoff;
-  return std::min(1.0, Run::careful * std::pow(runs.tolerance / runs.epsilon, Run::error_exponent) +
-                           Run::margin * rounding / runs.epsilon);
+  return std::min(
+      1.0, Run::careful * (runs.tolerance / runs.epsilon) + Run::margin * rounding / runs.epsilon);
 }
 
 /// The error of the fine run.
 /// @param lost what the moments have lost, see rounding_of_moments()
-template <class Run>
+template <KnowsItsErrors Run>
 double stated_error(const TwoRuns& runs, double lost) {
   const double growth = Run::margin * runs.difference / runs.epsilon;  // of a small error
   constexpr double everything = 4;

@@ -23,7 +23,13 @@ namespace tumble::detail {
 template <int rank>
 class SteadyTrajectory {
  public:
-  static constexpr double error_exponent = 1, margin = 100, careful = 20;
+  /// A step ends where the last terms of its series are as large as the tolerance. What is left out
+  /// is smaller: of steps in random scenes 3 to 9 times at the median, 25 to 110 times for one in a
+  /// hundred. The rough run starts ε/margin beside, so d shows what the motion makes of that.
+  static constexpr double margin = 100;
+  /// The order changes with the tolerance, so errors are only roughly in proportion to it: in
+  /// random scenes seldom more than 10 times larger.
+  static constexpr double careful = 20;
 
   /// @throws std::runtime_error as TurningBySeries does
   SteadyTrajectory(const steady::SteadyTorque& torque, const steady::SteadyPath& path,
