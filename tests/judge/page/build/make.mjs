@@ -27,7 +27,7 @@ const brought = join(resolve(options.judge), "headers"); // Eigen and JSON, as t
 const emscripten = execFileSync("em-config", ["EMSCRIPTEN_ROOT"], { encoding: "utf8" }).trim();
 const here = join(root, "tests/judge/page");
 
-// As the judge compiles a student's file (tests/judge/course.cmake), with clang's names for the same.
+// As the judge compiles a student's file (tests/judge/student.cmake), with clang's names for the same.
 const flags = [
   ...["-std=c++20", "-O1", "-fwasm-exceptions", "-ffp-contract=off", "-fno-finite-loops", "-ftrivial-auto-var-init=pattern"],
   ...["-DEIGEN_DONT_VECTORIZE", "-DEIGEN_INITIALIZE_MATRICES_BY_NAN"],

@@ -39,14 +39,10 @@ async function exceptionObjects(clang, libraries) {
   return objects;
 }
 
-/** What calls the function of a unit: as tests/judge/course.cmake writes it. */
-function workerOf({ chapter, name }) {
-  const namespace = chapter.replace(/^[0-9]+_/, "");
-  return `#include "judge/worker/serve.hpp"
-#include "contract.hpp"
-
-int main() { return tumble::judge::serve(${namespace}::${name}); }
-`;
+/** What calls the function of a unit. */
+function workerOf(root, { chapter, name }) {
+  const main = readFileSync(join(root, "tests/judge/worker/main.cpp.in"), "utf8");
+  return main.replace("@namespace@", chapter.replace(/^[0-9]+_/, "")).replace("@name@", name);
 }
 
 /** The libraries of every module: {name: bytes}. */
@@ -87,7 +83,7 @@ export async function unitObjects(llvm, recipe, tree, { root, units }) {
   const toolchain = new Toolchain(llvm, withHeaders, { ...tree, judge: headers });
   const objects = {};
   for (const unit of units) {
-    objects[`${unit.id}.worker.o`] = await objectOf(toolchain, unit.id, workerOf(unit));
+    objects[`${unit.id}.worker.o`] = await objectOf(toolchain, unit.id, workerOf(root, unit));
     const solution = readFileSync(join(root, "solutions", `${unit.id}.cpp`), "utf8");
     objects[`${unit.id}.solution.o`] = await objectOf(toolchain, unit.id, solution);
   }
