@@ -101,7 +101,8 @@ FaceIntegrals face_integrals(const ProjectionIntegrals& shadow, const Plane& pla
 ///   all faces subtracts the cavity, and you need no special case.
 /// - A body inside out, whose faces all go round clockwise seen from outside, has the negatives of
 ///   all integrals. Without a face they are 0.
-/// @param body closed: along every edge two faces meet. Between 1e-40 and 1e40 m large
+/// @param body closed: along every edge two faces meet, and they go along it in opposite
+///             directions. Between 1e-40 and 1e40 m large
 /// @return the ten integrals, to rounding: the errors may grow with the number of corners, and for
 ///         an integrand of degree d with the farthest coordinate to the power d + 3
 VolumeIntegrals volume_integrals(const Polyhedron& body);
