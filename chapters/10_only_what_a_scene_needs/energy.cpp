@@ -159,8 +159,8 @@ Table ends_table() {
 std::string drift_figure() {
   support::Plot plot{"the energy of a nodding top", {"time [s]"}, {"off by [millionths]"}, {}};
   const std::vector<Steps> all = rivals(nodding_top());
-  plot.series = {energy_of(all[0], "RK4: 200 evaluations per second", 50),
-                 energy_of(all[3], "splitting, order 2: 50 per second", 50)};
+  plot.series = {energy_of(all[0], "RK4: 200 per second", 50),
+                 energy_of(all[3], "splitting: 50 per second", 50)};
   return support::to_svg(plot);
 }
 

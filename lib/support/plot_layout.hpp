@@ -102,11 +102,17 @@ class LabelPlacer {
            box.y + box.height < frame_.floor() + 6;
   }
 
+  bool stands_on_axis(const Box& box) const {
+    return box.x < frame_.right_end() && box.y < frame_.floor() &&
+           box.y + box.height > frame_.floor();
+  }
+
   /// In pixels of leader, roughly: what it costs to stand far away, outside or on other names.
   double cost_among_names(const Label& label, std::size_t which, std::size_t known) const {
     double cost = distance(label.anchor, label.box.nearest(label.anchor));
     if (label.has_leader()) cost += 8;
     if (!fits(label.box)) cost += 1e4;
+    if (stands_on_axis(label.box)) cost += 20;
     for (std::size_t i = 0; i < known; ++i) {
       if (i == which) continue;
       if (labels_[i].box.meets(label.box)) cost += 1e3;

@@ -12,9 +12,7 @@ const tumbleMoving = (function () {
     let memory;
     const text = (place, length) => new TextDecoder().decode(new Uint8Array(memory.buffer, place, length));
     const numbers = (place, count) => new Float64Array(memory.buffer, place, count);
-    function tumble_refused(place, length) {
-      throw new Error(text(place, length));
-    }
+    const tumble_refused = (place, length) => { throw new Error(text(place, length)); };
     return WebAssembly.instantiate(bytes, { env: { tumble_refused } }).then(({ instance: { exports: c } }) => {
       memory = c.memory;
       c._initialize();
@@ -28,13 +26,6 @@ const tumbleMoving = (function () {
         settings: (count) => numbers(c.settings(), count),
       };
     });
-  }
-
-  // The page's first picture holds the style of all, and may be one that is drawn anew.
-  function keepStyle() {
-    const style = document.createElement("style");
-    style.textContent = document.querySelector("[data-figure] style")?.textContent ?? "";
-    document.head.append(style);
   }
 
   function load(name) {
@@ -87,9 +78,9 @@ const tumbleMoving = (function () {
       const declared = module.declaration(), { controls } = declared;
       Object.assign(this, { place, chapter, name, module, declared, controls, playing: false, seen: true });
       this.fields = this.controls.map((control, k) => field(control, (value) => this.set(k, value)));
+      this.fields.forEach(({ show }, k) => show(this.controls[k].start));
       (place.closest(".scroll") ?? place).after((this.panel = this.makePanel())); // it stays where a wide picture scrolls
       if (this.declared.drags) this.listen();
-      this.showValues();
     }
 
     settings() {
@@ -133,10 +124,6 @@ const tumbleMoving = (function () {
     // look at every element of the page again.
     draw() {
       this.place.innerHTML = this.module.draw().replace(/<style>[^]*?<\/style>/, "");
-      this.showValues();
-    }
-
-    showValues() {
       this.settings().forEach((value, k) => this.fields[k].show(value));
     }
 
@@ -204,9 +191,7 @@ const tumbleMoving = (function () {
         this.place.setPointerCapture(event.pointerId);
         drag(event);
       });
-      this.place.addEventListener("pointermove", (event) => {
-        if (this.place.hasPointerCapture(event.pointerId)) drag(event);
-      });
+      this.place.addEventListener("pointermove", (event) => this.place.hasPointerCapture(event.pointerId) && drag(event));
     }
   }
 
@@ -240,7 +225,9 @@ const tumbleMoving = (function () {
     },
     /// figures: file of the picture → [chapter, name]
     page(figures) {
-      keepStyle();
+      // The page's first picture holds the style of all, and may be one that is drawn anew.
+      const style = document.querySelector("[data-figure] style")?.textContent ?? "";
+      document.head.append(made("style", { textContent: style }));
       for (const place of document.querySelectorAll("[data-figure]")) {
         const found = figures[place.dataset.figure];
         if (!found) continue;

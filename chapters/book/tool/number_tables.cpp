@@ -1,6 +1,7 @@
 #include "book/tool/number_tables.hpp"
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -61,9 +62,26 @@ Row cells_of(const Characters& line, const std::vector<Column>& columns) {
   return used == there ? cells : Row{};
 }
 
+/// A number, "< 1e-14", or nothing.
 bool is_number_cell(const std::string& cell) {
   if (cell.empty() || cell == "–" || cell == "-") return true;
-  return cell.find_first_of("0123456789") < 6 && cell.find_first_of("0123456789") <= cell.find(' ');
+  const bool compared = cell.starts_with("< ") || cell.starts_with("> ");
+  const std::size_t from = compared ? 2 : 0, digit = cell.find_first_of("0123456789", from);
+  return digit < from + 6 && digit <= cell.find(' ', from);
+}
+
+/// Words begin at the left. Numbers end at the right, and so does a word in their place ("exact").
+bool holds_text(std::size_t k, const std::vector<Row>& rows) {
+  const auto words = std::count_if(rows.begin() + 1, rows.end(),
+                                   [k](const Row& row) { return !is_number_cell(row[k]); });
+  const bool names_rows = k == 0;
+  return names_rows ? words > 0 : 2 * words > static_cast<std::ptrdiff_t>(rows.size()) - 1;
+}
+
+/// A cell as HTML. A symbol's index stands below: v_z, K_zz, ω_y.
+std::string cell_html(const std::string& cell) {
+  static const std::regex index("(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4})(?![A-Za-z0-9_])");
+  return std::regex_replace(support::svg_words(cell), index, "$1$2<sub>$3</sub>");
 }
 
 std::string row_html(const Row& cells, const std::vector<Column>& columns, const std::string& tag) {
@@ -72,7 +90,7 @@ std::string row_html(const Row& cells, const std::vector<Column>& columns, const
     html.append("<")
         .append(tag)
         .append(columns[k].holds_text ? " class=\"words\">" : ">")
-        .append(support::svg_words(cells[k]))
+        .append(cell_html(cells[k]))
         .append("</")
         .append(tag)
         .append(">");
@@ -93,9 +111,7 @@ std::string number_table_html(const std::string& text) {
   rows.reserve(lines.size());
   for (const Characters& line : lines) rows.push_back(cells_of(line, columns));
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.empty(); })) return {};
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    columns[k].holds_text = std::any_of(rows.begin() + 1, rows.end(),
-                                        [k](const Row& row) { return !is_number_cell(row[k]); });
+  for (std::size_t k = 0; k < columns.size(); ++k) columns[k].holds_text = holds_text(k, rows);
   std::string html = R"(<div class="scroll" tabindex="0"><table class="numbers"><thead>)" +
                      row_html(rows[0], columns, "th") + "</thead><tbody>";
   for (std::size_t i = 1; i < rows.size(); ++i) html += row_html(rows[i], columns, "td");

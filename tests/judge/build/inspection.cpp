@@ -5,6 +5,7 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 namespace tumble::judge {
 
@@ -35,7 +36,11 @@ std::vector<fs::path> dependencies_of(const fs::path& rule) {
 AllowedHeaders::AllowedHeaders(const fs::path& precompiled_rule,
                                const std::vector<fs::path>& contracts)
     : files_(contracts.begin(), contracts.end()) {
-  for (const fs::path& file : dependencies_of(precompiled_rule)) {
+  const std::vector<fs::path> brought = dependencies_of(precompiled_rule);
+  if (brought.empty())
+    throw std::runtime_error("the course's precompiled header is not built: no " +
+                             precompiled_rule.string());
+  for (const fs::path& file : brought) {
     files_.insert(file);
     const bool of_eigen = file.string().find("/Eigen/") != std::string::npos;
     if (!of_eigen) folders_.insert(file.parent_path());

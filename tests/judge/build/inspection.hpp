@@ -19,6 +19,7 @@ class AllowedHeaders {
  public:
   /// @param precompiled_rule the dependencies of the precompiled header
   /// @param contracts        contract.hpp of every chapter, and what they include
+  /// @throws std::runtime_error if the rule names nothing: then everything would be forbidden
   AllowedHeaders(const std::filesystem::path& precompiled_rule,
                  const std::vector<std::filesystem::path>& contracts);
   bool contains(const std::filesystem::path& header) const;

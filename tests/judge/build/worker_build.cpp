@@ -151,9 +151,13 @@ class Builder {
     return succeeded(step, result, false) && sees_nothing_forbidden(rule, result);
   }
 
+  /// @throws std::runtime_error if there is no list of what it includes, or of what it may include
   bool sees_nothing_forbidden(const fs::path& rule, WorkerBuild& result) const {
+    const std::vector<fs::path> included = dependencies_of(rule);
+    if (included.empty())
+      throw std::runtime_error("the compiler wrote no list of what it read (is the disk full?)");
     const AllowedHeaders allowed(fs::path(tools_.precompiled.string() + ".d"), contracts_);
-    for (const fs::path& file : dependencies_of(rule)) {
+    for (const fs::path& file : included) {
       if (file == source() || allowed.contains(file) || file == tools_.precompiled) continue;
       result.outcome = BuildOutcome::forbidden_include;
       result.detail = file.string();

@@ -107,6 +107,13 @@ TEST_CASE("output in columns becomes a table: numbers flush right, words flush l
                  "<td class=\"words\">a &lt; b</td><td>0.1</td><td>1.5e-3</td>",
                  "<td class=\"words\">Euler</td><td>–</td><td>2</td>"));
   CHECK(std::count(table.begin(), table.end(), '\n') == 8);
+  const std::string odd = project.converted(
+      "<!-- output: 01_one#a -->\n```text\n  what          error    iterations\n"
+      "  ───────────   ──────   ──────────\n  v_z [m/s]     < 1e-9            1\n"
+      "  a word_list   exact            20\n  ω_y             2e-7        never\n```\nEnd.\n");
+  CHECK(mentions(odd, "<td class=\"words\">v<sub>z</sub> [m/s]</td><td>&lt; 1e-9</td><td>1</td>",
+                 "<td class=\"words\">a word_list</td><td>exact</td><td>20</td>",
+                 "<td class=\"words\">ω<sub>y</sub></td><td>2e-7</td><td>never</td>"));
   CHECK(mentions(project.converted("<!-- output: 01_one#a -->\n```text\nno table\n```\n"),
                  "```text\nno table\n```"));
 }

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 using namespace tumble::judge;
@@ -44,6 +45,12 @@ TEST_CASE("Eigen/Core, the standard library and contracts are allowed, their nei
         "/usr/include/doctest/doctest.h", "/t/solutions/04_quaternions/product.cpp",
         "/t/exercises/04_quaternions/product.cpp", "/etc/passwd"})
     CHECK_MESSAGE(!allowed.contains(header), std::string(header));
+}
+
+TEST_CASE("without a list of what is allowed nothing is called forbidden") {
+  CHECK_THROWS_WITH_AS(AllowedHeaders(file_with(""), {}),
+                       doctest::Contains("precompiled header is not built"), std::runtime_error);
+  CHECK_THROWS_AS(AllowedHeaders("/no/such/file", {}), std::runtime_error);
 }
 
 TEST_CASE("assembler is found where it stands, in any spelling") {
