@@ -6,8 +6,9 @@
 /// time and of that column. Once you have written this function, you can use every solver there is.
 /// All numbers are in SI units.
 ///
-/// You may use the standard library, Eigen/Core and the functions of earlier exercises. Other parts
-/// of Eigen are not there: no cross(), inverse(), determinant() or decomposition.
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises, which are
+/// declared here. Other parts of Eigen are not there: no cross(), inverse(), determinant() or
+/// decomposition.
 
 #include <Eigen/Core>
 #include <functional>
@@ -24,7 +25,7 @@ struct Particle {
   Eigen::Vector3d v;  ///< velocity [m/s]
 };
 
-/// A damped spring between two particles, which are numbered from 0.
+/// A damped spring between two particles, which are numbered from 0. No constant is negative.
 struct Spring {
   int i, j;            ///< its ends, two different particles
   double stiffness;    ///< [N/m]
@@ -36,8 +37,8 @@ struct Spring {
 struct System {
   std::vector<double> masses;  ///< [kg], positive, one per particle
   Eigen::Vector3d gravity;     ///< acceleration of free fall [m/s²]
-  double linear_drag;          ///< [kg/s]
-  double quadratic_drag;       ///< [kg/m]
+  double linear_drag;          ///< β, zero or positive [kg/s]
+  double quadratic_drag;       ///< γ, zero or positive [kg/m]
   std::vector<Spring> springs;
 };
 
