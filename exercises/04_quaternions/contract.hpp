@@ -8,7 +8,8 @@
 /// by more.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises of this
-/// chapter. Other parts of Eigen are not there: no cross(), no Eigen::Quaternion, no AngleAxis.
+/// chapter, which are declared here. Other parts of Eigen are not there: no cross(), no
+/// Eigen::Quaternion, no AngleAxis.
 
 #include <Eigen/Core>
 
@@ -32,7 +33,7 @@ Quaternion inverse(const Quaternion& q);
 // == 4.3 rotate: a point turned by a quaternion
 /// @param q any quaternion but zero, |q| between 1e-100 and 1e100. Only its rotation counts: a q
 ///          that has drifted from length 1 must not scale the point
-/// @param p a point in body axes [m]
+/// @param p a point in body axes [m]; also the origin, or up to 1e151 m away from it
 /// @return the same point in world axes [m], as far from the origin as before
 Eigen::Vector3d rotate(const Quaternion& q, const Eigen::Vector3d& p);
 
