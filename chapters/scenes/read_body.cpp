@@ -39,7 +39,8 @@ parts::Densities densities_of(const Place& body) {
   parts::Densities densities;
   if (!has_parts(body)) return densities;
   const Place place = body["density"];
-  for (const auto& [name, density] : place.members()) densities.emplace(name, density.number());
+  for (const auto& [name, density] : place.members())
+    densities.emplace(name, density.positive_number());
   require(!densities.empty(), place.name(), " is empty: give one for each part");
   return densities;
 }
@@ -49,13 +50,14 @@ MassProperties mass_of(const Place& body, const std::optional<ReadShape>& shape)
   if (!shape) {
     require(!body.has("density"), body.name(),
             " has a density, but no shape: give it a shape, or a mass and an inertia");
-    return {body["mass"].number(), Vec3::Zero(), tensor(body["inertia"])};
+    return {body["mass"].positive_number(), Vec3::Zero(), tensor(body["inertia"])};
   }
   require(!body.has("inertia"), body.name(), " has a shape and an inertia: give one of them");
   require(body.has("mass") != body.has("density") || has_parts(body), body.name(),
           " needs either a mass or a density beside its shape");
-  if (body.has("mass")) return denser(shape->unit, body["mass"].number() / shape->unit.mass);
-  return has_parts(body) ? shape->unit : denser(shape->unit, body["density"].number());
+  if (body.has("mass"))
+    return denser(shape->unit, body["mass"].positive_number() / shape->unit.mass);
+  return has_parts(body) ? shape->unit : denser(shape->unit, body["density"].positive_number());
 }
 
 Quat orientation_of(const Place& body) {

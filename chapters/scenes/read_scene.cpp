@@ -59,9 +59,7 @@ void read_times(const Place& root, Scene& scene) {
   const double duration = root["duration"].number();
   require(duration >= 0, root.name(), ".duration is ", duration, ", less than 0");
   scene.task.t1 = scene.task.t0 + duration;
-  scene.task.tolerance = root.number_or("tolerance", 1e-9);
-  require(scene.task.tolerance > 0, root.name(), ".tolerance is ", scene.task.tolerance,
-          "; it must be positive");
+  scene.task.tolerance = root.has("tolerance") ? root["tolerance"].positive_number() : 1e-9;
   scene.every = root.number_or("record_every", duration / 100);
   constexpr double most = 1e7;
   require(duration == 0 || (scene.every > 0 && duration / scene.every <= most), root.name(),

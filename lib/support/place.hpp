@@ -53,6 +53,11 @@ class Place {
     require(value_.is_number(), name_, " is not a number, but ", value_.dump());
     return value_.get<double>();
   }
+  double positive_number() const {
+    const double x = number();
+    require(x > 0, name_, " is ", x, "; it must be positive");
+    return x;
+  }
   double number_or(const char* key, double otherwise) const {
     return has(key) ? (*this)[key].number() : otherwise;
   }

@@ -92,7 +92,10 @@ TEST_CASE("simulate: says where a scene is wrong, and what") {
   CHECK(mentions(refusal(scene), "bodies[0]", "omgea", "omega"));
   scene = thrown_ball();
   scene["bodies"][0]["density"] = -1;
-  CHECK(mentions(refusal(scene), "bodies[0]", "mass"));
+  CHECK(mentions(refusal(scene), "bodies[0].density is -1; it must be positive"));
+  scene["bodies"][0].erase("density");
+  scene["bodies"][0]["mass"] = 0;
+  CHECK(mentions(refusal(scene), "bodies[0].mass is 0; it must be positive"));
   scene = thrown_ball();
   scene["bodies"][0]["shape"] = {{"ball", -1}};
   CHECK(mentions(refusal(scene), "shape", "radius", "-1"));
