@@ -9,11 +9,13 @@ using namespace tumble;
 const Vec3 spin(0, 0.02, 1e-5);  // angular momentum [kg m²/s]
 
 RigidBodyState<> after_a_second() {
-  const RigidBody<> body(mass_properties(Box{{0.1, 0.2, 0.05}}, 2700));  // aluminium [m, kg/m³]
-  const RigidBodyRhs motion(body, Weight{});                             // and what pushes it
-  RigidBodyState<> state;                                                // at rest in the origin
-  state.L = spin;
-  const auto end = integrate_adaptive<Dop853>(motion, pack(state), 0.0, 1.0, {1e-9, 1e-9});
+  const Box bar{{0.1, 0.2, 0.05}};                     // [m]
+  const RigidBody<> body(mass_properties(bar, 2700));  // of aluminium [kg/m³]
+  const RigidBodyRhs dydt(body, Weight{});             // and what pushes it
+  RigidBodyState<> start;                              // at rest in the origin
+  start.L = spin;
+  const auto y0 = pack(start);
+  const auto end = integrate_adaptive<Dop853>(dydt, y0, 0.0, 1.0, {1e-9, 1e-9});
   return unpack<double>(end.y);
 }
 
