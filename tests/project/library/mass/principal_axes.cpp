@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "project/harness/inputs.hpp"
+#include "tumble/mass/transform.hpp"
 
 using namespace tumble;
 using test::eps;
@@ -93,5 +94,15 @@ TEST_CASE("principal_axes: a long thin body along an axis keeps the digits of it
     const double smallest = product / (half + std::sqrt(half * half - product));
     const double found = principal_axes(I).moments.minCoeff();
     CHECK(std::abs(found - std::min(smallest, d[2] * d[2])) <= 40 * eps * found);
+  }
+}
+
+TEST_CASE("principal_axes: of tensors as large and as small as double holds") {
+  const Mat3 I = rotate_inertia(Quat(0.3, 0.5, -0.7, 0.2).normalized().toRotationMatrix(),
+                                Vec3(1, 2, 2.5).asDiagonal());
+  for (const double scale : {0x1p-960, 0x1p-600, 0x1p600, 0x1p1000}) {
+    CAPTURE(scale);
+    const PrincipalAxes found = principal_axes(I * scale);
+    CHECK((found.moments / scale - Vec3(1, 2, 2.5)).norm() < 16 * test::eps);
   }
 }
