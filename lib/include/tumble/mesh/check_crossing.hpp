@@ -143,7 +143,7 @@ inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
                                              [](const Component& part) { return part.volume < 0; });
   if (!suspicious && !one_looks_inwards) return {};
   const std::vector<PartDepth> depths = measure_parts(evidence.bundle, of.surface);
-  std::vector<MeshDefect> findings = find_wrong_parts(of.mesh, of.surface, depths);
+  std::vector<MeshDefect> findings = find_wrong_parts(of.mesh, of.surface, depths, blur);
   const auto crosses = [&](const LineHit& hit) {
     const PartDepth& depth = depths[static_cast<std::size_t>(hit.part)];
     return depth.crosses_itself || depth.crosses_another();

@@ -11,6 +11,7 @@
 
 #include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/depth.hpp"
+#include "tumble/mesh/inside_of.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
 
 namespace tumble::detail {
@@ -38,33 +39,49 @@ inline std::vector<char> parts_with_area(const PolygonMesh& mesh, const Componen
   return result;
 }
 
+/// For each part whether it encloses nothing that could be told from 0.
+inline std::vector<char> flat_parts(const Components& surface) {
+  std::vector<char> flat;
+  for (const Component& part : surface.parts)
+    flat.push_back(!(std::abs(part.volume) > part.rounding));
+  return flat;
+}
+
 /// Finds the parts of a closed surface that enclose nothing. Faces without an area that lie beside
-/// a body are no part of it, and are named already.
+/// a body are no part of it, and are named already. What lies in the inside of a body, as a cavity
+/// does that another body fills, takes nothing away: it counts as a share of 0.
 inline std::vector<MeshDefect> find_flat_parts(const PolygonMesh& mesh, const Components& surface) {
-  const auto is_flat = [](const Component& part) {
-    return !(std::abs(part.volume) > part.rounding);
-  };
-  if (std::none_of(surface.parts.begin(), surface.parts.end(), is_flat)) return {};
-  const bool all_flat = std::all_of(surface.parts.begin(), surface.parts.end(), is_flat);
+  const std::vector<char> is_flat = flat_parts(surface);
+  if (std::find(is_flat.begin(), is_flat.end(), 1) == is_flat.end()) return {};
+  const bool all_flat = std::find(is_flat.begin(), is_flat.end(), 0) == is_flat.end();
   const std::vector<char> with_area = parts_with_area(mesh, surface);
-  MeshDefectsOfOneKind flat(MeshDefectKind::flat);
+  const SomeFaces body(mesh, [&](int f) {
+    const int part = surface.of(mesh.face(f)[0]);
+    return part >= 0 && !is_flat[static_cast<std::size_t>(part)];
+  });
+  const std::vector<char> inside = inside_of(body.mesh, places_on_parts(mesh, surface));
+  MeshDefectsOfOneKind flat(MeshDefectKind::flat), filled(MeshDefectKind::flat);
   const std::vector<int> faces = first_faces(mesh, surface);
   for (std::size_t i = 0; i < surface.parts.size(); ++i) {
-    if (!is_flat(surface.parts[i])) continue;
-    if (!all_flat && !with_area[i]) continue;
-    flat.add(faces[i], {-1, -1}, [&] {
+    if (!is_flat[i] || (!all_flat && !with_area[i])) continue;
+    (inside[i] ? filled : flat).add(faces[i], {-1, -1}, [&] {
       return describe_part(mesh, surface, faces[i]) +
-             " encloses no volume that could be told from 0";
+             " encloses no volume that could be told from 0" +
+             (inside[i] ? ", in the inside of a body: nothing counts wrongly" : "");
     });
   }
   std::vector<MeshDefect> findings;
+  filled.append_to(findings);
+  for (MeshDefect& finding : findings) finding.share = finding.share_uncertainty = 0;
   flat.append_to(findings);
   return findings;
 }
 
 /// Says of each part whether it is inverted or nested wrongly, as `depths` tell.
+/// @param blur what encloses no more in a body than rounding by so much may have made of nothing is
+///             not nested in it [m]
 inline std::vector<MeshDefect> find_wrong_parts(const PolygonMesh& mesh, const Components& surface,
-                                                const std::vector<PartDepth>& depths) {
+                                                const std::vector<PartDepth>& depths, double blur) {
   MeshDefectsOfOneKind inverted(MeshDefectKind::inverted), nested(MeshDefectKind::nested_wrong);
   const std::vector<int> faces = first_faces(mesh, surface);
   for (std::size_t i = 0; i < surface.parts.size(); ++i) {
@@ -79,7 +96,7 @@ inline std::vector<MeshDefect> find_wrong_parts(const PolygonMesh& mesh, const C
         return describe_part(mesh, surface, faces[i]) + " is inside out (volume " + volume.str() +
                "): reverse the corners of its faces";
       });
-    if (part.volume > 0 && depth.least_around > 0)
+    if (part.volume > 0 && depth.least_around > 0 && !is_rounding(part, blur))
       nested.add(faces[i], {-1, -1}, [&] {
         return describe_part(mesh, surface, faces[i]) +
                " lies inside another part and looks outwards, so " + "that its " + volume.str() +

@@ -22,7 +22,14 @@ struct Component {
   int a_vertex = -1;    ///< one of its vertices
   double volume = 0;    ///< enclosed volume [m³], negative when its faces look inwards
   double rounding = 0;  ///< what rounding may have done to `volume` at most [m³]
+  double area = 0;      ///< of its surface, or up to √3 times as much [m²]
 };
+
+/// Whether a surface encloses no more than rounding to `by` [m] may make of nothing: each corner
+/// moves by up to √3 roundings, and each of two copies has half of the area.
+inline bool is_rounding(const Component& surface, double by) {
+  return !(std::abs(surface.volume) > 2 * by * surface.area + surface.rounding);
+}
 
 /// The parts of a surface, and which part each vertex belongs to (−1: to no face).
 struct Components {
@@ -92,7 +99,7 @@ inline std::vector<EnclosedVolume> enclosed_by_parts(const PolygonMesh& mesh,
     const auto i = static_cast<std::size_t>(part);
     const VolumeTerms<double> terms(point(t[0]), point(t[1]), point(t[2]),
                                     point(surface.parts[i].a_vertex));
-    result[i] += {terms.six_volume, terms.magnitude, terms.doubtful};
+    result[i] += {terms.six_volume, terms.magnitude, terms.twice_area, terms.doubtful};
   });
   return result;
 }
@@ -129,6 +136,7 @@ inline Components components(const PolygonMesh& mesh, const EnclosedVolume& all)
   for (std::size_t i = 0; i < enclosed.size(); ++i) {
     result.parts[i].volume = enclosed[i].six_volume / 6;
     result.parts[i].rounding = enclosed[i].magnitude * roundings * unit_roundoff / 6;
+    result.parts[i].area = enclosed[i].twice_area / 2;
   }
   measure_thin_parts(mesh, result);
   return result;

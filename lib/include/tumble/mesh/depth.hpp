@@ -77,6 +77,16 @@ inline std::vector<WrongDepth> find_wrong_depths(const LineHits& hits) {
   return wrong;
 }
 
+/// Whether each of the faces at one height is met as often from both sides: beside a concave
+/// polygon its fan of triangles covers nothing.
+inline bool cancel(std::span<const LineHit> height) {
+  return std::all_of(height.begin(), height.end(), [&](const LineHit& hit) {
+    int sum = 0;
+    for (const LineHit& other : height) sum += other.face == hit.face ? other.direction : 0;
+    return sum == 0;
+  });
+}
+
 /// For each part, how deep inside the others it lies, and whether it crosses itself: adds to
 /// `result` what some lines say.
 inline void measure_parts(const LineHits& hits, const Components& surface,
@@ -86,9 +96,10 @@ inline void measure_parts(const LineHits& hits, const Components& surface,
     int depth = 0;
     for_each_height(hits.of_line(i), [&](std::span<const LineHit> height) {
       const auto part = [](const LineHit& hit) { return static_cast<std::size_t>(hit.part); };
-      const bool alone = std::all_of(height.begin(), height.end(), [&](const LineHit& hit) {
-        return hit.part == height.front().part;
-      });
+      const bool alone =
+          !cancel(height) && std::all_of(height.begin(), height.end(), [&](const LineHit& hit) {
+            return hit.part == height.front().part;
+          });
       PartDepth& first = result[part(height.front())];
       const int around = depth - own[part(height.front())];
       if (alone) first.least_around = std::min(first.least_around, around);

@@ -60,11 +60,12 @@ inline std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, const 
                                                  crossings::Search search,
                                                  std::optional<double> rounding) {
   const Components surface = components(mesh, all.enclosed);
-  double volume = 0;
-  for (const Component& part : surface.parts) volume += part.volume;
   std::vector<MeshDefect> findings = find_flat_parts(mesh, surface);
-  if (findings.empty())
-    if (const auto doubled = find_doubled_surface(mesh, volume, rounding)) return {*doubled};
+  const auto spoils = [](const MeshDefect& finding) { return spoils_integrals(finding); };
+  if (std::none_of(findings.begin(), findings.end(), spoils)) {
+    const auto doubled = find_doubled_surfaces(mesh, surface, box, rounding);
+    if (!doubled.empty()) return doubled;
+  }
   const std::vector<MeshDefect> depth =
       find_wrong_depth({mesh, surface, box, lattices, all.near_lines,
                         search == crossings::Search::thorough, rounding},

@@ -16,20 +16,23 @@ namespace tumble::detail {
 struct EnclosedVolume {
   double six_volume = 0;  ///< [m³], negative when the faces look inwards
   double magnitude = 0;  ///< Σ |a − o|₁ |b − a|₁ |c − a|₁: the rounding is some eps of it [m³]
-  double doubtful = 0;  ///< how many triangles may have no area
+  double twice_area = 0;  ///< of the surface, or up to √3 times as much [m²]
+  double doubtful = 0;    ///< how many triangles may have no area
 
   EnclosedVolume& operator+=(const EnclosedVolume& other) {
     six_volume += other.six_volume;
     magnitude += other.magnitude;
+    twice_area += other.twice_area;
     doubtful += other.doubtful;
     return *this;
   }
 };
 
-/// One triangle, or a pack of them. (n is 0 or NaN, or so short that rounding may have made it.)
+/// One triangle, or a pack of them. (The area is that of the shadows along the axes. n is 0 or NaN,
+/// or so short that rounding may have made it.)
 template <class P>
 struct VolumeTerms {
-  P six_volume, magnitude, doubtful;
+  P six_volume, magnitude, twice_area, doubtful;
 
   TUMBLE_INLINE VolumeTerms(const simd::Point<P>& a, const simd::Point<P>& b,
                             const simd::Point<P>& c, const simd::Point<P>& o) {
@@ -37,7 +40,8 @@ struct VolumeTerms {
     const P size = norm1(u) * norm1(v);
     six_volume = dot(r, n);
     magnitude = norm1(r) * size;
-    doubtful = simd::one_unless_greater(norm1(n), size * (8 * 0x1p-53));
+    twice_area = norm1(n);
+    doubtful = simd::one_unless_greater(twice_area, size * (8 * 0x1p-53));
   }
 };
 
@@ -50,7 +54,7 @@ struct BlockVolume {
   template <class P, simd::Fma>
   TUMBLE_INLINE void run() const {
     const simd::Point<P> o{P{} + origin.x(), P{} + origin.y(), P{} + origin.z()};  // in all lanes
-    P six_volume{}, magnitude{}, doubtful{};
+    P six_volume{}, magnitude{}, twice_area{}, doubtful{};
     for (int i = 0; i < block.size; i += simd::lanes<P>) {
       const int* corners = block.corners + 3 * i;
       const VolumeTerms<P> terms(simd::load_corners<P>(block.coordinates, corners, 0),
@@ -58,21 +62,28 @@ struct BlockVolume {
                                  simd::load_corners<P>(block.coordinates, corners, 2), o);
       six_volume += terms.six_volume;
       magnitude += terms.magnitude;
+      twice_area += terms.twice_area;
       doubtful += terms.doubtful;
     }
     sum += {simd::sum_of_lanes(six_volume), simd::sum_of_lanes(magnitude),
-            simd::sum_of_lanes(doubtful) - block.padding};
+            simd::sum_of_lanes(twice_area), simd::sum_of_lanes(doubtful) - block.padding};
   }
 };
 
-/// The volume that a surface encloses, negative when its faces look inwards [m³].
+/// What a surface encloses.
 /// @param mesh closed, indices in range, positions finite, at least one face
-inline double enclosed_volume(const PolygonMesh& mesh, const simd::LoopOptions& options = {}) {
+inline EnclosedVolume enclosed_by(const PolygonMesh& mesh, const simd::LoopOptions& options = {}) {
   const Vec3 origin = mesh.vertex(mesh.corners[0]);
   const auto add = [&](const TriangleBlock& block, EnclosedVolume& sum) {
     dispatch(options.instructions, BlockVolume{block, origin, sum});
   };
-  return sum_over_blocks<EnclosedVolume>(mesh, options, add).six_volume / 6;
+  return sum_over_blocks<EnclosedVolume>(mesh, options, add);
+}
+
+/// The volume that a surface encloses, negative when its faces look inwards [m³].
+/// @param mesh closed, indices in range, positions finite, at least one face
+inline double enclosed_volume(const PolygonMesh& mesh, const simd::LoopOptions& options = {}) {
+  return enclosed_by(mesh, options).six_volume / 6;
 }
 
 /// 6V of the tetrahedron on the triangle a, b, c with apex o, to about 2⁻¹⁰⁴ |b − a|₁ |c − a|₁

@@ -43,8 +43,8 @@ struct MeshDefect {
   std::array<int, 2> edge = {-1, -1};  ///< the edge, or twice the vertex; −1: none
   std::string message = {};            ///< a sentence
   /// Of a crossing: which share of the volume counts wrongly, and twice its standard error. Of
-  /// parts that overlap: which share of the mass, at most. NaN: there is no volume to share, or the
-  /// finding is another one.
+  /// parts that overlap: which share of the mass, at most. Of a flat part in the inside of a body:
+  /// 0. NaN: there is no volume to share, or the finding is another one.
   double share = std::numeric_limits<double>::quiet_NaN();
   double share_uncertainty = std::numeric_limits<double>::quiet_NaN();
 };

@@ -34,7 +34,7 @@ struct BlockSurvey {
   TUMBLE_INLINE void run() const {
     using L = simd::Integers<P>;
     const simd::Point<P> o{P{} + origin.x(), P{} + origin.y(), P{} + origin.z()};  // in all lanes
-    P six_volume{}, magnitude{}, doubtful{};
+    P six_volume{}, magnitude{}, twice_area{}, doubtful{};
     L areas{};
     for (int i = 0; i < block.size; i += simd::lanes<P>) {
       areas += random_areas<P>(block.vertices + 3 * i);
@@ -45,12 +45,14 @@ struct BlockSurvey {
       const VolumeTerms<P> terms(a, b, c, o);
       six_volume += terms.six_volume;
       magnitude += terms.magnitude;
+      twice_area += terms.twice_area;
       doubtful += terms.doubtful;
       note_near_lines<P>(block, filters, i, a, b, c, result.near_lines);
     }
     result.balance += sum_of_lanes_modulo<P>(areas);
-    result.enclosed += {simd::sum_of_lanes(six_volume), simd::sum_of_lanes(magnitude),
-                        simd::sum_of_lanes(doubtful) - block.padding};
+    result.enclosed +=
+        {simd::sum_of_lanes(six_volume), simd::sum_of_lanes(magnitude),
+         simd::sum_of_lanes(twice_area), simd::sum_of_lanes(doubtful) - block.padding};
   }
 };
 

@@ -147,7 +147,7 @@ inline std::vector<MeshDefect> diagnose(std::span<const Part> parts,
       findings.push_back(detail::in_the_whole(finding, part));
   const bool all_closed =
       std::none_of(findings.begin(), findings.end(), [](const MeshDefect& finding) {
-        return spoils_integrals(finding.kind) && finding.kind != MeshDefectKind::self_crossing;
+        return spoils_integrals(finding) && finding.kind != MeshDefectKind::self_crossing;
       });
   if (parts.size() < 2 || !all_closed) return findings;
   for (const MeshDefect& overlap : detail::find_overlaps(parts, options, search, rounding))

@@ -1,0 +1,106 @@
+// Surfaces that are there twice, alone, beside a body and in one.
+#include "tumble/mesh/doubled_surface.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "project/harness/inputs.hpp"
+#include "project/library/mesh/shapes.hpp"
+#include "tumble/mass/mesh_mass_properties.hpp"
+
+using namespace tumble;
+
+namespace {
+
+/// What reading coordinates with so many decimals gives.
+PolygonMesh with_decimals(PolygonMesh mesh, int places) {
+  if (places > 15) return mesh;
+  const double power = std::pow(10, places);
+  for (Vec3& p : mesh.vertices)
+    for (double& x : p) x = std::round(x * power) / power;
+  return mesh;
+}
+
+/// Both sides of the faces, each with vertices of its own.
+PolygonMesh doubled(const PolygonMesh& mesh, bool other_diagonals) {
+  PolygonMesh back;
+  back.vertices = mesh.vertices;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    std::vector<int> face(mesh.face(f).rbegin(), mesh.face(f).rend());
+    if (!other_diagonals) std::rotate(face.begin(), face.end() - 1, face.end());
+    back.add_face(face);
+  }
+  return test::together(mesh, back);
+}
+
+/// Bodies of quads and of concave polygons, that lie anyhow near (3, 0, 0).
+std::vector<PolygonMesh> bodies(test::Random& random) {
+  std::vector<PolygonMesh> list = {
+      test::box(Vec3::Zero(), {1, 2, 0.5}),
+      test::torus_mesh(12, 8, 1, 0.4),
+      test::prism({{0, 0}, {2, 0}, {2.2, 1}, {1, 0.4}, {0, 1}}, 0.7),
+  };
+  for (PolygonMesh& mesh : list)
+    mesh = test::mapped(mesh, random.rotation().toRotationMatrix(), Vec3(3, 0, 0));
+  return list;
+}
+
+bool is_flat(const PolygonMesh& mesh) {
+  for (const MeshDefect& finding : diagnose(mesh))
+    if (finding.kind == MeshDefectKind::flat && spoils_integrals(finding)) return true;
+  return false;
+}
+
+/// Calls `visit(both sides)` for many surfaces that are there twice.
+template <class Visit>
+void for_each_doubled(const Visit& visit) {
+  test::Random random(1);
+  for (int i = 0; i < 4; ++i)
+    for (const PolygonMesh& body : bodies(random))
+      for (const int places : {17, 9, 6, 4})
+        for (const bool other_diagonals : {false, true}) {
+          CAPTURE(i);
+          CAPTURE(places);
+          CAPTURE(other_diagonals);
+          visit(doubled(with_decimals(body, places), other_diagonals), places);
+        }
+}
+
+}  // namespace
+
+TEST_CASE("doubled surfaces: are found beside a body too, with vertices of their own or not") {
+  for_each_doubled([](const PolygonMesh& twice, int places) {
+    const PolygonMesh ball = with_decimals(test::moved(test::sphere(1), 1, {9, 1, 2}), places);
+    for (const PolygonMesh& both : {twice, weld(twice)}) {
+      CHECK(is_flat(both));
+      CHECK(is_flat(test::together(both, ball)));
+      CHECK(is_flat(test::together(ball, both)));
+    }
+  });
+}
+
+TEST_CASE("doubled surfaces: in a body they are a cavity that is filled, and nothing is wrong") {
+  for_each_doubled([](const PolygonMesh& twice, int places) {
+    const PolygonMesh ball = with_decimals(test::moved(test::sphere(2), 9, {0, 0, 0}), places);
+    const double mass = mesh_mass_properties(ball, 1).mass;
+    const PolygonMesh filled = test::together(ball, twice);
+    for (const PolygonMesh& mesh : {filled, weld(filled)}) {
+      double found = 0;
+      CHECK_NOTHROW(found = mesh_mass_properties(mesh, 1).mass);
+      CHECK(found == doctest::Approx(mass).epsilon(1e-3 * std::pow(10, -places / 2)));
+    }
+  });
+}
+
+TEST_CASE("doubled surfaces: a cavity as large as a body elsewhere is none") {
+  const PolygonMesh cube = test::cube();
+  const PolygonMesh hollow =
+      test::together(test::box(Vec3::Constant(-1), Vec3::Constant(2)), test::inside_out(cube));
+  CHECK(diagnose(test::together(hollow, test::moved(cube, 1, {5, 0, 0}))).empty());
+  // One that touches the body from within is not filled by it.
+  const PolygonMesh corner =
+      test::together(test::box(Vec3::Zero(), Vec3::Constant(2)), test::inside_out(cube));
+  CHECK(diagnose(test::together(corner, test::moved(cube, 1, {2, 0, 0}))).empty());
+  CHECK(diagnose(weld(test::together(corner, test::moved(cube, 1, {2, 0, 0})))).empty());
+}
