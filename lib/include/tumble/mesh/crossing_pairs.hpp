@@ -91,30 +91,18 @@ struct TriangleMeetings {
   }
 };
 
-/// Finds them.
+/// Finds them among some triangles of a mesh.
 /// @param most_pairs that a triangle may have on average with those in its cells: where there are
 ///                   more, as in a fan of thousands of triangles, nothing is looked for
 inline TriangleMeetings find_meetings(const PolygonMesh& mesh,
+                                      const std::vector<BoxedTriangle>& triangles,
                                       double most_pairs = std::numeric_limits<double>::infinity()) {
   TriangleMeetings found;
-  const std::vector<BoxedTriangle> triangles = boxed_triangles(mesh);
   if (triangles.empty()) return found;
   const SpaceGrid grid(triangles);
-  double pairs = 0;
-  grid.for_each_cell([&](const SpaceGrid::Cell&, std::span<const int> items) {
-    const auto n = static_cast<double>(items.size());
-    pairs += n * (n - 1) / 2;
-  });
-  if (pairs > most_pairs * static_cast<double>(triangles.size())) return found;
-  grid.for_each_cell([&](const SpaceGrid::Cell& cell, std::span<const int> items) {
-    for (std::size_t i = 0; i < items.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const BoxedTriangle &s = triangles[static_cast<std::size_t>(items[i])],
-                            &t = triangles[static_cast<std::size_t>(items[j])];
-        if (!s.box.intersects(t.box)) continue;
-        // Of the cells that have this pair, one looks at it.
-        if (grid.cell_of(s.box.min().cwiseMax(t.box.min())) == cell) found.add(mesh, s, t);
-      }
+  if (grid.pairs() > most_pairs * static_cast<double>(triangles.size())) return found;
+  for_each_close_pair(triangles, grid, [&](const BoxedTriangle& s, const BoxedTriangle& t) {
+    found.add(mesh, s, t);
   });
   return found;
 }

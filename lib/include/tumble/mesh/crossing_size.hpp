@@ -23,39 +23,90 @@ struct CrossingEvidence {
   TriangleMeetings meetings;  ///< places where triangles meet, if they were looked for
 };
 
-/// The volume that counts wrongly: the most that is seen along any axis, because a crossing that is
-/// not seen along one is not measured there.
+/// The box around what is known of a crossing, with two spacings of the lines around it: those
+/// beside the lines that met it did not.
+/// @param box around all vertices
+template <class Counts>
+Eigen::AlignedBox3d box_around(const CrossingEvidence& evidence, const Eigen::AlignedBox3d& box,
+                               const Counts& counts) {
+  constexpr double spacings = 2.0 / 64;  // of some thousand lines
+  Eigen::AlignedBox3d known;
+  evidence.bundle.for_each([&](const LineHits& hits) {
+    for (const WrongDepth& wrong : find_wrong_depths(hits)) {
+      if (!counts(wrong)) continue;
+      const View& view = wrong.here.view;
+      for (const double z : {wrong.here.z, wrong.here.z + wrong.length}) {
+        Vec3 p;
+        p[view.axis] = z;
+        p[view.world(0)] = wrong.here.line.x();
+        p[view.world(1)] = wrong.here.line.y();
+        known.extend(p);
+      }
+    }
+  });
+  for (const TriangleMeeting& meeting : evidence.meetings.through)
+    known.extend(meeting.crossing.place);
+  const Vec3 margin =
+      (spacings * box.sizes()).cwiseMax(Vec3::Constant(known.sizes().maxCoeff() / 2));
+  return {known.min() - margin, known.max() + margin};
+}
+
+/// What lines along the axes are drawn for.
+template <class Counts>
+struct CrossingLines {
+  const PolygonMesh& mesh;
+  const Components& surface;
+  const Eigen::AlignedBox3d& box;  ///< around all vertices
+  const CrossingEvidence& evidence;
+  double blur;
+  const Counts& counts;  ///< counts(WrongDepth): whether a piece of a line belongs to the crossing
+
+  /// The volume that counts wrongly in a box that is cut into cells: the most that is seen along
+  /// any axis, because a crossing that is not seen along one is not measured there.
+  WrongVolume volume_in(const Eigen::AlignedBox3d& where, double cell_count) const {
+    constexpr std::size_t enough = 200;  // lines that found it: 2 σ is a seventh
+    WrongVolume largest;
+    for (int axis = 0; axis < 3; ++axis) {
+      const View view{axis};
+      const LineHits& hits = evidence.bundle.along[static_cast<std::size_t>(axis)];
+      CrossingCells cells(LinesOnMesh{mesh, surface, view, blur}, where, cell_count, counts);
+      std::size_t seen = 0;
+      const auto begin_at = [&](const LineHits& lines) {
+        for (const WrongDepth& wrong : find_wrong_depths(lines)) {
+          if (!counts(wrong)) continue;
+          cells.begin_at(wrong.here.line);
+          ++seen;
+        }
+      };
+      begin_at(hits);
+      if (axis == 2) begin_at(evidence.bundle.through_parts);
+      for (const auto* list : {&evidence.meetings.through, &evidence.meetings.touching})
+        for (const TriangleMeeting& meeting : *list)
+          cells.begin_at(view.point(meeting.crossing.place).head<2>());
+      const WrongVolume found =
+          seen < enough ? cells.measure() : volume_by_lattice(hits, view.box(box), counts);
+      if (found.volume > largest.volume) largest = found;
+    }
+    return largest;
+  }
+};
+
+/// The volume that counts wrongly. Where a crossing is so small that few lines met it, all lines
+/// are drawn near it.
 /// @param counts counts(WrongDepth): whether a piece of a line belongs to the crossing
 template <class Counts>
 WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
                          const Eigen::AlignedBox3d& box, const CrossingEvidence& evidence,
                          double blur, const Counts& counts) {
-  constexpr std::size_t enough = 200;  // lines that found it: 2 σ is a seventh
-  const bool zoom = !evidence.is_seen && !evidence.meetings.through.empty();
-  const Eigen::AlignedBox3d where = zoom ? box_around(evidence.meetings.through) : box;
-  WrongVolume largest;
-  for (int axis = 0; axis < 3; ++axis) {
-    const View view{axis};
-    const LineHits& hits = evidence.bundle.along[static_cast<std::size_t>(axis)];
-    CrossingCells cells(LinesOnMesh{mesh, surface, view, blur}, where, zoom ? 256 : 4096, counts);
-    std::size_t seen = 0;
-    const auto begin_at = [&](const LineHits& lines) {
-      for (const WrongDepth& wrong : find_wrong_depths(lines)) {
-        if (!counts(wrong)) continue;
-        cells.begin_at(wrong.here.line);
-        ++seen;
-      }
-    };
-    begin_at(hits);
-    if (axis == 2) begin_at(evidence.bundle.through_parts);
-    for (const auto* list : {&evidence.meetings.through, &evidence.meetings.touching})
-      for (const TriangleMeeting& meeting : *list)
-        cells.begin_at(view.point(meeting.crossing.place).head<2>());
-    const WrongVolume found =
-        seen < enough ? cells.measure() : volume_by_lattice(hits, view.box(box), counts);
-    if (found.volume > largest.volume) largest = found;
-  }
-  return largest;
+  const CrossingLines<Counts> lines{mesh, surface, box, evidence, blur, counts};
+  const bool met = evidence.is_seen, through = !evidence.meetings.through.empty();
+  if (!met && through) return lines.volume_in(box_around(evidence.meetings.through), 256);
+  const WrongVolume found = lines.volume_in(box, 4096);
+  if (!met || found.uncertainty < found.volume / 2) return found;
+  const WrongVolume closer = lines.volume_in(box_around(evidence, box, counts), 4096);
+  const bool better =
+      closer.volume > 0 && closer.uncertainty * found.volume <= found.uncertainty * closer.volume;
+  return better ? closer : found;
 }
 
 }  // namespace tumble::detail

@@ -23,6 +23,7 @@
 #include "tumble/mesh/doubled_surface.hpp"
 #include "tumble/mesh/finite_bounds.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
+#include "tumble/mesh/part_overlaps.hpp"
 #include "tumble/mesh/stray_faces.hpp"
 #include "tumble/mesh/survey.hpp"
 
@@ -43,12 +44,16 @@ inline constexpr int diagnosis_lines = 4096;
 /// cone of 3000 faces have 5000 a face; they take 0.4 s, ten times as many faces would take 30 s.
 inline constexpr int always_pairs = 3'000, few_pairs = 30'000;
 
-/// The pairs that a search looks at.
-inline TriangleMeetings meetings_for(const PolygonMesh& mesh, crossings::Search search) {
-  constexpr double few = 100;  // a face
+/// The pairs that a search looks at: in a large mesh those of triangles that lie where another part
+/// may be.
+inline TriangleMeetings meetings_for(const PolygonMesh& mesh, const Components& surface,
+                                     crossings::Search search) {
+  constexpr int few = 100;  // a face, or a part
   if (search == crossings::Search::thorough || mesh.face_count() <= always_pairs)
-    return find_meetings(mesh);
-  return mesh.face_count() <= few_pairs ? find_meetings(mesh, few) : TriangleMeetings();
+    return find_meetings(mesh, boxed_triangles(mesh));
+  if (mesh.face_count() <= few_pairs) return find_meetings(mesh, boxed_triangles(mesh), few);
+  if (surface.parts.size() == 1) return {};
+  return find_meetings(mesh, triangles_near_other_parts(mesh, surface, few_pairs, few), few);
 }
 
 /// Everything that is wrong with the parts of a closed surface.
@@ -69,7 +74,7 @@ inline std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, const 
   const std::vector<MeshDefect> depth =
       find_wrong_depth({mesh, surface, box, lattices, all.near_lines,
                         search == crossings::Search::thorough, rounding},
-                       meetings_for(mesh, search));
+                       meetings_for(mesh, surface, search));
   findings.insert(findings.end(), depth.begin(), depth.end());
   return findings;
 }

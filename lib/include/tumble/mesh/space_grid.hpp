@@ -55,6 +55,16 @@ class SpaceGrid {
         }
   }
 
+  /// How many pairs of triangles have a cell in common, each counted once a cell.
+  double pairs() const {
+    double sum = 0;
+    for_each_cell([&](const Cell&, std::span<const int> items) {
+      const auto n = static_cast<double>(items.size());
+      sum += n * (n - 1) / 2;
+    });
+    return sum;
+  }
+
   Cell cell_of(const Vec3& p) const {
     Cell cell{};
     for (int k = 0; k < 3; ++k) {
@@ -106,5 +116,22 @@ class SpaceGrid {
   std::vector<std::size_t> first_;
   std::vector<int> items_;
 };
+
+/// Calls `visit(s, t)` once for each pair whose boxes meet.
+/// @param grid of these triangles
+template <class Visit>
+void for_each_close_pair(const std::vector<BoxedTriangle>& triangles, const SpaceGrid& grid,
+                         const Visit& visit) {
+  grid.for_each_cell([&](const SpaceGrid::Cell& cell, std::span<const int> items) {
+    for (std::size_t i = 0; i < items.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const BoxedTriangle &s = triangles[static_cast<std::size_t>(items[i])],
+                            &t = triangles[static_cast<std::size_t>(items[j])];
+        if (!s.box.intersects(t.box)) continue;
+        // Of the cells that have this pair, one looks at it.
+        if (grid.cell_of(s.box.min().cwiseMax(t.box.min())) == cell) visit(s, t);
+      }
+  });
+}
 
 }  // namespace tumble::detail
