@@ -18,17 +18,14 @@
 
 namespace tumble::detail {
 
-/// The run.
-/// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
+/// The run of a ScaledRhs or a ScaledSceneRhs.
 template <class Rhs>
 class GeneralTrajectory : public MotionRecord<Rhs> {
   using Record = MotionRecord<Rhs>;
 
  public:
-  /// Its steps are as long as the tolerance lets them be.
-  static constexpr double margin = 1;
-  /// Forces may be rough, and fool the control of steps now and then: then a smaller tolerance
-  /// promises nothing. All of the difference counts as the fine run's error.
+  static constexpr double margin = 1;  ///< steps are as long as the tolerance lets them be
+  /// Where forces are rough a smaller tolerance promises nothing: all of the difference counts.
   static constexpr double careful = std::numeric_limits<double>::infinity();
   using typename Record::Numbers, typename Record::State;
 
@@ -69,10 +66,9 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   using Record::breaks_, Record::dense_, Record::rhs_, Record::steps_, Record::t0_,
       Record::tolerance_;
 
-  /// The part of themselves by which numbers are moved.
+  /// The part of themselves by which numbers are moved: some roundings.
   static double shift(const RunSettings& settings) {
-    constexpr double roundings = 4;
-    return settings.moved ? roundings * unit_roundoff : 0;
+    return settings.moved ? 4 * unit_roundoff : 0;
   }
 
   /// From where it is to a break, to the end, or across a jump of the forces.
