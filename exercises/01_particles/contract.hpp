@@ -59,8 +59,8 @@ Eigen::VectorXd flatten(const std::vector<Particle>& particles);
 // == 1.2 dydt: what moves the particles
 /// The rates of all positions and velocities. The forces on a particle add up. They are
 /// - its weight;
-/// - drag, against the velocity: linear_drag times the speed, plus quadratic_drag times the square
-///   of the speed;
+/// - drag, against the velocity: `linear_drag` times the speed, plus `quadratic_drag` times the
+///   square of the speed;
 /// - the tension of each spring that ends at it, towards the other end: stiffness times how much
 ///   longer than at rest the spring is, plus damping times the rate at which it gets longer. A
 ///   negative tension pushes. Both ends feel it equally strongly. A spring whose ends are at the

@@ -106,7 +106,7 @@ class Reader {
 
 std::string markdown_of_comment(const std::vector<std::string>& lines) {
   std::string text;
-  bool in_items = false, in_code = false;
+  bool in_items = false, in_code = false, in_list = false;
   for (const std::string& line : lines) {
     const bool code = line.starts_with("    ") && !in_items;
     if (code != in_code && !line.empty()) {
@@ -115,6 +115,8 @@ std::string markdown_of_comment(const std::vector<std::string>& lines) {
     }
     const std::string item = item_of(line);
     if (!item.empty() && !in_items && !text.ends_with("\n\n")) text += "\n";
+    if (!item.empty() && !in_items && in_list) text += "What it takes and gives:\n\n";
+    in_list = line.starts_with("- ") || (in_list && (line.empty() || line.starts_with("  ")));
     in_items = in_items || !item.empty();
     const std::string plain = code ? line.substr(4) : without_indentation(line);
     if (in_code && line.empty()) continue;

@@ -85,6 +85,13 @@ TEST_CASE("a contract is its introduction, what is given, and its exercises") {
         std::vector<Hint>{{"Add it", "to itself."}, {"x + x"}, {"Return it."}});
 }
 
+TEST_CASE("a contract's own list and that of its parameters are two") {
+  CHECK(markdown_of_comment({"They are", "- a weight;", "- drag, against", "  the way.", "",
+                             "@param x a place", "@return a rate"}) ==
+        "They are\n- a weight;\n- drag, against\nthe way.\n\nWhat it takes and gives:\n\n"
+        "- `x`: a place\n- returns a rate\n");
+}
+
 TEST_CASE("the page of a chapter's exercises: each hint is inside the one before") {
   const SmallProject project;
   const std::string page =

@@ -20,6 +20,17 @@ TEST_CASE("exercises in the page: the box has the stub in an editor, and the com
   CHECK(page.says("document.documentElement.scrollWidth") == 1280);
 }
 
+TEST_CASE("exercises in the page: a box has the contract's sentences, and its title once") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.says(
+      "import(new URL('exercises/task.mjs', location)).then(({ contractText }) => globalThis.words "
+      "= "
+      "contractText({ chapter: '01_particles', number: '1.1' }))");
+  CHECK(page.says("until(() => words.textContent.includes('Leave the masses out'))") == true);
+  CHECK(page.says("words.textContent.includes('Many particles, one state')") == false);
+}
+
 TEST_CASE("exercises in the page: Tab indents, and after Escape it leaves") {
   if (!can_try()) return;
   ExercisePage page;

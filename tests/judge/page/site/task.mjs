@@ -11,14 +11,14 @@ function pageOf(chapter) {
   return contracts[chapter];
 }
 
-/** What stands below the title of an exercise on the contract's page, before its signature. */
+/** What stands below the heading of an exercise on the contract's page, before its signature, without the title: the box has it. */
 async function demanded(unit) {
   const anchor = (await pageOf(unit.chapter)).getElementById(`exercises-${unit.chapter}-${unit.number}`);
   const parts = [];
   let next = anchor?.nextElementSibling?.nextElementSibling; // below the heading
-  for (next = next?.nextElementSibling; next && !next.matches(".fragment"); next = next.nextElementSibling)
-    parts.push(document.importNode(next, true));
-  return parts;
+  for (; next && !next.matches(".fragment"); next = next.nextElementSibling) parts.push(document.importNode(next, true));
+  parts[0]?.querySelector(":scope > b:first-child")?.remove();
+  return parts.filter((part) => part.textContent.trim() !== "");
 }
 
 /** What the contract's page says before its first exercise: types, conventions, what one may use. */
