@@ -14,6 +14,7 @@
 #include "book/tool/links.hpp"
 #include "book/tool/maths.hpp"
 #include "book/tool/number_tables.hpp"
+#include "book/tool/wording.hpp"
 
 namespace tumble::book {
 
@@ -86,7 +87,8 @@ class Converter {
         text.starts_with("<summary>"))
       return html_block(text);
     if (text.starts_with("> [!")) return alert_line(text);
-    return with_formulas(with_links(text, links_in(text)));
+    const std::string words = on_the_site(text);
+    return with_formulas(with_links(words, links_in(words)));
   }
 
   std::string fenced_line(const Fence& fence, std::size_t i) const {
@@ -129,7 +131,8 @@ class Converter {
     const fs::path svg = fs::relative(page_.file.parent_path() / figure.picture, root_);
     const std::string& caption = figure.caption.empty() ? figure.alternative : figure.caption;
     return html_block(R"(<figure><div class="scroll" tabindex="0">)" + drawing_html(svg.string()) +
-                      "</div><figcaption>" + inline_html(caption) + "</figcaption></figure>");
+                      "</div><figcaption>" + inline_html(on_the_site(caption)) +
+                      "</figcaption></figure>");
   }
 
   std::string with_links(const std::string& text, const std::vector<Link>& links) const {
@@ -148,8 +151,11 @@ class Converter {
     const auto hash = link.target.find('#');
     const std::string path = link.target.substr(0, hash);
     const fs::path file = path.empty() ? page_.file : page_.file.parent_path() / path;
-    if (is_public_header(root_, file))
-      return "[" + link.text + "](@ref " + path.substr(path.find("include/") + 8) + ")";
+    if (is_public_header(root_, file)) {
+      std::string name = link.text;
+      std::erase(name, '`');  // Doxygen would show them
+      return "[" + name + "](@ref " + path.substr(path.find("include/") + 8) + ")";
+    }
     return "[" + link.text + "](" + address_of(root_, file) + place(file, hash, link.target) + ")";
   }
 

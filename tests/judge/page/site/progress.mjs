@@ -26,7 +26,7 @@ async function markLink(unit, work) {
 
 async function chapterLine(name, all, work) {
   const marks = await Promise.all(all.map((unit) => markLink(unit, work.get(unit.id))));
-  const title = `${+name.slice(0, 2)} ${name.slice(3).replaceAll("_", " ")}`;
+  const title = `${+name.slice(0, 2)} ${name[3].toUpperCase()}${name.slice(4).replaceAll("_", " ")}`;
   return element("li", {}, element("span", { className: "chapter" }, title),
     element("span", { className: "marks" }, ...marks));
 }
