@@ -8,7 +8,7 @@ function setFormulasOf(node) {
   for (const match of node.data.matchAll(inText)) {
     const displayMode = match[2] !== undefined;
     const formula = document.createElement("span");
-    katex.render(displayMode ? match[2] : match[1], formula, { displayMode, throwOnError: false });
+    katex.render(displayMode ? match[2] : match[1], formula, { displayMode, throwOnError: false, macros: { "\\arraystretch": "1.15" } });
     pieces.append(node.data.slice(end, match.index), formula);
     end = match.index + match[0].length;
   }

@@ -68,7 +68,7 @@ inline std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, const 
   std::vector<MeshDefect> findings = find_flat_parts(mesh, surface);
   const auto spoils = [](const MeshDefect& finding) { return spoils_integrals(finding); };
   if (std::none_of(findings.begin(), findings.end(), spoils)) {
-    const auto doubled = find_doubled_surfaces(mesh, surface, box, rounding);
+    auto doubled = find_doubled_surfaces(mesh, surface, box, rounding);
     if (!doubled.empty()) return doubled;
   }
   const std::vector<MeshDefect> depth =

@@ -15,8 +15,8 @@ namespace tumble::detail {
 
 /// The box around each part; `face` is the number of the part.
 inline std::vector<BoxedTriangle> boxed_parts(const PolygonMesh& mesh, const Components& surface) {
-  std::vector<BoxedTriangle> list;
-  for (int i = 0; i < static_cast<int>(surface.parts.size()); ++i) list.push_back({i, {}, {}});
+  std::vector<BoxedTriangle> list(surface.parts.size());
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].face = static_cast<int>(i);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     if (surface.of_vertex[v] >= 0)
       list[static_cast<std::size_t>(surface.of_vertex[v])].box.extend(mesh.vertices[v]);
