@@ -1,6 +1,7 @@
 #include "book/tool/number_tables.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -65,9 +66,28 @@ Row cells_of(const Characters& line, const std::vector<Column>& columns) {
 /// A number, "< 1e-14", or nothing.
 bool is_number_cell(const std::string& cell) {
   if (cell.empty() || cell == "–" || cell == "-") return true;
+  if (std::isalpha(static_cast<unsigned char>(cell[0]))) return false;  // RK4
   const bool compared = cell.starts_with("< ") || cell.starts_with("> ");
   const std::size_t from = compared ? 2 : 0, digit = cell.find_first_of("0123456789", from);
   return digit < from + 6 && digit <= cell.find(' ', from);
+}
+
+/// A line that only goes on with the words above it belongs to their row.
+std::vector<Row> joined(const std::vector<Row>& lines) {
+  std::vector<Row> rows;
+  for (const Row& line : lines) {
+    const auto words = std::find_if(line.begin(), line.end(),
+                                    [](const std::string& cell) { return !cell.empty(); });
+    const auto k = static_cast<std::size_t>(words - line.begin());
+    const bool alone = std::count(line.begin(), line.end(), "") + 1 == std::ssize(line);
+    const bool goes_on =
+        rows.size() > 1 && k > 0 && alone && !is_number_cell(line[k]) && !rows.back()[k].empty();
+    if (goes_on)
+      rows.back()[k] += " " + line[k];
+    else
+      rows.push_back(line);
+  }
+  return rows;
 }
 
 /// Words begin at the left. Numbers end at the right, and so does a word in their place ("exact").
@@ -80,8 +100,15 @@ bool holds_text(std::size_t k, const std::vector<Row>& rows) {
 
 /// A cell as HTML. A symbol's index stands below: v_z, K_zz, ω_y.
 std::string cell_html(const std::string& cell) {
-  static const std::regex index("(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4})(?![A-Za-z0-9_])");
+  static const std::regex index("(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4}|γ)(?![A-Za-z0-9_])");
   return std::regex_replace(support::svg_words(cell), index, "$1$2<sub>$3</sub>");
+}
+
+/// The class of a cell: whole sentences take more than one line.
+std::string class_of(const std::string& cell, const Column& column) {
+  constexpr std::size_t long_text = 60;
+  if (!column.holds_text) return ">";
+  return cell.size() > long_text ? " class=\"words long\">" : " class=\"words\">";
 }
 
 std::string row_html(const Row& cells, const std::vector<Column>& columns, const std::string& tag) {
@@ -89,7 +116,7 @@ std::string row_html(const Row& cells, const std::vector<Column>& columns, const
   for (std::size_t k = 0; k < cells.size(); ++k)
     html.append("<")
         .append(tag)
-        .append(columns[k].holds_text ? " class=\"words\">" : ">")
+        .append(class_of(cells[k], columns[k]))
         .append(cell_html(cells[k]))
         .append("</")
         .append(tag)
@@ -111,6 +138,7 @@ std::string number_table_html(const std::string& text) {
   rows.reserve(lines.size());
   for (const Characters& line : lines) rows.push_back(cells_of(line, columns));
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.empty(); })) return {};
+  rows = joined(rows);
   for (std::size_t k = 0; k < columns.size(); ++k) columns[k].holds_text = holds_text(k, rows);
   std::string html = R"(<div class="scroll" tabindex="0"><table class="numbers"><thead>)" +
                      row_html(rows[0], columns, "th") + "</thead><tbody>";

@@ -114,6 +114,11 @@ TEST_CASE("output in columns becomes a table: numbers flush right, words flush l
   CHECK(mentions(odd, "<td class=\"words\">v<sub>z</sub> [m/s]</td><td>&lt; 1e-9</td><td>1</td>",
                  "<td class=\"words\">a word_list</td><td>exact</td><td>20</td>",
                  "<td class=\"words\">ω<sub>y</sub></td><td>2e-7</td><td>never</td>"));
+  const std::string wrapped = project.converted(
+      "<!-- output: 01_one#a -->\n```text\n  method   what is said\n  ──────   ────────────\n"
+      "  RK4      it goes on\n           below\n  Euler    no\n```\nEnd.\n");
+  CHECK(mentions(wrapped, "<td class=\"words\">RK4</td><td class=\"words\">it goes on below</td>",
+                 "<td class=\"words\">Euler</td><td class=\"words\">no</td>"));
   CHECK(mentions(project.converted("<!-- output: 01_one#a -->\n```text\nno table\n```\n"),
                  "```text\nno table\n```"));
 }

@@ -30,10 +30,11 @@ async function given(unit) {
   return parts;
 }
 
-/** The contract's words: they arrive a moment later. What holds for all is open in a chapter's first box. */
+/** The contract's words: they arrive a moment later. What holds for all is open in a page's first box. */
 export function contractText(unit) {
   const place = element("div", { className: "demanded" });
-  const common = element("details", { open: unit.number.endsWith(".1") },
+  const first = document.querySelector(".now-write[id]")?.id === `now-write-${unit.number}`;
+  const common = element("details", { open: first },
     element("summary", {}, "For all exercises of this chapter: types, and what you may use"));
   const fill = async () => {
     common.append(...(await given(unit)));
