@@ -8,6 +8,7 @@
 #include "book/tool/form.hpp"
 #include "book/tool/known_mistakes.hpp"
 #include "book/tool/links.hpp"
+#include "book/tool/markdown_tables.hpp"
 #include "book/tool/maths.hpp"
 #include "book/tool/terms.hpp"
 #include "book/tool/tex.hpp"
@@ -113,6 +114,7 @@ std::vector<std::string> mistakes_in(const Places& places, const fs::path& file)
     add(stale_counts(places.root, page));
     add(unannounced_fences(page));
     add(wide_tables(page));
+    add(broken_rows(page));
     add(bad_formulas(page));
     add(dead_links(page));
   } catch (const PageError& error) {

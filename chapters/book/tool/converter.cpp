@@ -112,6 +112,8 @@ class Converter {
     }
     std::string title = heading.text;
     std::erase(title, '`');  // Doxygen would show its tags
+    for (auto at = title.find("--"); at != std::string::npos; at = title.find("--", at + 3))
+      title.insert(at, "\\");  // and make a dash of an option
     return std::string(heading.level, '#') + " " + title + " {#" +
            (heading.level == 1 ? id : name) + "}";
   }

@@ -72,7 +72,7 @@ Page exercise_page(const fs::path& root, const fs::path& folder) {
        << "\n\n";
   if (!chapter.lines.empty())
     text << "You write these functions in [chapter " << heading_in(chapter.lines[0]).text
-         << "](../../chapters/" << folder.filename().string() << "/README.md). ";
+         << "](../../chapters/" << folder.filename().string() << "/README.md).\n";
   text << contract.introduction << "\n";
   if (!contract.types.empty())
     text << "## What is given\n\n```cpp\n" << contract.types << "```\n\n";

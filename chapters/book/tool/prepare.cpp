@@ -4,6 +4,7 @@
 #include "book/tool/converter.hpp"
 #include "book/tool/exercise_pages.hpp"
 #include "book/tool/html.hpp"
+#include "book/tool/markdown_tables.hpp"
 #include "book/tool/sidebar.hpp"
 #include "book/tool/site_files.hpp"
 #include "book/tool/source_pages.hpp"
@@ -37,7 +38,11 @@ void prepare_site(const fs::path& any_root, const fs::path& theme, const fs::pat
   write_text(site / "header.html", replaced(text_of(theme / "header.html"), "<!-- all pages -->",
                                             sidebar_html(root, files)));
   std::string inputs = "INPUT =";
-  for (const fs::path& file : files.pages) inputs += " \"" + file.string() + "\"";
+  for (const fs::path& file : files.pages) {
+    if (const auto broken = broken_rows(read_page(file)); !broken.empty())
+      throw PageError(broken.front());
+    inputs += " \"" + file.string() + "\"";
+  }
   write_text(site / "inputs.doxy", inputs + " \"" + pages.string() + "\"\n");
 }
 

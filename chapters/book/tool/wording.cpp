@@ -26,6 +26,20 @@ std::string with_units(const std::string& words) {
   return text;
 }
 
+/// @param before the character before the words
+std::string with_round_quotes(const std::string& words, char before) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); before = words[i++]) {
+    const bool opens = std::string(" ([*_").find(before) != std::string::npos &&
+                       i + 1 < words.size() && words[i + 1] != ' ';
+    if (words[i] == '"')
+      text += opens ? "“" : "”";
+    else
+      text += words[i];
+  }
+  return text;
+}
+
 /// Without "In the site that `./tumble book` opens, ".
 std::string without_invitation(const std::string& line) {
   static const std::string invitation = "In the site that `./tumble book` opens, ";
@@ -40,7 +54,13 @@ std::string without_invitation(const std::string& line) {
 
 std::string on_the_site(const std::string& line) {
   const std::string text = without_invitation(line);
+  const bool has_tags = text.find('<') != std::string::npos;  // with quotes of their own
   std::string result, words;
+  const auto finish_words = [&] {
+    const char before = result.empty() ? ' ' : result.back();
+    result += with_units(has_tags ? words : with_round_quotes(words, before));
+    words.clear();
+  };
   const auto formulas = formulas_in(text);
   auto formula = formulas.begin();
   for (std::size_t i = 0; i < text.size();) {
@@ -52,11 +72,12 @@ std::string on_the_site(const std::string& line) {
       words += text[i++];
       continue;
     }
-    result += with_units(words) + text.substr(i, end - i);
-    words.clear();
+    finish_words();
+    result += text.substr(i, end - i);
     i = end;
   }
-  return result + with_units(words);
+  finish_words();
+  return result;
 }
 
 }  // namespace tumble::book

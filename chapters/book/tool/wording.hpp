@@ -6,8 +6,9 @@
 
 namespace tumble::book {
 
-/// A line of a page as the site shows it: a number stays with its unit, and nobody is told to open
-/// the site. Code and formulas stay as they are.
+/// A line of a page as the site shows it: a number stays with its unit, nobody is told to open the
+/// site, and "…" is “…”, because Doxygen leaves formulas between straight quotes alone. Code and
+/// formulas stay as they are.
 std::string on_the_site(const std::string& line);
 
 }  // namespace tumble::book

@@ -51,6 +51,13 @@ Kill try_to_kill(const Unit& unit, std::size_t k, std::uint64_t seed) {
   return kill;
 }
 
+/// A text in a cell of a Markdown table.
+std::string table_cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
 }  // namespace
 
 bool print_kill_matrix(std::ostream& out, const Course& course, const std::vector<Unit>& units,
@@ -67,8 +74,8 @@ bool print_kill_matrix(std::ostream& out, const Course& course, const std::vecto
       Kill kill = try_to_kill(unit, k, seed);
       kill.explained = is_explained(course.page(unit), misconceptions[k].section);
       const std::string verdict = kill.verdict(misconceptions[k].name);
-      out << "| " << unit.number << " " << unit.name << " | " << misconceptions[k].name << " | "
-          << kill.failed << " of " << kill.cases << " | " << verdict << " |\n";
+      out << "| " << unit.number << " " << unit.name << " | " << table_cell(misconceptions[k].name)
+          << " | " << kill.failed << " of " << kill.cases << " | " << verdict << " |\n";
       ++total;
       right += verdict.starts_with("yes") ? 1u : 0u;
     }

@@ -146,6 +146,13 @@ TEST_CASE("a table that would be cut off") {
                  ":4: this table is 98 characters wide"));
 }
 
+TEST_CASE("a row of a table with another number of cells than its heading") {
+  const SmallBook book;
+  CHECK(book.mistakes("| a | b |\n|---|---|\n| \\|x\\| | `c \\| d` |\n").empty());
+  CHECK(contains(book.mistakes("| a | b |\n|---|---|\n| |x| | c |\n"),
+                 "this row has 4 cells, and its heading has 2"));
+}
+
 TEST_CASE("links, headings and figures that are not there") {
   const SmallBook book;
   CHECK(contains(book.mistakes("See [two](../02_two/README.md).\n"),

@@ -141,6 +141,13 @@ TEST_CASE("a number stays with its unit, and nobody on the site is told to open 
         "m`.\n");
 }
 
+TEST_CASE("straight quotes become round ones: Doxygen would leave what is in them alone") {
+  const Project project;
+  CHECK(project.converted("| \"now *here*\" | (\"$x$\") | `a \"b\"` | *\"so\"* |\n") ==
+        "| “now *here*” | (“\\f$x\\f$”) | `a \"b\"` | *“so”* |\n");
+  CHECK(project.converted("## What `--json` gives\n").starts_with("## What \\--json gives {#"));
+}
+
 TEST_CASE("formulas are set, and code and dollars are not") {
   const Project project;
   CHECK(project.converted("$x^2$ and $`a\\,b`$\n") == "\\f$x^2\\f$ and \\f$a\\,b\\f$\n");

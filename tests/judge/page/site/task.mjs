@@ -21,10 +21,10 @@ async function demanded(unit) {
   return parts.filter((part) => part.textContent.trim() !== "");
 }
 
-/** What the contract's page says before its first exercise: types, conventions, what one may use. */
+/** What the contract's page says before its first exercise: types, conventions, what one may use. Not its link to this page. */
 async function given(unit) {
   const parts = [];
-  let next = (await pageOf(unit.chapter)).querySelector(".page-contents")?.nextElementSibling;
+  let next = (await pageOf(unit.chapter)).querySelector(".page-contents")?.nextElementSibling?.nextElementSibling;
   for (; next && !next.matches("a[id]"); next = next.nextElementSibling)
     parts.push(next.matches("h2") ? element("p", {}, element("strong", {}, next.textContent.trim())) : document.importNode(next, true));
   return parts;

@@ -13,17 +13,8 @@ using namespace tumble;
 
 namespace {
 
-/// What reading coordinates with so many decimals gives.
-PolygonMesh with_decimals(PolygonMesh mesh, int places) {
-  if (places > 15) return mesh;
-  const double power = std::pow(10, places);
-  for (Vec3& p : mesh.vertices)
-    for (double& x : p) x = std::round(x * power) / power;
-  return mesh;
-}
-
 /// Both sides of the faces, each with vertices of its own.
-PolygonMesh doubled(const PolygonMesh& mesh, bool other_diagonals) {
+PolygonMesh both_sides(const PolygonMesh& mesh, bool other_diagonals) {
   PolygonMesh back;
   back.vertices = mesh.vertices;
   for (int f = 0; f < mesh.face_count(); ++f) {
@@ -63,7 +54,7 @@ void for_each_doubled(const Visit& visit) {
           CAPTURE(i);
           CAPTURE(places);
           CAPTURE(other_diagonals);
-          visit(doubled(with_decimals(body, places), other_diagonals), places);
+          visit(both_sides(test::with_decimals(body, places), other_diagonals), places);
         }
 }
 
@@ -71,7 +62,8 @@ void for_each_doubled(const Visit& visit) {
 
 TEST_CASE("doubled surfaces: are found beside a body too, with vertices of their own or not") {
   for_each_doubled([](const PolygonMesh& twice, int places) {
-    const PolygonMesh ball = with_decimals(test::moved(test::sphere(1), 1, {9, 1, 2}), places);
+    const PolygonMesh ball =
+        test::with_decimals(test::moved(test::sphere(1), 1, {9, 1, 2}), places);
     for (const PolygonMesh& both : {twice, weld(twice)}) {
       CHECK(is_flat(both));
       CHECK(is_flat(test::together(both, ball)));
@@ -82,7 +74,8 @@ TEST_CASE("doubled surfaces: are found beside a body too, with vertices of their
 
 TEST_CASE("doubled surfaces: in a body they are a cavity that is filled, and nothing is wrong") {
   for_each_doubled([](const PolygonMesh& twice, int places) {
-    const PolygonMesh ball = with_decimals(test::moved(test::sphere(2), 9, {0, 0, 0}), places);
+    const PolygonMesh ball =
+        test::with_decimals(test::moved(test::sphere(2), 9, {0, 0, 0}), places);
     const double mass = mesh_mass_properties(ball, 1).mass;
     const PolygonMesh filled = test::together(ball, twice);
     for (const PolygonMesh& mesh : {filled, weld(filled)}) {

@@ -2,6 +2,7 @@
 /// @file
 /// Meshes to try things on, and slow but correct measures of them.
 
+#include <cmath>
 #include <map>
 
 #include "objects/mesh_edits.hpp"
@@ -24,6 +25,15 @@ inline double volume(const PolygonMesh& mesh) {
     sum += a.dot(b.cross(c));
   });
   return static_cast<double>(sum / 6);
+}
+
+/// What a file with so many decimals gives.
+inline PolygonMesh with_decimals(PolygonMesh mesh, int places) {
+  if (places > 15) return mesh;
+  const double power = std::pow(10, places);
+  for (Vec3& p : mesh.vertices)
+    for (double& x : p) x = std::round(x * power) / power;
+  return mesh;
 }
 
 /// V − E + F of the vertices in use: 2 per sphere-like part, 2 less per handle.
