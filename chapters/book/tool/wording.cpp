@@ -31,7 +31,7 @@ std::string with_round_quotes(const std::string& words, char before) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); before = words[i++]) {
     const bool opens = std::string(" ([*_").find(before) != std::string::npos &&
-                       i + 1 < words.size() && words[i + 1] != ' ';
+                       (i + 1 == words.size() || words[i + 1] != ' ');
     if (words[i] == '"')
       text += opens ? "“" : "”";
     else

@@ -160,8 +160,8 @@ TEST_CASE("the paragraph in italics below a figure becomes its caption") {
   const Project project;
   const std::string site = project.converted(
       "![read out](figures/a.svg)\n\n*Figure 1.1. How $x$\nfalls, by `f`.*\n\nText.\n");
-  CHECK(
-      mentions(site, "<figcaption>Figure 1.1. How \\(x\\) falls, by <code>f</code>.</figcaption>"));
+  CHECK(mentions(
+      site, "<figcaption>Figure\u00a01.1. How \\(x\\) falls, by <code>f</code>.</figcaption>"));
   CHECK_FALSE(mentions(site, "read out"));
   CHECK_FALSE(mentions(site, "*Figure"));
   CHECK(std::count(site.begin(), site.end(), '\n') == 6);
