@@ -1,7 +1,6 @@
 #include "book/tool/wording.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <regex>
 
 #include "book/tool/maths.hpp"
@@ -40,20 +39,9 @@ std::string with_round_quotes(const std::string& words, char before) {
   return text;
 }
 
-/// Without "In the site that `./tumble book` opens, ".
-std::string without_invitation(const std::string& line) {
-  static const std::string invitation = "In the site that `./tumble book` opens, ";
-  const auto at = line.find(invitation);
-  if (at == std::string::npos) return line;
-  std::string rest = line.substr(at + invitation.size());
-  if (!rest.empty()) rest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(rest[0])));
-  return line.substr(0, at) + rest;
-}
-
 }  // namespace
 
-std::string on_the_site(const std::string& line) {
-  const std::string text = without_invitation(line);
+std::string on_the_site(const std::string& text) {
   const bool has_tags = text.find('<') != std::string::npos;  // with quotes of their own
   std::string result, words;
   const auto finish_words = [&] {

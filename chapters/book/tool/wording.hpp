@@ -6,9 +6,8 @@
 
 namespace tumble::book {
 
-/// A line of a page as the site shows it: a number stays with its unit, nobody is told to open the
-/// site, and "…" is “…”, because Doxygen leaves formulas between straight quotes alone. Code and
-/// formulas stay as they are.
-std::string on_the_site(const std::string& line);
+/// A line of a page as the site shows it: a number stays with its unit, and "…" is “…”, because
+/// Doxygen leaves formulas between straight quotes alone. Code and formulas stay as they are.
+std::string on_the_site(const std::string& text);
 
 }  // namespace tumble::book
