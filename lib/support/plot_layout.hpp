@@ -112,7 +112,7 @@ class LabelPlacer {
     double cost = distance(label.anchor, label.box.nearest(label.anchor));
     if (label.has_leader()) cost += 8;
     if (!fits(label.box)) cost += 1e4;
-    if (stands_on_axis(label.box)) cost += 20;
+    if (stands_on_axis(label.box)) cost += 60;
     for (std::size_t i = 0; i < known; ++i) {
       if (i == which) continue;
       if (labels_[i].box.meets(label.box)) cost += 1e3;

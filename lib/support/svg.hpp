@@ -63,8 +63,8 @@ inline std::string svg_text(std::string_view text) {
   return escaped;
 }
 
-/// Words of a picture, escaped. A number below zero has its minus sign there, and no hyphen.
-inline std::string svg_words(std::string_view words) {
+/// Text, escaped, in which a number below zero has its minus sign, and no hyphen.
+inline std::string svg_minus_signs(std::string_view words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool begins = i == 0 || words[i - 1] == ' ' || words[i - 1] == '(';
@@ -75,6 +75,41 @@ inline std::string svg_words(std::string_view words) {
       text += words[i];
   }
   return svg_text(text);
+}
+
+/// A Latin letter, or a byte of a Greek one in UTF-8.
+inline bool is_letter(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (byte & 0xFEU) == 0xCEU ||
+         (byte & 0xC0U) == 0x80U;
+}
+
+inline bool is_subscript(char c) { return is_letter(c) || (c >= '0' && c <= '9'); }
+
+/// Where the `_` of a symbol stands, that of p_body: after one letter. Names of the code have more.
+/// @return the end of the words if there is none
+inline std::size_t subscript_mark(std::string_view words) {
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    if (words[i] != '_' || !is_letter(words[i - 1]) || !is_subscript(words[i + 1])) continue;
+    const bool greek = (static_cast<unsigned char>(words[i - 1]) & 0x80U) != 0;
+    const std::size_t letter = i - (greek ? 2 : 1);
+    if (letter == 0 || !is_letter(words[letter - 1])) return i;
+  }
+  return words.size();
+}
+
+/// Words of a picture, escaped: with minus signs, and subscripts that stand lower.
+inline std::string svg_words(std::string_view words) {
+  const std::size_t mark = subscript_mark(words);
+  std::string text = svg_minus_signs(words.substr(0, mark));
+  if (mark == words.size()) return text;
+  std::size_t end = mark + 1;
+  while (end < words.size() && is_subscript(words[end])) ++end;
+  text += "<tspan dy=\"3\" font-size=\"75%\">";
+  text += words.substr(mark + 1, end - mark - 1);
+  text += "</tspan>";
+  if (end == words.size()) return text;
+  return text + "<tspan dy=\"-3\">" + svg_words(words.substr(end)) + "</tspan>";
 }
 
 /// The opening of a figure: size, title for screen readers, style, background. Close

@@ -101,7 +101,7 @@ bool holds_text(std::size_t k, const std::vector<Row>& rows) {
 /// A cell as HTML. A symbol's index stands below: v_z, K_zz, ω_y.
 std::string cell_html(const std::string& cell) {
   static const std::regex index("(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4}|γ)(?![A-Za-z0-9_])");
-  return std::regex_replace(support::svg_words(cell), index, "$1$2<sub>$3</sub>");
+  return std::regex_replace(support::svg_minus_signs(cell), index, "$1$2<sub>$3</sub>");
 }
 
 /// The class of a cell: whole sentences take more than one line.

@@ -38,6 +38,19 @@ TEST_CASE("svg_words: a number below zero has a minus sign, a word keeps its hyp
   CHECK(svg_words("T-handle <1e-9") == "T-handle &lt;1e-9");
 }
 
+TEST_CASE("svg_words: a symbol's subscript stands lower, a name of the code stays as it is") {
+  const auto low = [](const std::string& words) {
+    return "<tspan dy=\"3\" font-size=\"75%\">" + words + "</tspan>";
+  };
+  const std::string up = "<tspan dy=\"-3\">", end = "</tspan>";
+  CHECK(svg_words("RK4, ω_body") == "RK4, ω" + low("body"));
+  CHECK(svg_words("x_0") == "x" + low("0"));
+  CHECK(svg_words("p_body × n_γ dA") ==
+        "p" + low("body") + up + " × n" + low("γ") + up + " dA" + end + end);
+  for (const char* words : {"tumble, simulate_contacts", "centre_rest", "_x", "x_", "x_ y", "ωx_y"})
+    CHECK(svg_words(words) == words);
+}
+
 TEST_CASE("axis: ticks are round numbers that span the data") {
   FittedAxis linear({"t"});
   linear.include(0.13);
