@@ -46,6 +46,26 @@ std::string sentence_around(const std::string& text, std::size_t place) {
   return plain;
 }
 
+/// The displayed formula under a paragraph, as one in a line of text; empty if there is none.
+/// @param line the paragraph's first
+std::string formula_under(const std::vector<std::string>& lines, std::size_t line) {
+  while (line < lines.size() && !lines[line].empty()) ++line;
+  if (line + 1 >= lines.size() || lines[line + 1] != "```math") return "";
+  std::string formula;
+  for (line += 2; line < lines.size() && lines[line] != "```"; ++line)
+    formula += (formula.empty() ? "" : " ") + lines[line];
+  return "$`" + formula + "`$";
+}
+
+/// A sentence that ends with a colon takes its formula along. What else stands under it, a figure
+/// or a listing, stays where it is.
+std::string completed(std::string sentence, const std::string& formula) {
+  if (!sentence.ends_with(":")) return sentence;
+  if (!formula.empty()) return sentence + " " + formula;
+  sentence.back() = '.';
+  return sentence;
+}
+
 bool is_run_in_heading(const std::string& bold) {
   return std::string(".:?!").find(bold.back()) != std::string::npos;
 }
@@ -64,9 +84,11 @@ std::vector<Term> terms_of(const Page& page) {
       const std::string bold = text.substr(begin + 2, end - begin - 2);
       if (bold.find('$') != std::string::npos)
         fail(page, paragraph.line, "a formula in bold: the site shows the asterisks");
-      if (!is_run_in_heading(bold))
-        terms.push_back(
-            {bold, sentence_around(text, begin), page.file, paragraph.section, paragraph.line});
+      if (!is_run_in_heading(bold)) {
+        const std::string formula = formula_under(page.lines, paragraph.line);
+        terms.push_back({bold, completed(sentence_around(text, begin), formula), page.file,
+                         paragraph.section, paragraph.line});
+      }
       begin = visible.find("**", end + 2);
     }
   }
