@@ -3,6 +3,7 @@
 /// Results as JSON: every number with as many digits as tell it from its neighbours, NaN as null.
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "tumble/core/types.hpp"
 
@@ -18,6 +19,12 @@ inline Json as_json(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 /// xx, yy, zz, xy, yz, zx; products with the minus sign.
 inline Json as_json(const Mat3& I) {
   return {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(1, 2), I(2, 0)};
+}
+
+/// As a text. A name that is not UTF-8, as a file's may be, loses the bytes that are not, and
+/// nothing else is lost.
+inline std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace tumble::scenes

@@ -14,7 +14,7 @@ void print_all(const std::vector<MassAnswer>& all, const MassCommand& command) {
   if (command.json) {
     Json list = Json::array();
     for (const MassAnswer& found : all) list.push_back(answer_json(found, command));
-    std::cout << (all.size() == 1 ? list[0] : list).dump(2) << '\n';
+    std::cout << json_text(all.size() == 1 ? list[0] : list) << '\n';
   } else if (!command.block.empty()) {
     for (const MassAnswer& found : all) {
       if (all.size() > 1) std::cout << "<!-- " << found.file << " -->\n";

@@ -73,12 +73,29 @@ void print_growth(const Scene& scene, const Motions& motions) {
   std::cout << support::fitted(table) << '\n';
 }
 
+/// Contact that lasts is the one thing here that has no bound.
+void print_hops(const Scene& scene, const Motions& motions) {
+  std::string hopped;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (const int lifts = motions.contacts->run.lifts[i]; lifts > 0)
+      hopped += (hopped.empty() ? "" : ", ") + scene.bodies[i].name + " (" + std::to_string(lifts) +
+                (lifts == 1 ? " hop)" : " hops)");
+  if (hopped.empty()) return;
+  std::cout << support::fitted("These stayed in touch and moved on, in hops: " + hopped +
+                               ". That is not exact, and the comparison above does not see it. "
+                               "Where a body slides or tips, expect its way and its times to be "
+                               "off by some per cent; what is round but no ball slows down as it "
+                               "rolls.")
+            << "\n\n";
+}
+
 }  // namespace
 
 void print_contacts(const Scene& scene, const Motions& motions) {
   print_impacts(scene, motions);
   print_energy(motions.contacts->run.energy);
   print_growth(scene, motions);
+  print_hops(scene, motions);
 }
 
 }  // namespace tumble::scenes

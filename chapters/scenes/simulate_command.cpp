@@ -52,7 +52,7 @@ int run(const SimulateCommand& command) {
   const Motions motions = move(scene);
   write_files(command, scene, motions);
   if (command.json) {
-    std::cout << scene_json(scene, motions, command.file).dump(2) << '\n';
+    std::cout << json_text(scene_json(scene, motions, command.file)) << '\n';
   } else {
     print_motion(scene, motions);
     if (motions.contacts) print_contacts(scene, motions);

@@ -41,6 +41,10 @@ TEST_CASE("exercises in the page: Tab indents, and after Escape it leaves") {
   page.browser.press("Tab", 9);
   CHECK(page.says("document.activeElement.textContent") == "Check");
   CHECK(page.says("editor().getLine(7)") == "    throw NotImplemented{};");
+  page.says("editor().focus()");  // Tab was the last key: a reader goes through the page by it
+  page.browser.press("Tab", 9);
+  CHECK(page.says("document.activeElement.textContent") == "Check");
+  CHECK(page.says("editor().getLine(7)") == "    throw NotImplemented{};");
 }
 
 TEST_CASE("exercises in the page: the first check says what is downloaded, and asks once") {

@@ -53,6 +53,13 @@ TEST_CASE("exercises in the page: the front page has a mark for each, and the co
                   ".map((a) => a.textContent)") == Json{"4.1✓", "4.2·"});
   CHECK(page.says("document.querySelector('.exercise-progress .marks a').href") ==
         page.site.address("chapters-04_quaternions.html#now-write-4.1"));
+  page.open();
+  page.says(
+      "write('other\\n'), until(async () => (await (await import('./exercises/store.mjs'))"
+      ".workOn('04_quaternions/product')).text === 'other\\n')");
+  page.open_at("index.html");
+  page.says("until(() => document.querySelector('.exercise-progress .marks a'))");
+  CHECK(page.says("document.querySelector('.exercise-progress .marks a').textContent") == "4.1✎");
 }
 
 TEST_CASE(

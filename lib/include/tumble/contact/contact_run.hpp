@@ -68,6 +68,9 @@ struct ContactRun {
   std::vector<ImpactEvent> impacts;               ///< in the order of time
   std::vector<std::vector<FlightStart>> flights;  ///< of each body, in the order of time
   std::vector<double> rest_since;                 ///< of each body [s], infinity if it moves
+  /// How often each body was lifted for a hop, in contact that lasts. Each time its other motions
+  /// were slowed: a body that slides or tips is off by some per cent of its way.
+  std::vector<int> lifts;
   EnergyLedger energy;
   Ending ending = Ending::time;
   int undecided = -1;        ///< the body in lasting contact, or -1

@@ -19,6 +19,7 @@ class ContactSimulation {
     for (int i = 0; i < events_.size(); ++i) {
       run_.flights.push_back({{0, scene.body(i).start, -1}});
       run_.rest_since.push_back(std::numeric_limits<double>::infinity());
+      run_.lifts.push_back(0);
       landings_.push_back({});
     }
     run_.energy.start = energy_at(0);
@@ -66,7 +67,7 @@ class ContactSimulation {
     const auto impulses = collide_at_points(
         a, second, points, {normal, restitution(event, normal, coming), scene_.mu});
     for (const PointImpulse& impulse : impulses) record(event, impulse, normal, a.state.x);
-    if (hops(event, normal)) lift_to_hop(a, points, normal, lowest_hop(event.body, normal));
+    if (hops(event, normal)) lift(event, a, normal);
     const double parting = least_parting(a, second, points, normal);
     fly_on(event.body, a.state, coming);
     if (b) fly_on(event.other, b->state, coming);
@@ -103,13 +104,23 @@ class ContactSimulation {
   double lowest_hop(int i, const Vec3& normal) const {
     return hop_speed(std::max(0., pull(normal)), settings_.hop * scene_.body(i).shape.reach());
   }
-  /// What is said to be at rest has energy for some hops, as a part of its reach.
-  double lift() const { return 10 * settings_.hop; }
+  /// What is said to be at rest has energy for some hops, and along the ground the speed of
+  /// rounding, or one with which it comes no farther than bodies touch.
+  Stillness stillness(int i, const Aftermath& after) const {
+    return {10 * settings_.hop,
+            std::max(1e-9 * after.first, events_.tolerance(i) / settings_.until)};
+  }
 
   /// Whether this body's contact with this wall is a train of hops where it lasts.
   bool hops(const ContactEvent& event, const Vec3& normal) {
     return event.wall >= 0 && pull(normal) > 0 && scene_.e < 1 &&
            (!is_ball(event.body) || landings(event.body).skids);
+  }
+
+  void lift(const ContactEvent& event, Colliding& a, const Vec3& normal) {
+    const double lowest = lowest_hop(event.body, normal);
+    if (lift_to_hop(a, event.meeting.points, normal, lowest))
+      ++run_.lifts[static_cast<std::size_t>(event.body)];
   }
 
   /// That of the scene, or as much more as a hop takes.
@@ -126,7 +137,7 @@ class ContactSimulation {
     } else if (is_ball(event.body)) {
       settle_ball(event, a, speeds.normal, after);
     } else if (is_at_rest(a, scene_.body(event.body).shape, speeds.normal, scene_.gravity,
-                          scene_.mu, lift())) {
+                          scene_.mu, stillness(event.body, after))) {
       rest(event, a, run_.t);
     } else if (landings(event.body).faint >= 30) {  // no hop goes on
       end_undecided(event.body);
@@ -141,7 +152,7 @@ class ContactSimulation {
     const bool faded = scene_.e < 1 && (has_faded(after) || after.parting <= 1e-3 * lowest);
     const bool stood = after.first <= lowest;  // and fell by less than places have digits for
     if (!landings(event.body).skids && !faded && !stood) return;
-    if (is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, lift()))
+    if (is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, stillness(event.body, after)))
       rest(event, a, run_.t + time_to_rest(after, pull(normal), scene_.e));
     else if (rolls_on(a, shape.radius(), normal, scene_.gravity, scene_.mu))
       roll(event, a, normal);
@@ -153,7 +164,7 @@ class ContactSimulation {
   void skid(const ContactEvent& event, Colliding ball, const Vec3& normal) {
     if (landings(event.body).skids) return;
     landings(event.body).skids = true;
-    lift_to_hop(ball, event.meeting.points, normal, lowest_hop(event.body, normal));
+    lift(event, ball, normal);
     run_.flights[static_cast<std::size_t>(event.body)].back().state = ball.state;
     events_.fly(event.body, ball.state, run_.t);
   }

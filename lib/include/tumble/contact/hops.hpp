@@ -45,7 +45,8 @@ inline double hop_speed(double pull, double height) { return std::sqrt(2 * pull 
 /// Nothing happens if the body has not twice as much.
 /// @param points of the contact, from the centre, in world axes [m]
 /// @param lowest speed [m/s]
-inline void lift_to_hop(Colliding& a, const collide::ContactPoints& points, const Vec3& normal,
+/// @return whether it was lifted
+inline bool lift_to_hop(Colliding& a, const collide::ContactPoints& points, const Vec3& normal,
                         double lowest) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& arm : points) middle += arm / static_cast<double>(points.size());
@@ -56,11 +57,12 @@ inline void lift_to_hop(Colliding& a, const collide::ContactPoints& points, cons
   // energies add up.
   const double missing = (lowest * lowest - parting * parting) / (2 * ease);
   const double other = kinetic_energy(a.body, a.state) - parting * parting / (2 * ease);
-  if (parting >= lowest || other < 2 * missing) return;
+  if (parting >= lowest || other < 2 * missing) return false;
   const double slower = std::sqrt(1 - missing / other);
   const Vec3 impulse = (lowest - slower * parting) / ease * normal;
   a.state.P = slower * a.state.P + impulse;
   a.state.L = slower * a.state.L + middle.cross(impulse);
+  return true;
 }
 
 }  // namespace tumble::contact::detail

@@ -46,25 +46,43 @@ inline bool rolls_on(const Colliding& ball, double radius, const Vec3& normal, c
          (mu == 0 || slips <= rounding * (now.v.norm() + across.norm()));
 }
 
-/// Whether a body on the ground is at rest there: it has no energy to tilt or to go on,
-/// gravity pulls it down between the points that it stands on, and friction holds it.
+/// What a body on the ground may still have and count as being at rest.
+struct Stillness {
+  double lift;   ///< energy for hops so high, as a part of its reach
+  double speed;  ///< along the ground; what has more has to be stopped by friction [m/s]
+};
+
+/// How fast a body on the ground slides along it, or turns about its normal [m/s].
+inline double speed_along(const Colliding& c, double reach, const Vec3& normal) {
+  const Derived<> now = derived(c.body, c.state);
+  return (now.v - now.v.dot(normal) * normal).norm() + std::abs(now.omega.dot(normal)) * reach;
+}
+
+/// Whether a body on the ground is at rest there: it has no energy to tilt, nothing goes on that
+/// friction does not stop at once, gravity pulls it down between the points that it stands on, and
+/// friction holds it. A ball does not tilt: it rolls on, however slowly.
 /// @param normal out of what it stands on
 inline bool is_at_rest(const Colliding& c, const collide::Convex& shape, const Vec3& normal,
-                       const Vec3& gravity, double mu, double lift) {
+                       const Vec3& gravity, double mu, const Stillness& still) {
   constexpr double near = 1e-4;  // of its reach: so close are the points that it stands on
   const double pull = -normal.dot(gravity), sideways = (gravity + pull * normal).norm();
   if (!(pull > 0) || sideways > (mu + 1e-12) * pull) return false;
-  if (kinetic_energy(c.body, c.state) > lift * c.body.mass() * pull * shape.reach()) return false;
+  const double reach = shape.reach(), energy = kinetic_energy(c.body, c.state);
+  const double to_tilt = still.lift * c.body.mass() * pull * reach;
+  if (energy > to_tilt) return false;
+  const bool is_ball = shape.points().size() == 1;
+  const double to_slide = is_ball ? 0 : 10 * to_tilt * (mu - sideways / pull);
+  if (energy > to_slide && speed_along(c, reach, normal) > still.speed) return false;
   const collide::Pose pose{Vec3::Zero(), to_matrix(c.state.q)};
   const auto below = distance(shape, pose, collide::HalfSpace{Vec3::Zero(), normal});
-  const auto points = contact_points(shape, pose, below, near * shape.reach());
+  const auto points = contact_points(shape, pose, below, near * reach);
   const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
   // Where the line of gravity through the centre meets the ground.
   const Vec3 foot = gravity * (normal.dot(below.arm_a) / normal.dot(gravity));
   std::vector<Eigen::Vector2d> feet;
   for (const Vec3& p : points) feet.emplace_back(x.dot(p - foot), y.dot(p - foot));
-  const auto hull = collide::detail::flat_hull(std::move(feet), 1e-9 * shape.reach());
-  if (hull.size() == 1) return hull[0].norm() < 1e-9 * shape.reach();
+  const auto hull = collide::detail::flat_hull(std::move(feet), 1e-9 * reach);
+  if (hull.size() == 1) return hull[0].norm() < 1e-9 * reach;
   for (std::size_t i = 0; i < hull.size(); ++i)
     if (collide::detail::turn(hull[i], hull[(i + 1) % hull.size()], {0, 0}) < 0) return false;
   return hull.size() > 2;

@@ -162,9 +162,8 @@ inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
 
 /// Whether a surface crosses itself by more than what may pass as rounding without a word.
 inline bool counts_too_much(const std::vector<MeshDefect>& findings) {
-  constexpr double silent = 5 * crossing_tolerance;
   return std::any_of(findings.begin(), findings.end(),
-                     [](const MeshDefect& finding) { return finding.share > silent; });
+                     [](const MeshDefect& finding) { return finding.share > silent_share; });
 }
 
 /// The same; what rounding of the file's last decimal may have done is no crossing, as long as it

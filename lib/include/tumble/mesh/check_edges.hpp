@@ -109,7 +109,7 @@ inline std::vector<MeshDefect> find_uneven_edges(const PolygonMesh& mesh) {
                        [&](std::span<const EdgeUse> edge) { open_count += edge.size() == 1; });
   const std::string cure = open_count > 0 && is_closed(weld(mesh))
                                ? "; the surface is closed once vertices at equal positions are "
-                                 "merged: call weld()"
+                                 "merged: call weld(), or save the mesh as STL"
                                : "";
   MeshDefectsOfOneKind open(MeshDefectKind::open_edge), uneven(MeshDefectKind::uneven_edge);
   MeshDefectsOfOneKind turned(MeshDefectKind::inconsistent_orientation);

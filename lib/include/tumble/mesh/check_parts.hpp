@@ -77,6 +77,26 @@ inline std::vector<MeshDefect> find_flat_parts(const PolygonMesh& mesh, const Co
   return findings;
 }
 
+/// Whether a part lies in others and looks outwards.
+inline bool is_nested_wrongly(const Component& part, const PartDepth& depth) {
+  return depth.least_around == depth.most_around && depth.least_around > 0 &&
+         part.volume > part.rounding;
+}
+
+/// How far rounding may have moved what lies in others: `blur`, unless what it excuses counts for
+/// too much, all of it together.
+inline double excused_blur(const Components& surface, const std::vector<PartDepth>& depths,
+                           double blur) {
+  double all = 0, excused = 0;
+  for (std::size_t i = 0; i < surface.parts.size(); ++i) {
+    const Component& part = surface.parts[i];
+    all += part.volume;
+    if (is_nested_wrongly(part, depths[i]) && is_rounding(part, blur))
+      excused += depths[i].least_around * part.volume;
+  }
+  return excused > silent_share * std::abs(all) ? 0 : blur;
+}
+
 /// Says of each part whether it is inverted or nested wrongly, as `depths` tell.
 /// @param blur what encloses no more in a body than rounding by so much may have made of nothing is
 ///             not nested in it [m]
@@ -84,6 +104,7 @@ inline std::vector<MeshDefect> find_wrong_parts(const PolygonMesh& mesh, const C
                                                 const std::vector<PartDepth>& depths, double blur) {
   MeshDefectsOfOneKind inverted(MeshDefectKind::inverted), nested(MeshDefectKind::nested_wrong);
   const std::vector<int> faces = first_faces(mesh, surface);
+  const double excused = excused_blur(surface, depths, blur);
   for (std::size_t i = 0; i < surface.parts.size(); ++i) {
     const Component& part = surface.parts[i];
     const PartDepth& depth = depths[i];
@@ -96,7 +117,7 @@ inline std::vector<MeshDefect> find_wrong_parts(const PolygonMesh& mesh, const C
         return describe_part(mesh, surface, faces[i]) + " is inside out (volume " + volume.str() +
                "): reverse the corners of its faces";
       });
-    if (part.volume > 0 && depth.least_around > 0 && !is_rounding(part, blur))
+    if (is_nested_wrongly(part, depth) && !is_rounding(part, excused))
       nested.add(faces[i], {-1, -1}, [&] {
         return describe_part(mesh, surface, faces[i]) +
                " lies inside another part and looks outwards, so " + "that its " + volume.str() +

@@ -24,17 +24,21 @@ struct TriangleMeeting {
   TriangleCrossing crossing;  ///< about where, and how deep; 0 if they only touch
 };
 
-/// The triangles of a mesh with their boxes; without those of no area.
-inline std::vector<BoxedTriangle> boxed_triangles(const PolygonMesh& mesh) {
+/// Those triangles of a mesh for which keep(BoxedTriangle) holds, without those of no area.
+template <class Keep>
+std::vector<BoxedTriangle> boxed_triangles(const PolygonMesh& mesh, const Keep& keep) {
   std::vector<BoxedTriangle> list;
-  list.reserve(mesh.corners.size() / 3);
   for_each_triangle(mesh, [&](int f, const std::array<int, 3>& t) {
-    if (collinear(mesh.vertex(t[0]), mesh.vertex(t[1]), mesh.vertex(t[2]))) return;
-    Eigen::AlignedBox3d box;
-    for (const int v : t) box.extend(mesh.vertex(v));
-    list.push_back({f, t, box});
+    BoxedTriangle boxed{f, t, {}};
+    for (const int v : t) boxed.box.extend(mesh.vertex(v));
+    if (keep(boxed) && !collinear(mesh.vertex(t[0]), mesh.vertex(t[1]), mesh.vertex(t[2])))
+      list.push_back(boxed);
   });
   return list;
+}
+
+inline std::vector<BoxedTriangle> boxed_triangles(const PolygonMesh& mesh) {
+  return boxed_triangles(mesh, [](const BoxedTriangle&) { return true; });
 }
 
 /// How many corners two triangles have in common, by number or by place.
@@ -78,6 +82,11 @@ struct TriangleMeetings {
         cross ? measure_crossing(corners_of(mesh, s), corners_of(mesh, t))
               : TriangleCrossing{s.box.intersection(t.box).center(), 0};
     list.push_back({{s.face, t.face}, crossing});
+  }
+
+  void append(const TriangleMeetings& more) {
+    through.insert(through.end(), more.through.begin(), more.through.end());
+    touching.insert(touching.end(), more.touching.begin(), more.touching.end());
   }
 
   /// Takes those for touching that are no deeper than rounding may have made them.

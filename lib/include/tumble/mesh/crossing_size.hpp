@@ -4,6 +4,7 @@
 
 #include "tumble/mesh/crossing_cells.hpp"
 #include "tumble/mesh/crossing_pairs.hpp"
+#include "tumble/mesh/part_overlaps.hpp"
 
 namespace tumble::detail {
 
@@ -25,7 +26,7 @@ struct CrossingEvidence {
 
 /// The box around what is known of a crossing, with two spacings of the lines around it: those
 /// beside the lines that met it did not.
-/// @param box around all vertices
+/// @param box around the parts that have it
 template <class Counts>
 Eigen::AlignedBox3d box_around(const CrossingEvidence& evidence, const Eigen::AlignedBox3d& box,
                                const Counts& counts) {
@@ -49,6 +50,28 @@ Eigen::AlignedBox3d box_around(const CrossingEvidence& evidence, const Eigen::Al
   const Vec3 margin =
       (spacings * box.sizes()).cwiseMax(Vec3::Constant(known.sizes().maxCoeff() / 2));
   return {known.min() - margin, known.max() + margin};
+}
+
+/// The box around the parts that cross themselves or each other: of an assembly it is a piece.
+template <class Counts>
+Eigen::AlignedBox3d box_of_parts(const PolygonMesh& mesh, const Components& surface,
+                                 const CrossingEvidence& evidence, const Counts& counts) {
+  const std::vector<BoxedTriangle> parts = boxed_parts(mesh, surface);
+  Eigen::AlignedBox3d box;
+  const auto extend = [&](int part) {
+    if (part >= 0) box.extend(parts[static_cast<std::size_t>(part)].box);
+  };
+  evidence.bundle.for_each([&](const LineHits& hits) {
+    for (const WrongDepth& wrong : find_wrong_depths(hits)) {
+      if (!counts(wrong)) continue;
+      extend(wrong.here.part);
+      extend(wrong.before.part);
+    }
+  });
+  for (const auto* list : {&evidence.meetings.through, &evidence.meetings.touching})
+    for (const TriangleMeeting& meeting : *list)
+      for (const int face : meeting.faces) extend(surface.of(mesh.face(face)[0]));
+  return box;
 }
 
 /// What lines along the axes are drawn for.
@@ -101,9 +124,10 @@ WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
   const CrossingLines<Counts> lines{mesh, surface, box, evidence, blur, counts};
   const bool met = evidence.is_seen, through = !evidence.meetings.through.empty();
   if (!met && through) return lines.volume_in(box_around(evidence.meetings.through), 256);
-  const WrongVolume found = lines.volume_in(box, 4096);
+  const Eigen::AlignedBox3d parts = box_of_parts(mesh, surface, evidence, counts);
+  const WrongVolume found = lines.volume_in(parts, 4096);
   if (!met || found.uncertainty < found.volume / 2) return found;
-  const WrongVolume closer = lines.volume_in(box_around(evidence, box, counts), 4096);
+  const WrongVolume closer = lines.volume_in(box_around(evidence, parts, counts), 4096);
   const bool better =
       closer.volume > 0 && closer.uncertainty * found.volume <= found.uncertainty * closer.volume;
   return better ? closer : found;

@@ -45,15 +45,21 @@ inline constexpr int diagnosis_lines = 4096;
 inline constexpr int always_pairs = 3'000, few_pairs = 30'000;
 
 /// The pairs that a search looks at: in a large mesh those of triangles that lie where another part
-/// may be.
+/// may be, or in a part that has few lines.
+/// @param hidden the parts that have few lines
 inline TriangleMeetings meetings_for(const PolygonMesh& mesh, const Components& surface,
-                                     crossings::Search search) {
+                                     std::vector<char> hidden, crossings::Search search) {
   constexpr int few = 100;  // a face, or a part
   if (search == crossings::Search::thorough || mesh.face_count() <= always_pairs)
     return find_meetings(mesh, boxed_triangles(mesh));
-  if (mesh.face_count() <= few_pairs) return find_meetings(mesh, boxed_triangles(mesh), few);
-  if (surface.parts.size() == 1) return {};
-  return find_meetings(mesh, triangles_near_other_parts(mesh, surface, few_pairs, few), few);
+  const bool any_hidden = std::find(hidden.begin(), hidden.end(), 1) != hidden.end();
+  if (mesh.face_count() <= few_pairs) {
+    if (!any_hidden) return find_meetings(mesh, boxed_triangles(mesh), few);
+    // A grid around parts that are far from each other has no use: each part has its own.
+    hidden.assign(hidden.size(), 1);
+  }
+  if (!any_hidden && hidden.size() == 1) return {};
+  return meetings_of_parts(mesh, surface, hidden, few_pairs, few);
 }
 
 /// Everything that is wrong with the parts of a closed surface.
@@ -71,10 +77,13 @@ inline std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, const 
     auto doubled = find_doubled_surfaces(mesh, surface, box, rounding);
     if (!doubled.empty()) return doubled;
   }
+  constexpr double enough = 0.25;  // of the lines
+  const std::vector<char> hidden = hardly_seen_parts(mesh, surface, box, enough);
+  const bool also_touching = search == crossings::Search::thorough ||
+                             std::find(hidden.begin(), hidden.end(), 1) != hidden.end();
   const std::vector<MeshDefect> depth =
-      find_wrong_depth({mesh, surface, box, lattices, all.near_lines,
-                        search == crossings::Search::thorough, rounding},
-                       meetings_for(mesh, surface, search));
+      find_wrong_depth({mesh, surface, box, lattices, all.near_lines, also_touching, rounding},
+                       meetings_for(mesh, surface, hidden, search));
   findings.insert(findings.end(), depth.begin(), depth.end());
   return findings;
 }

@@ -100,6 +100,9 @@ namespace detail {
 /// said.
 inline constexpr double crossing_tolerance = 1e-6;
 
+/// The share that may pass without a word, as what rounding of the file's last decimal has made.
+inline constexpr double silent_share = 5 * crossing_tolerance;
+
 }  // namespace detail
 
 /// Whether an integral over the mesh is wrong because of what was found. A crossing is a note as

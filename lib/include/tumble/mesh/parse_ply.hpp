@@ -32,8 +32,9 @@ class PlyBodyReader {
       if (element.count > 0) read_all(element);
     }
     values_.require_end();
-    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)",
-            count_of("tristrips") > 0 ? "; strips of triangles ('tristrips') are not read" : "");
+    require(count_of("tristrips") == 0, name_,
+            ": part of the surface is in strips of triangles ('tristrips'), which are not read");
+    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)");
     return std::move(mesh_);
   }
 

@@ -1,15 +1,15 @@
 #pragma once
 /// @file
-/// The triangles that lie in the box of another part than their own. Of an assembly of many parts
-/// these are few: the parts' own crossings can be looked for pair by pair, whatever their number.
+/// The triangles of an assembly that are worth a look pair by pair, whatever their number: those
+/// that lie in the box of another part, which are few, and those of parts that are so small in the
+/// box of the whole that lines over it hardly meet them.
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "tumble/mesh/components.hpp"
-#include "tumble/mesh/orientation.hpp"
-#include "tumble/mesh/space_grid.hpp"
+#include "tumble/mesh/crossing_pairs.hpp"
 
 namespace tumble::detail {
 
@@ -41,27 +41,66 @@ inline std::vector<std::vector<Eigen::AlignedBox3d>> overlaps_of_parts(const Pol
   return overlaps;
 }
 
+/// For each part whether lines over the whole box, which may be far larger, hardly meet it.
+/// @param share of the lines along one of the axes at least that see enough of a part
+inline std::vector<char> hardly_seen_parts(const PolygonMesh& mesh, const Components& surface,
+                                           const Eigen::AlignedBox3d& whole, double share) {
+  std::vector<char> result;
+  for (const BoxedTriangle& part : boxed_parts(mesh, surface)) {
+    const Vec3 sides = part.box.sizes().cwiseQuotient(whole.sizes());
+    const Vec3 seen(sides.y() * sides.z(), sides.z() * sides.x(), sides.x() * sides.y());
+    result.push_back(seen.maxCoeff() < share);
+  }
+  return result;
+}
+
 /// The triangles that lie in boxes of other parts; none if they are more than `most`.
 /// @param few boxes of others that a part is looked at with
 inline std::vector<BoxedTriangle> triangles_near_other_parts(const PolygonMesh& mesh,
                                                              const Components& surface,
                                                              std::size_t most, std::size_t few) {
   const auto overlaps = overlaps_of_parts(mesh, surface, few);
-  std::vector<BoxedTriangle> list;
-  for_each_triangle(mesh, [&](int f, const std::array<int, 3>& t) {
-    const int part = surface.of(t[0]);
-    if (part < 0 || list.size() > most) return;
+  std::size_t near = 0;
+  std::vector<BoxedTriangle> list = boxed_triangles(mesh, [&](const BoxedTriangle& t) {
+    const int part = surface.of(t.vertices[0]);
+    if (part < 0 || near > most) return false;
     const auto& others = overlaps[static_cast<std::size_t>(part)];
-    if (others.empty()) return;
-    Eigen::AlignedBox3d box;
-    for (const int v : t) box.extend(mesh.vertex(v));
-    if (std::none_of(others.begin(), others.end(),
-                     [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); }))
-      return;
-    if (!collinear(mesh.vertex(t[0]), mesh.vertex(t[1]), mesh.vertex(t[2])))
-      list.push_back({f, t, box});
+    const bool meets =
+        std::any_of(others.begin(), others.end(),
+                    [&](const Eigen::AlignedBox3d& other) { return t.box.intersects(other); });
+    near += meets;
+    return meets;
   });
-  return list.size() > most ? std::vector<BoxedTriangle>() : list;
+  return near > most ? std::vector<BoxedTriangle>() : list;
+}
+
+/// The triangles of each of the parts that are wanted; of the others none.
+inline std::vector<std::vector<BoxedTriangle>> triangles_of_parts(const PolygonMesh& mesh,
+                                                                  const Components& surface,
+                                                                  const std::vector<char>& wanted) {
+  std::vector<std::vector<BoxedTriangle>> lists(wanted.size());
+  const auto part_of = [&](const BoxedTriangle& t) {
+    return static_cast<std::size_t>(surface.of(t.vertices[0]));
+  };
+  const auto is_wanted = [&](const BoxedTriangle& t) {
+    return surface.of(t.vertices[0]) >= 0 && wanted[part_of(t)];
+  };
+  for (const BoxedTriangle& t : boxed_triangles(mesh, is_wanted)) lists[part_of(t)].push_back(t);
+  return lists;
+}
+
+/// Where triangles meet that have no edge in common: near other parts, and in parts that lines
+/// hardly meet, each by itself.
+/// @param hidden which parts lines hardly meet
+inline TriangleMeetings meetings_of_parts(const PolygonMesh& mesh, const Components& surface,
+                                          const std::vector<char>& hidden, std::size_t most,
+                                          std::size_t few) {
+  const auto pairs = static_cast<double>(few);
+  TriangleMeetings found =
+      find_meetings(mesh, triangles_near_other_parts(mesh, surface, most, few), pairs);
+  for (const auto& triangles : triangles_of_parts(mesh, surface, hidden))
+    found.append(find_meetings(mesh, triangles, pairs));
+  return found;
 }
 
 }  // namespace tumble::detail

@@ -94,7 +94,9 @@ class TextScanner {
 inline std::string shown(std::string_view word) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string text;
-  for (const char c : word.substr(0, 40)) {
+  std::size_t most = 40;
+  while (most > 0 && most < word.size() && (word[most] & 0xC0) == 0x80) --most;  // between letters
+  for (const char c : word.substr(0, most)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte >= 0x20 && byte != 0x7F)
       text += c;

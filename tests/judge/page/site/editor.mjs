@@ -22,7 +22,11 @@ function loadCodeMirror() {
   return loaded;
 }
 
-/** Tab indents; after Escape it leaves, as it does everywhere else, until something is typed. */
+let cameByTab = false; // whether the last thing that a reader did was to press Tab
+document.addEventListener("keydown", ({ key }) => (cameByTab = key === "Tab"), true);
+document.addEventListener("pointerdown", () => (cameByTab = false), true);
+
+/** Tab indents; after Escape it leaves, as it does everywhere else, until something is typed. So it does for who came by it. */
 function keys(check) {
   const indents = {
     Tab: (editor) => (editor.somethingSelected() ? editor.indentSelection("add") : editor.execCommand("insertSoftTab")),
@@ -30,7 +34,8 @@ function keys(check) {
     "Ctrl-Enter": check,
     "Cmd-Enter": check,
   };
-  return { ...indents, Esc: (editor) => editor.setOption("extraKeys", { ...indents, Tab: false, "Shift-Tab": false }) };
+  const leave = (editor) => editor.setOption("extraKeys", { ...indents, Tab: false, "Shift-Tab": false });
+  return { indents: { ...indents, Esc: leave }, leave };
 }
 
 function nameForReaders(editor, label, describedBy) {
@@ -63,14 +68,15 @@ export async function makeEditor(place, { text, label, describedBy, check, chang
   await loadCodeMirror();
   place.replaceChildren();
   const touch = matchMedia("(pointer: coarse)").matches;
+  const { indents, leave } = keys(check);
   const editor = globalThis.CodeMirror(place, {
     value: text, mode: "text/x-c++src", theme: "tumble", indentUnit: 2, tabSize: 2, lineNumbers: true,
-    lineWrapping: true, matchBrackets: true, autoCloseBrackets: !touch, viewportMargin: Infinity, extraKeys: keys(check),
+    lineWrapping: true, matchBrackets: true, autoCloseBrackets: !touch, viewportMargin: Infinity, extraKeys: indents,
     inputStyle: touch ? "contenteditable" : "textarea",
   });
   nameForReaders(editor, label, describedBy);
-  const indentAgain = () => editor.setOption("extraKeys", keys(check));
-  editor.on("blur", indentAgain);
+  const indentAgain = () => editor.setOption("extraKeys", indents);
+  editor.on("focus", () => (cameByTab ? leave(editor) : indentAgain()));
   let marks = [];
   const unmark = () => marks.splice(0).forEach((clear) => clear());
   editor.on("changes", (_, changes) => {

@@ -15,11 +15,11 @@ function stateOf(work) {
   return work.tries ? `${state}, ${work.tries} ${work.tries === 1 ? "try" : "tries"}` : state;
 }
 
-const markOf = (work) => (work?.passed ? "✓" : work?.tries ? "✗" : "·");
+const markOf = (work) => (work?.passed ? (isDone(work) ? "✓" : "✎") : work?.tries ? "✗" : "·");
 
 async function markLink(unit, work) {
   const words = `${unit.number} ${unit.name}: ${stateOf(work)}`;
-  const style = work?.passed ? "holds" : work?.tries ? "fails" : "";
+  const style = work?.passed ? (isDone(work) ? "holds" : "") : work?.tries ? "fails" : "";
   return element("a", { href: (await addressOf(unit)) ?? "#", title: words, "aria-label": words, className: style },
     element("span", { className: "number" }, unit.number), markOf(work));
 }
@@ -37,7 +37,7 @@ async function draw(list, count) {
   list.replaceChildren(...(await Promise.all(chapters.map(([name, of]) => chapterLine(name, of, work)))));
   const done = all.filter(({ id }) => work.get(id)?.passed).length;
   const changed = all.filter(({ id }) => work.get(id)?.passed && !isDone(work.get(id))).length;
-  count.textContent = `${done} of ${all.length} exercises have passed${changed ? `, ${changed} of them changed since` : ""}`;
+  count.textContent = `${done} of ${all.length} exercises have passed${changed ? `, ${changed} of them changed since (✎)` : ""}`;
 }
 
 // ── The work as a file ──

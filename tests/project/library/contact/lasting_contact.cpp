@@ -92,3 +92,37 @@ TEST_CASE("lasting contact: a ball on a slope slides down without friction, and 
     CHECK(acceleration == doctest::Approx(mu > 0 ? 5 * pull / 7 : pull).epsilon(1e-3));
   }
 }
+
+TEST_CASE("lasting contact: a ball that rolls or slides slowly goes on for ever") {
+  constexpr double r = 0.1, v = 1e-5, until = 100;
+  for (const double mu : {0., 0.3}) {
+    CAPTURE(mu);
+    const Vec3 omega(0, mu > 0 ? v / r : 0, 0);
+    const auto scene = over_floor(ball("ball", r, Vec3(0, 0, 0.3), Vec3(v, 0, 0), omega), 0.4, mu);
+    const ContactRun run = simulate_contacts(scene, {.until = until});
+    REQUIRE(run.ending == Ending::time);
+    CHECK(run.state(scene, 0, until).x.x() == doctest::Approx(v * until).epsilon(1e-9));
+    CHECK(run.lifts[0] == 0);
+  }
+  const auto still = over_floor(ball("ball", r, Vec3(0, 0, 0.3), Vec3::Zero()), 0.4, 0.3);
+  CHECK(simulate_contacts(still, {.until = until}).ending == Ending::all_at_rest);
+  const auto spins =
+      over_floor(ball("ball", r, Vec3(0, 0, 0.3), Vec3::Zero(), Vec3(0, 0, 0.5)), 0.4, 0.3);
+  const ContactRun top = simulate_contacts(spins, {.until = until});
+  CHECK(derived(spins.body(0).body, top.state(spins, 0, until)).omega.z() == 0.5);
+}
+
+TEST_CASE("lasting contact: without friction a box slides on, however slowly; with it, it stops") {
+  const Vec3 size(0.1, 0.1, 0.1), v(0.01, 0, 0);
+  const auto run_with = [&](double mu) {
+    const auto scene =
+        over_floor(box("box", size, Vec3(0, 0, 0.06), Quat::Identity(), v, {0, 0, 0}), 0, mu);
+    const ContactRun run = simulate_contacts(scene, {.until = 5, .hop = 1e-4});
+    return std::pair(run.ending, run.state(scene, 0, run.t).x.x());
+  };
+  const auto [slides, where] = run_with(0);
+  CHECK(slides == Ending::time);
+  CHECK(where == doctest::Approx(5 * v.x()).epsilon(1e-9));
+  CHECK(run_with(0.3).first == Ending::all_at_rest);
+  CHECK(run_with(1e-4).first != Ending::all_at_rest);  // friction needs ten seconds
+}

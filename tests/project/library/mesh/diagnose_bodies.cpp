@@ -194,3 +194,21 @@ TEST_CASE("diagnose: a foil is thin, and not there twice") {
     CHECK(found_in(test::with_decimals(test::box({0, 0, 0}, {1.234567, 2.345678, 1e-6}), 6)) == "");
   }
 }
+
+TEST_CASE("diagnose: thin plates in a body count twice, though one might be rounding") {
+  const auto plate = [](const Vec3& from, const Vec3& thickness) {
+    const Vec3 a(40, 20, 10), b(-20, 60, 30);  // whole numbers: the last decimal is a metre
+    PolygonMesh mesh = test::regular_cube(1, 1);
+    for (Vec3& v : mesh.vertices)
+      v = from + (v.x() > 0 ? a : Vec3(0, 0, 0)) + (v.y() > 0 ? b : Vec3(0, 0, 0)) +
+          (v.z() > 0 ? thickness : Vec3(0, 0, 0));
+    return mesh;
+  };
+  PolygonMesh mesh = test::moved(test::regular_cube(4, 1), 200, {0, 0, 0});
+  for (const Vec3& thickness : {Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, -1, 1)}) {
+    CAPTURE(thickness.transpose());
+    CHECK(found_in(test::together(mesh, plate({0, 0, 0}, thickness))) == "nested_wrong");
+  }
+  for (int i = 0; i < 5; ++i) mesh = test::together(mesh, plate({0, 0, 20. * i - 60}, {0, 0, 1}));
+  CHECK(found_in(mesh).starts_with("nested_wrong"));
+}

@@ -160,7 +160,7 @@ TEST_CASE("parse_ply: refuses elements that no mesh is made of") {
               "a face has no list 'vertex_indices'");
   const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
   ply_refused(ascii_ply(ply_vertices + strips, four_points + "4 0 1 2 3\n"),
-              "no faces (4 vertices); strips of triangles ('tristrips') are not read");
+              "part of the surface is in strips of triangles ('tristrips'), which are not read");
   ply_refused(ascii_ply(ply_vertices, four_points), "no faces (4 vertices)");
 }
 
