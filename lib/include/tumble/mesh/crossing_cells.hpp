@@ -97,7 +97,7 @@ class CrossingCells {
     int column, row;
   };
   static constexpr int side = 6;
-  static constexpr std::size_t per_cell = side * side, most_cells = 512;
+  static constexpr std::size_t per_cell = side * side, most_cells = 4096;
 
   double width() const { return box_.sizes().x() / grid_.nx(); }
   double height() const { return box_.sizes().y() / grid_.ny(); }

@@ -98,8 +98,10 @@ inline TriangleMeetings meetings_of_parts(const PolygonMesh& mesh, const Compone
   const auto pairs = static_cast<double>(few);
   TriangleMeetings found =
       find_meetings(mesh, triangles_near_other_parts(mesh, surface, most, few), pairs);
+  constexpr double affordable = 1e8;  // pairs of a part: 2 to 3 s
   for (const auto& triangles : triangles_of_parts(mesh, surface, hidden))
-    found.append(find_meetings(mesh, triangles, pairs));
+    found.append(find_meetings(
+        mesh, triangles, std::max(pairs, affordable / static_cast<double>(triangles.size()))));
   return found;
 }
 
