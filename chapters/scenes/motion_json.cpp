@@ -48,7 +48,7 @@ Json flights_json(const Scene& scene, const Motions& motions, std::size_t i) {
           {"collides_as", body.shape->as},
           {"missing", body.shape->missing},
           {"flights", motions.contacts->run.flights[i].size()},
-          {"hops", motions.contacts->run.lifts[i]},
+          {"hops", motions.contacts->run.hops(i)},
           {"at_the_end", how_it_ended(scene, motions, i)},
           {"reached", complete(*motions.contacts)}};
 }

@@ -77,9 +77,9 @@ void print_growth(const Scene& scene, const Motions& motions) {
 void print_hops(const Scene& scene, const Motions& motions) {
   std::string hopped;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    if (const int lifts = motions.contacts->run.lifts[i]; lifts > 0)
-      hopped += (hopped.empty() ? "" : ", ") + scene.bodies[i].name + " (" + std::to_string(lifts) +
-                (lifts == 1 ? " hop)" : " hops)");
+    if (const auto hops = motions.contacts->run.hops(i); hops > 0)
+      hopped += (hopped.empty() ? "" : ", ") + scene.bodies[i].name + " (" + std::to_string(hops) +
+                (hops == 1 ? " hop)" : " hops)");
   if (hopped.empty()) return;
   std::cout << support::fitted("These stayed in touch and moved on, in hops: " + hopped +
                                ". That is not exact, and the comparison above does not see it. "

@@ -101,15 +101,19 @@ inline std::size_t subscript_mark(std::string_view words) {
 /// Words of a picture, escaped: with minus signs, and subscripts that stand lower.
 inline std::string svg_words(std::string_view words) {
   const std::size_t mark = subscript_mark(words);
-  std::string text = svg_minus_signs(words.substr(0, mark));
+  std::string text = svg_minus_signs({words.data(), mark});
   if (mark == words.size()) return text;
   std::size_t end = mark + 1;
   while (end < words.size() && is_subscript(words[end])) ++end;
   text += "<tspan dy=\"3\" font-size=\"75%\">";
-  text += words.substr(mark + 1, end - mark - 1);
+  text.append(words.data() + mark + 1, end - mark - 1);
   text += "</tspan>";
   if (end == words.size()) return text;
-  return text + "<tspan dy=\"-3\">" + svg_words(words.substr(end)) + "</tspan>";
+  words.remove_prefix(end);
+  text += "<tspan dy=\"-3\">";
+  text += svg_words(words);
+  text += "</tspan>";
+  return text;
 }
 
 /// The opening of a figure: size, title for screen readers, style, background. Close

@@ -53,6 +53,9 @@ struct FlightStart {
   double t;                ///< [s]
   RigidBodyState<> state;  ///< then
   int on_wall;             ///< the floor that carries it, or -1: then it flies
+  /// Whether the body was lifted for it, in contact that lasts. Its other motions were slowed then:
+  /// what slides or tips in hops is off by some per cent of its way.
+  bool is_hop = false;
 };
 
 /// Where the energy of all bodies went [J]: start + impacts + settled = end, to rounding.
@@ -68,14 +71,17 @@ struct ContactRun {
   std::vector<ImpactEvent> impacts;               ///< in the order of time
   std::vector<std::vector<FlightStart>> flights;  ///< of each body, in the order of time
   std::vector<double> rest_since;                 ///< of each body [s], infinity if it moves
-  /// How often each body was lifted for a hop, in contact that lasts. Each time its other motions
-  /// were slowed: a body that slides or tips is off by some per cent of its way.
-  std::vector<int> lifts;
   EnergyLedger energy;
   Ending ending = Ending::time;
   int undecided = -1;        ///< the body in lasting contact, or -1
   double t = 0;              ///< when it ended [s]
   std::int64_t queries = 0;  ///< distances that it took
+
+  /// How many of a body's flights are hops of contact that lasts.
+  std::ptrdiff_t hops(std::size_t i) const {
+    return std::count_if(flights[i].begin(), flights[i].end(),
+                         [](const FlightStart& flight) { return flight.is_hop; });
+  }
 
   /// The state of a body at a time, from the start to the end of the run.
   RigidBodyState<> state(const ContactScene& scene, int i, double time) const {

@@ -19,7 +19,6 @@ class ContactSimulation {
     for (int i = 0; i < events_.size(); ++i) {
       run_.flights.push_back({{0, scene.body(i).start, -1}});
       run_.rest_since.push_back(std::numeric_limits<double>::infinity());
-      run_.lifts.push_back(0);
       landings_.push_back({});
     }
     run_.energy.start = energy_at(0);
@@ -39,6 +38,7 @@ class ContactSimulation {
 
  private:
   Landings& landings(int i) { return landings_[static_cast<std::size_t>(i)]; }
+  FlightStart& flight(int i) { return run_.flights[static_cast<std::size_t>(i)].back(); }
   double& rest_since(int i) { return run_.rest_since[static_cast<std::size_t>(i)]; }
 
   double energy_at(double t) const {
@@ -67,9 +67,11 @@ class ContactSimulation {
     const auto impulses = collide_at_points(
         a, second, points, {normal, restitution(event, normal, coming), scene_.mu});
     for (const PointImpulse& impulse : impulses) record(event, impulse, normal, a.state.x);
-    if (hops(event, normal)) lift(event, a, normal);
+    const bool is_hop =
+        hops(event, normal) && lift_to_hop(a, points, normal, lowest_hop(event.body, normal));
     const double parting = least_parting(a, second, points, normal);
     fly_on(event.body, a.state, coming);
+    flight(event.body).is_hop = is_hop;
     if (b) fly_on(event.other, b->state, coming);
     settle(event, a, {normal, coming, parting});
     // Between several others its impacts can follow each other ever faster.
@@ -117,12 +119,6 @@ class ContactSimulation {
            (!is_ball(event.body) || landings(event.body).skids);
   }
 
-  void lift(const ContactEvent& event, Colliding& a, const Vec3& normal) {
-    const double lowest = lowest_hop(event.body, normal);
-    if (lift_to_hop(a, event.meeting.points, normal, lowest))
-      ++run_.lifts[static_cast<std::size_t>(event.body)];
-  }
-
   /// That of the scene, or as much more as a hop takes.
   double restitution(const ContactEvent& event, const Vec3& normal, double coming) {
     if (!hops(event, normal)) return scene_.e;
@@ -164,8 +160,9 @@ class ContactSimulation {
   void skid(const ContactEvent& event, Colliding ball, const Vec3& normal) {
     if (landings(event.body).skids) return;
     landings(event.body).skids = true;
-    lift(event, ball, normal);
-    run_.flights[static_cast<std::size_t>(event.body)].back().state = ball.state;
+    FlightStart& now = flight(event.body);
+    now.is_hop = lift_to_hop(ball, event.meeting.points, normal, lowest_hop(event.body, normal));
+    now.state = ball.state;
     events_.fly(event.body, ball.state, run_.t);
   }
 
@@ -192,7 +189,7 @@ class ContactSimulation {
   void support(const ContactEvent& event, const Colliding& a, const RigidBodyState<>& state) {
     run_.energy.settled += kinetic_energy(a.body, state) - kinetic_energy(a.body, a.state);
     landings(event.body) = {};
-    run_.flights[static_cast<std::size_t>(event.body)].back() = {run_.t, state, event.wall};
+    flight(event.body) = {run_.t, state, event.wall};
     events_.support(event.body, state, run_.t, event.wall);
   }
 

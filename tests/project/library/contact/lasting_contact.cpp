@@ -102,7 +102,7 @@ TEST_CASE("lasting contact: a ball that rolls or slides slowly goes on for ever"
     const ContactRun run = simulate_contacts(scene, {.until = until});
     REQUIRE(run.ending == Ending::time);
     CHECK(run.state(scene, 0, until).x.x() == doctest::Approx(v * until).epsilon(1e-9));
-    CHECK(run.lifts[0] == 0);
+    CHECK(run.hops(0) == 0);
   }
   const auto still = over_floor(ball("ball", r, Vec3(0, 0, 0.3), Vec3::Zero()), 0.4, 0.3);
   CHECK(simulate_contacts(still, {.until = until}).ending == Ending::all_at_rest);
