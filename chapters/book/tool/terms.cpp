@@ -46,7 +46,8 @@ std::string sentence_around(const std::string& text, std::size_t place) {
   return plain;
 }
 
-/// The displayed formula under a paragraph, as one in a line of text; empty if there is none.
+/// The displayed formula under a paragraph, as one in a line of text; empty if there is none, or
+/// if it has several lines, which would not break on a phone.
 /// @param line the paragraph's first
 std::string formula_under(const std::vector<std::string>& lines, std::size_t line) {
   while (line < lines.size() && !lines[line].empty()) ++line;
@@ -54,7 +55,7 @@ std::string formula_under(const std::vector<std::string>& lines, std::size_t lin
   std::string formula;
   for (line += 2; line < lines.size() && lines[line] != "```"; ++line)
     formula += (formula.empty() ? "" : " ") + lines[line];
-  return "$`" + formula + "`$";
+  return formula.find("\\begin") == std::string::npos ? "$`" + formula + "`$" : "";
 }
 
 /// A sentence that ends with a colon takes its formula along. What else stands under it, a figure

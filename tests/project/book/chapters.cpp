@@ -210,6 +210,8 @@ TEST_CASE("terms are in bold once, and listed with the sentence that introduces 
     return joined(fresh_terms(book.path()));
   };
   CHECK(says(listed("```math\ny_1 = y\n+ h f\n```\n"), "with Euler's method: $`y_1 = y + h f`$\n"));
+  CHECK(says(listed("```math\n\\begin{aligned}\na &= b\n\\end{aligned}\n```\n"),
+             "with Euler's method.\n"));
   CHECK(says(listed("```text\n1 2\n```\n"), "with Euler's method.\n"));
   CHECK(says(book.mistakes(with("You and us.", "You know **associative** sums.")),
              "is in bold already at"));
