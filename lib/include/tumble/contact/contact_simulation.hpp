@@ -43,11 +43,8 @@ class ContactSimulation {
 
   double energy_at(double t) const {
     double sum = 0;
-    for (int i = 0; i < events_.size(); ++i) {
-      const RigidBodyState<> state = events_.state(i, t);
-      const RigidBody<>& body = scene_.body(i).body;
-      sum += kinetic_energy(body, state) - body.mass() * scene_.gravity.dot(state.x);
-    }
+    for (int i = 0; i < events_.size(); ++i)
+      sum += energy_in(scene_.gravity, scene_.body(i).body, events_.state(i, t));
     return sum;
   }
 
@@ -106,11 +103,12 @@ class ContactSimulation {
   double lowest_hop(int i, const Vec3& normal) const {
     return hop_speed(std::max(0., pull(normal)), settings_.hop * scene_.body(i).shape.reach());
   }
-  /// What is said to be at rest has energy for some hops, and along the ground the speed of
-  /// rounding, or one with which it comes no farther than bodies touch.
-  Stillness stillness(int i, const Aftermath& after) const {
-    return {10 * settings_.hop,
-            std::max(1e-9 * after.first, events_.tolerance(i) / settings_.until)};
+  /// What is at rest has energy for some hops, and along the ground the speed of rounding, or one
+  /// with which it comes no farther than bodies touch.
+  bool comes_to_rest(int i, const Colliding& a, const Vec3& normal, const Aftermath& after) const {
+    const double speed = std::max(1e-9 * after.first, events_.tolerance(i) / settings_.until);
+    return is_at_rest(a, scene_.body(i).shape, normal, scene_.gravity, scene_.mu,
+                      {10 * settings_.hop, speed});
   }
 
   /// Whether this body's contact with this wall is a train of hops where it lasts.
@@ -132,8 +130,7 @@ class ContactSimulation {
       if (stays(after)) end_undecided(event.body);
     } else if (is_ball(event.body)) {
       settle_ball(event, a, speeds.normal, after);
-    } else if (is_at_rest(a, scene_.body(event.body).shape, speeds.normal, scene_.gravity,
-                          scene_.mu, stillness(event.body, after))) {
+    } else if (comes_to_rest(event.body, a, speeds.normal, after)) {
       rest(event, a, run_.t);
     } else if (landings(event.body).faint >= 30) {  // no hop goes on
       end_undecided(event.body);
@@ -142,15 +139,14 @@ class ContactSimulation {
 
   void settle_ball(const ContactEvent& event, const Colliding& a, const Vec3& normal,
                    const Aftermath& after) {
-    const collide::Convex& shape = scene_.body(event.body).shape;
     // Bounces of a millionth of the tolerance are over before the next look for meetings.
     const double lowest = hop_speed(pull(normal), events_.tolerance(event.body));
     const bool faded = scene_.e < 1 && (has_faded(after) || after.parting <= 1e-3 * lowest);
     const bool stood = after.first <= lowest;  // and fell by less than places have digits for
     if (!landings(event.body).skids && !faded && !stood) return;
-    if (is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, stillness(event.body, after)))
+    if (comes_to_rest(event.body, a, normal, after))
       rest(event, a, run_.t + time_to_rest(after, pull(normal), scene_.e));
-    else if (rolls_on(a, shape.radius(), normal, scene_.gravity, scene_.mu))
+    else if (rolls_on(a, scene_.body(event.body).shape.radius(), normal, scene_.gravity, scene_.mu))
       roll(event, a, normal);
     else
       skid(event, a, normal);

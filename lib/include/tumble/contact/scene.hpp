@@ -72,4 +72,14 @@ struct ContactScene {
 
 /// @}
 
+namespace detail {
+
+/// Kinetic energy, and potential energy in the uniform gravity [J].
+inline double energy_in(const Vec3& gravity, const RigidBody<>& body,
+                        const RigidBodyState<>& state) {
+  return kinetic_energy(body, state) - body.mass() * gravity.dot(state.x);
+}
+
+}  // namespace detail
+
 }  // namespace tumble::contact
