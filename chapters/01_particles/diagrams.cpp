@@ -154,7 +154,7 @@ std::string spring_figure() {
   sketch.arrow(spring_i, spring_i + 0.8 * aside, {"c5", 2.4});
   sketch.words(spring_i + 0.8 * aside, {-8, 6}, "only turns", "c5", "end");
   sketch.arrow(spring_i, spring_i + 0.62 * u, {"c2", 2.4});
-  sketch.words(spring_i + 0.62 * u, {-2, 27}, "stretches", "c2", "middle");
+  sketch.words(spring_i + 0.62 * u, {8, 33}, "stretches", "c2", "middle");
   sketch.arrow(spring_i, spring_i + rate, {"c3", 2.4});
   sketch.words(spring_i + rate, {0, -8}, "vᵢ − vⱼ", "c3", "middle");
   return sketch.svg();

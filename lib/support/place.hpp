@@ -108,18 +108,22 @@ class Place {
     return first;
   }
 
-  /// What `f()` gives; its refusals say where, once.
+  /// What `f()` gives; its refusals, and those of files that it reads, say where, once.
   template <class F>
   auto refused_here(F&& f) const -> decltype(f()) {
     try {
       return f();
     } catch (const std::invalid_argument& error) {
-      const std::string what = error.what();
-      throw std::invalid_argument(what.starts_with(name_) ? what : name_ + ": " + what);
+      throw std::invalid_argument(with_name(error.what()));
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(with_name(error.what()));
     }
   }
 
  private:
+  std::string with_name(const std::string& what) const {
+    return what.starts_with(name_) ? what : name_ + ": " + what;
+  }
   static std::string listed(std::initializer_list<const char*> names) {
     std::string list;
     for (const char* name : names) list += (list.empty() ? "" : ", ") + std::string(name);

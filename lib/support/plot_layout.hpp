@@ -98,7 +98,8 @@ class LabelPlacer {
   }
 
   bool fits(const Box& box) const {
-    return box.x > left + 3 && box.x + box.width < width - 2 && box.y > top - 8 &&
+    constexpr double wide = 1.2;  // some fonts are so much wider than text_width() says
+    return box.x > left + 3 && box.x + wide * box.width < width - 2 && box.y > top - 8 &&
            box.y + box.height < frame_.floor() + 6;
   }
 

@@ -8,15 +8,23 @@ namespace tumble::book {
 
 namespace {
 
+const std::string now_write = "> **Now write ";
+
 /// The style of a box that begins with this line; empty for any other quotation.
 std::string style_of(const std::string& line) {
   using Style = std::array<std::string, 2>;
-  static const std::array<Style, 3> styles{Style{"> **Now write ", "now-write"},
+  static const std::array<Style, 3> styles{Style{now_write, "now-write"},
                                            {"> **Try it.**", "try-it"},
                                            {"> **For the curious", "curious"}};
   for (const auto& [start, name] : styles)
     if (line.starts_with(start)) return name;
   return {};
+}
+
+/// "4.1" of "> **Now write 4.1: …".
+std::string exercise_in(const std::string& line) {
+  if (!line.starts_with(now_write)) return {};
+  return line.substr(now_write.size(), line.find(':') - now_write.size());
 }
 
 /// Whether a list ends above this line. The empty line between the list and a box becomes the edge
@@ -31,6 +39,8 @@ bool is_below_a_list(const std::vector<std::string>& lines, std::size_t i) {
 
 }  // namespace
 
+std::string box_id(const std::string& exercise) { return "now-write-" + exercise; }
+
 std::vector<Box> boxes_of(const Page& page) {
   const std::vector<std::string>& lines = page.lines;
   const std::vector<Fence> fences = fences_of(page);
@@ -38,7 +48,7 @@ std::vector<Box> boxes_of(const Page& page) {
   std::vector<Box> boxes;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     if (!is_quoted(lines[i]) || is_inside(fences, i)) continue;
-    Box box{i, i, style_of(lines[i])};
+    Box box{i, i, style_of(lines[i]), exercise_in(lines[i])};
     while (goes_on(box.end)) ++box.end;
     i = box.end;
     if (box.name.empty()) continue;

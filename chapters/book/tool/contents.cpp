@@ -1,6 +1,9 @@
 #include "book/tool/contents.hpp"
 
+#include <map>
+
 #include "book/tool/addresses.hpp"
+#include "book/tool/boxes.hpp"
 #include "book/tool/fences.hpp"
 #include "book/tool/html.hpp"
 #include "book/tool/links.hpp"
@@ -25,16 +28,34 @@ std::string neighbours_html(const fs::path& root, const Page& page) {
   return R"(<nav class="neighbours" aria-label="Neighbouring chapters">)" + links + "</nav>";
 }
 
+namespace {
+
+std::string item(const std::string& style, const std::string& id, const std::string& text) {
+  return "<li class=\"" + style + "\">" + link_html("#" + id, inline_html(text)) + "</li>";
+}
+
+/// Where on the page each exercise is written: line → "4.1".
+std::map<std::size_t, std::string> exercises_by_line(const Page& page) {
+  std::map<std::size_t, std::string> exercises;
+  for (const Box& box : boxes_of(page))
+    if (!box.exercise.empty()) exercises[box.first] = box.exercise;
+  return exercises;
+}
+
+}  // namespace
+
 std::string contents_html(const fs::path& root, const Page& page) {
   const std::vector<Fence> fences = fences_of(page);
+  const auto exercises = exercises_by_line(page);
   std::string items;
   std::size_t count = 0;
   for (std::size_t i = 0; i < page.lines.size(); ++i) {
+    if (const auto exercise = exercises.find(i); exercise != exercises.end())
+      items += item("level3", box_id(exercise->second), "Now write " + exercise->second);
     const Heading heading = heading_in(page.lines[i]);
     if (is_inside(fences, i) || heading.level < 2 || heading.level > 3) continue;
-    items += "<li class=\"level" + std::to_string(heading.level) + "\">" +
-             link_html("#" + heading_id(root, page, heading.text), inline_html(heading.text)) +
-             "</li>";
+    items += item("level" + std::to_string(heading.level), heading_id(root, page, heading.text),
+                  heading.text);
     ++count;
   }
   if (count < 3) return {};

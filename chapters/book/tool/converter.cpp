@@ -47,9 +47,14 @@ class Converter {
     std::string ends, begins;
     for (const Box& box : boxes_) {
       if (i == box.end) ends = "</div>";
-      if (i + 1 == box.first) begins = "<div class=\"" + box.name + "\">";
+      if (i + 1 == box.first) begins = opening(box);
     }
     return ends + begins;
+  }
+
+  static std::string opening(const Box& box) {
+    const std::string id = box.exercise.empty() ? "" : " id=\"" + box_id(box.exercise) + "\"";
+    return "<div class=\"" + box.name + "\"" + id + ">";
   }
 
   std::string line(std::size_t i) {

@@ -10,7 +10,7 @@ namespace tumble::book {
 
 namespace {
 
-const std::string box = "<div class=\"now-write\"", title = "Now write ";
+const std::string box = "<div class=\"now-write\" id=\"now-write-";
 const std::string script = "<script type=\"module\" src=\"exercises/exercise.mjs\"></script>\n";
 
 void demand(const fs::path& folder, const std::vector<std::string>& names) {
@@ -21,23 +21,12 @@ void demand(const fs::path& folder, const std::vector<std::string>& names) {
     throw std::invalid_argument(folder.string() + " is not complete: it has no " + missing);
 }
 
-/// The exercise of a box: "4.1" of "… Now write 4.1: …".
-std::string number_behind(const std::string& text, std::size_t start) {
-  const std::size_t at = text.find(title, start);
-  if (at == std::string::npos) return {};
-  const std::size_t begin = at + title.size();
-  return text.substr(begin, text.find_first_not_of("0123456789.", begin) - begin);
-}
-
-/// Names the boxes of a page, so that links lead to them. @return their exercises
-std::vector<std::string> name_boxes(std::string& text) {
+/// The exercises of a page: "4.1" of a box that is called "now-write-4.1".
+std::vector<std::string> exercises_on(const std::string& text) {
   std::vector<std::string> numbers;
   for (auto at = text.find(box); at != std::string::npos; at = text.find(box, at + 1)) {
-    const std::string number = number_behind(text, at);
-    if (number.empty()) continue;
-    const std::size_t start = at + box.size();  // an id of before goes
-    text.replace(start, text.find('>', at) - start, " id=\"now-write-" + number + "\"");
-    numbers.push_back(number);
+    const std::size_t begin = at + box.size();
+    numbers.push_back(text.substr(begin, text.find('"', begin) - begin));
   }
   return numbers;
 }
@@ -86,7 +75,7 @@ void add_editors(const fs::path& site, const fs::path& folder) {
   std::map<std::string, std::string> page_of;
   for (const fs::path& page : pages_in(site)) {
     std::string text = text_of(page);
-    const std::vector<std::string> numbers = name_boxes(text);
+    const std::vector<std::string> numbers = exercises_on(text);
     const bool has_figure = text.find("data-figure=") != std::string::npos;  // it may ask a reader
     if (numbers.empty() && !has_figure && page.filename() != "index.html") continue;
     for (const std::string& number : numbers) page_of[number] = page.filename().string();

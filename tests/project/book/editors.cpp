@@ -16,8 +16,10 @@ using tumble::test::TemporaryFolder;
 namespace {
 
 const std::string box =
-    "<div class=\"now-write\"> <p><b>Now write 4.1: <code>product</code>.</b></p></div>"
-    "<div class=\"now-write\"> <p><b>Now write 10.2: <code>free</code>.</b></p></div>";
+    "<div class=\"now-write\" id=\"now-write-4.1\"> <p><b>Now write 4.1: "
+    "<code>product</code>.</b></p></div>"
+    "<div class=\"now-write\" id=\"now-write-10.2\"> <p><b>Now write 10.2: "
+    "<code>free</code>.</b></p></div>";
 
 /// A site with a page that has boxes, and what is to be put into it.
 class Site : public TemporaryFolder {
@@ -50,12 +52,9 @@ TEST_CASE("editors: pages with a box and the front page have the script, others 
     CHECK(site.text(page).find("script") == std::string::npos);
 }
 
-TEST_CASE("editors: each box has a name, and a list says which page it is on") {
+TEST_CASE("editors: a list says which page each exercise is on") {
   const Site site;
   site.add();
-  CHECK(mentions(site.text("chapters-04.html"),
-                 "<div class=\"now-write\" id=\"now-write-4.1\"> <p>",
-                 "<div class=\"now-write\" id=\"now-write-10.2\"> <p>"));
   CHECK(site.text("exercises/pages.json") ==
         "{\n  \"10.2\": \"chapters-04.html\",\n  \"4.1\": \"chapters-04.html\"\n}\n");
 }

@@ -86,6 +86,15 @@ TEST_CASE("below the title stand the neighbours and the contents of a page") {
   CHECK_FALSE(mentions(project.converted("# One\n\n## A\n\n## B\n"), "On this page"));
 }
 
+TEST_CASE("an exercise is reached from the contents of its page") {
+  const Project project;
+  const std::string site = project.converted(
+      "# One\n\n## A\n\nText.\n\n<!-- exercise: 1.2 -->\n> **Now write 1.2: `f`.** F.\n\n## B\n\n"
+      "## C\n");
+  CHECK(mentions(site, "<li class=\"level3\"><a href=\"#now-write-1.2\">Now write 1.2</a></li>",
+                 "<div class=\"now-write\" id=\"now-write-1.2\">"));
+}
+
 TEST_CASE("the front page's sections are not the site's") {
   const Project project;
   project.write("README.md", "# Front\n\n## The chapters\n");

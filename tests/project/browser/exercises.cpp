@@ -123,8 +123,8 @@ TEST_CASE("exercises in the page: Reset keeps the text, and it can be put back")
   ExercisePage page;
   page.says("write('mine\\n'), button('Reset').click()");
   CHECK(page.says("until(() => editor().getValue().includes('NotImplemented'))") == true);
-  CHECK(page.says("until(() => button('Put back'))") == true);
-  page.says("button('Put back').click()");
+  CHECK(page.says("until(() => button('Put this back'))") == true);
+  page.says("button('Put this back').click()");
   CHECK(page.says("until(() => editor().getValue() === 'mine\\n')") == true);
 }
 

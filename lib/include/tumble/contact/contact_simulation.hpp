@@ -72,7 +72,7 @@ class ContactSimulation {
     if (b) fly_on(event.other, b->state, coming);
     settle(event, a, {normal, coming, parting});
     // Between several others its impacts can follow each other ever faster.
-    if (run_.ending == Ending::time && landings(event.body).faint >= most_faint())
+    if (run_.ending == Ending::time && landings(event.body).are_endless(scene_.e))
       end_undecided(event.body);
     if (++handled_ >= settings_.max_impacts && run_.ending == Ending::time)
       run_.ending = Ending::too_many_events;
@@ -88,13 +88,11 @@ class ContactSimulation {
 
   void fly_on(int i, const RigidBodyState<>& state, double coming) {
     rest_since(i) = std::numeric_limits<double>::infinity();
-    landings(i).count(coming, lowest_hop(i, -scene_.gravity.normalized()));
+    landings(i).count(coming, lowest_hop(i, -scene_.gravity.normalized()),
+                      kinetic_energy(scene_.body(i).body, state));
     run_.flights[static_cast<std::size_t>(i)].push_back({run_.t, state, -1});
     events_.fly(i, state, run_.t);
   }
-
-  /// More faint impacts in turn than bounces need to die away: each leaves e of the speed.
-  double most_faint() const { return 1000 / (1 - std::min(scene_.e, 0.999999)); }
 
   bool is_ball(int i) const { return events_.is_ball(i); }
   double pull(const Vec3& normal) const { return -normal.dot(scene_.gravity); }
@@ -104,11 +102,12 @@ class ContactSimulation {
     return hop_speed(std::max(0., pull(normal)), settings_.hop * scene_.body(i).shape.reach());
   }
   /// What is at rest has energy for some hops, and along the ground the speed of rounding, or one
-  /// with which it comes no farther than bodies touch.
-  bool comes_to_rest(int i, const Colliding& a, const Vec3& normal, const Aftermath& after) const {
+  /// with which it comes no farther than bodies touch. On a line of what is round nothing tips: its
+  /// neighbours are nearly as low.
+  bool comes_to_rest(int i, const Colliding& a, const Vec3& normal, const Aftermath& after) {
     const double speed = std::max(1e-9 * after.first, events_.tolerance(i) / settings_.until);
     return is_at_rest(a, scene_.body(i).shape, normal, scene_.gravity, scene_.mu,
-                      {10 * settings_.hop, speed});
+                      {10 * settings_.hop, speed, landings(i).have_ended() ? 2e-3 : 1e-4});
   }
 
   /// Whether this body's contact with this wall is a train of hops where it lasts.
@@ -131,8 +130,8 @@ class ContactSimulation {
     } else if (is_ball(event.body)) {
       settle_ball(event, a, speeds.normal, after);
     } else if (comes_to_rest(event.body, a, speeds.normal, after)) {
-      rest(event, a, run_.t);
-    } else if (landings(event.body).faint >= 30) {  // no hop goes on
+      rest(event, a, run_.t + time_to_rest(after, pull(speeds.normal), scene_.e));
+    } else if (landings(event.body).have_ended()) {
       end_undecided(event.body);
     }
   }

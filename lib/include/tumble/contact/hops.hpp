@@ -25,15 +25,23 @@ struct Speeds {
 /// How a body has landed since it stood or rolled.
 struct Landings {
   double fastest = 0;  ///< the largest speed [m/s]
-  int faint = 0;       ///< how many in turn had next to no speed
+  int faint = 0;       ///< how many in turn had next to no speed, while the body gained no energy
+  double energy = 0;   ///< the largest after one of these [J]
   bool skids = false;  ///< of a ball: whether its bounces have ended, and it slides on in hops
 
-  /// Counts a landing.
+  /// Counts a landing. What begins to slide or to tip gains energy from one to the next.
   /// @param lowest speed of a hop [m/s]
-  void count(double coming, double lowest) {
+  /// @param now    kinetic energy after it [J]
+  void count(double coming, double lowest, double now) {
     fastest = std::max(fastest, coming);
-    faint = coming <= 1e-2 * lowest ? faint + 1 : 0;
+    const bool is_faint = coming <= 1e-2 * lowest, gains = now > energy;
+    faint = is_faint && !gains ? faint + 1 : 0;
+    energy = is_faint ? std::max(energy, now) : 0;
   }
+  /// Whether no hop goes on.
+  bool have_ended() const { return faint >= 30; }
+  /// Whether this are more than bounces need to die away: each leaves e of the speed.
+  bool are_endless(double e) const { return faint >= 1000 / (1 - std::min(e, 0.999999)); }
 };
 
 /// How fast a body leaves the ground for a hop of some height.
@@ -42,7 +50,7 @@ inline double hop_speed(double pull, double height) { return std::sqrt(2 * pull 
 /// Lets a body leave the ground with the speed of the lowest hop, if it leaves more slowly. It
 /// keeps its energy: motions with which the middle of the contact does not part are slowed as a
 /// whole. So this is a rolling resistance, and it takes no more than the energy of a hop each time.
-/// Nothing happens if the body has not twice as much.
+/// A body that has less than three times as much, as at the start on a slope, hops lower.
 /// @param points of the contact, from the centre, in world axes [m]
 /// @param lowest speed [m/s]
 /// @return whether it was lifted
@@ -55,11 +63,11 @@ inline bool lift_to_hop(Colliding& a, const collide::ContactPoints& points, cons
   const double parting = normal.dot(touching.velocity(middle));
   // A motion is that of an impulse along the normal, and one that has no speed there: their
   // energies add up.
-  const double missing = (lowest * lowest - parting * parting) / (2 * ease);
-  const double other = kinetic_energy(a.body, a.state) - parting * parting / (2 * ease);
-  if (parting >= lowest || other < 2 * missing) return false;
-  const double slower = std::sqrt(1 - missing / other);
-  const Vec3 impulse = (lowest - slower * parting) / ease * normal;
+  const double all = kinetic_energy(a.body, a.state), hop = lowest * lowest / (2 * ease);
+  const double now = parting * parting / (2 * ease), wanted = all < 3 * hop ? all / 50 : hop;
+  if (parting >= lowest || now >= wanted) return false;
+  const double slower = std::sqrt(1 - (wanted - now) / (all - now));
+  const Vec3 impulse = (std::sqrt(2 * ease * wanted) - slower * parting) / ease * normal;
   a.state.P = slower * a.state.P + impulse;
   a.state.L = slower * a.state.L + middle.cross(impulse);
   return true;

@@ -50,6 +50,7 @@ inline bool rolls_on(const Colliding& ball, double radius, const Vec3& normal, c
 struct Stillness {
   double lift;   ///< energy for hops so high, as a part of its reach
   double speed;  ///< along the ground; what has more has to be stopped by friction [m/s]
+  double near;  ///< so close to the ground are the points that it stands on, as a part of its reach
 };
 
 /// How fast a body on the ground slides along it, or turns about its normal [m/s].
@@ -64,7 +65,6 @@ inline double speed_along(const Colliding& c, double reach, const Vec3& normal) 
 /// @param normal out of what it stands on
 inline bool is_at_rest(const Colliding& c, const collide::Convex& shape, const Vec3& normal,
                        const Vec3& gravity, double mu, const Stillness& still) {
-  constexpr double near = 1e-4;  // of its reach: so close are the points that it stands on
   const double pull = -normal.dot(gravity), sideways = (gravity + pull * normal).norm();
   if (!(pull > 0) || sideways > (mu + 1e-12) * pull) return false;
   const double reach = shape.reach(), energy = kinetic_energy(c.body, c.state);
@@ -75,7 +75,7 @@ inline bool is_at_rest(const Colliding& c, const collide::Convex& shape, const V
   if (energy > to_slide && speed_along(c, reach, normal) > still.speed) return false;
   const collide::Pose pose{Vec3::Zero(), to_matrix(c.state.q)};
   const auto below = distance(shape, pose, collide::HalfSpace{Vec3::Zero(), normal});
-  const auto points = contact_points(shape, pose, below, near * reach);
+  const auto points = contact_points(shape, pose, below, still.near * reach);
   const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
   // Where the line of gravity through the centre meets the ground.
   const Vec3 foot = gravity * (normal.dot(below.arm_a) / normal.dot(gravity));

@@ -49,8 +49,8 @@ class Box {
     parts.code.append(element("pre", {}, this.unit.stub)); // until the editor is there
     parts.code.style.minHeight = `${this.unit.stub.split("\n").length * 1.5 + 1}em`;
     const buttons = element("div", { className: "buttons" }, parts.check, parts.hint, parts.reset, parts.solution);
-    const frame = element("div", { className: "exercise" }, parts.code, help, buttons, parts.progress, parts.note, parts.hints,
-      parts.line, parts.text, parts.next, parts.answer, parts.old);
+    const frame = element("div", { className: "exercise" }, parts.code, help, buttons, parts.progress, parts.note,
+      parts.line, parts.text, parts.next, parts.hints, parts.answer, parts.old);
     const command = foldCommand(place);
     place.append(contractText(this.unit), frame, command);
     return parts;
@@ -136,9 +136,9 @@ class Box {
   showState(work) {
     this.parts.solution.hidden = !work.passed;
     this.parts.old.hidden = work.old.length === 0;
-    const entries = work.old.map(({ text, at }) =>
-      element("li", {}, this.button("Put back", () => this.replace(text)),
-        ` ${this.nameOf(text, work)}, ${text.split("\n").length} lines, ${new Date(at).toLocaleString()}`));
+    const entries = work.old.map(({ text, at }) => element("li", {}, element("details", {},
+      element("summary", {}, `${new Date(at).toLocaleString()}: ${this.nameOf(text, work)}, ${text.split("\n").length} lines`),
+      element("pre", {}, text), this.button("Put this back", () => this.replace(text)))));
     this.parts.old.replaceChildren(element("summary", {}, "Earlier texts of yours"), element("ul", {}, ...entries));
   }
 
@@ -161,6 +161,7 @@ class Box {
     const next = this.parts.hints.childElementCount;
     if (next >= this.unit.hints.length) return;
     this.showHint(next);
+    this.parts.hints.lastChild.scrollIntoView({ block: "nearest" }); // it may be below a long verdict
     await saveHints(this.unit.id, next + 1);
   }
 

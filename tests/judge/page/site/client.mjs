@@ -67,11 +67,12 @@ export class Judge {
    * @param unit       "04_quaternions/product"
    * @param seed       of the inputs
    * @param onProgress is called with {done, total} [bytes] while something is downloaded
+   * @param onCompiling is called when the compiler is there, and begins
    * @param onHung     is called with the number of calls that have not come back in time
    * @param signal     ends it: an AbortSignal
    */
-  check(unit, source, { seed, onProgress = () => {}, onHung = () => {}, signal }) {
-    return this.#inTurn(() => this.#check(unit, source, seed, { onProgress, onHung, signal }));
+  check(unit, source, { seed, onProgress = () => {}, onCompiling = () => {}, onHung = () => {}, signal }) {
+    return this.#inTurn(() => this.#check(unit, source, seed, { onProgress, onCompiling, onHung, signal }));
   }
 
   #inTurn(work) {
@@ -139,12 +140,14 @@ export class Judge {
   }
 
   /** What the compiler has made of a file. If that takes too long, the compiler is ended. */
-  async #build(what, { onProgress, signal }, patience = patienceWithCompiler) {
+  async #build(what, { onProgress, onCompiling, signal }, patience = patienceWithCompiler) {
     const compiler = (this.compiler ??= new Asked(new URL("compiler.mjs", this.base)));
     let clock;
     const hear = ({ progress, compiling }) => {
       if (progress) onProgress(progress);
-      if (compiling) clock = setTimeout(() => compiler.fail(new TooExpensive(patience)), patience);
+      if (!compiling) return;
+      clock = setTimeout(() => compiler.fail(new TooExpensive(patience)), patience);
+      onCompiling?.();
     };
     try {
       return await compiler.ask(what, hear, signal);

@@ -47,11 +47,11 @@ export class Judging {
     const { unit, parts, box } = this;
     const text = await box.text();
     const bar = progressBar(parts.progress);
-    this.say("Checking …");
+    this.say("Starting the compiler …");
     this.reveal();
     this.setRunning(new AbortController());
     try {
-      const listeners = { onProgress: (at) => bar.show(at), onHung: (count) => this.sayHung(count), signal: this.running.signal };
+      const listeners = { onProgress: (at) => bar.show(at), onCompiling: () => this.say("Checking …"), onHung: (count) => this.sayHung(count), signal: this.running.signal };
       const verdict = await (await theJudge()).check(unit.id, text, { seed, ...listeners });
       await saveVerdict(unit.id, text, verdict); // what is shown is kept
       document.dispatchEvent(new Event("exercise-judged"));

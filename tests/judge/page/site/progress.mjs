@@ -65,7 +65,7 @@ async function open(file, say) {
     const question = `Replace your text of ${replaced.join(", ")}? What you have now is kept in its box, under “Earlier texts of yours”.`;
     if (replaced.length > 0 && !confirm(question)) return say("Nothing is changed.");
     await takeOver(files);
-    say(`${files.length} ${files.length === 1 ? "exercise" : "exercises"} opened.`);
+    say(`${files.length === 1 ? "1 exercise is" : `${files.length} exercises are`} open. The file holds no verdicts: check ${files.length === 1 ? "it" : "each"} in its page.`);
   } catch (error) {
     say(`${file.name} cannot be opened: ${error.message}.`);
   }

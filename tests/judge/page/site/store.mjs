@@ -84,14 +84,14 @@ export function saveHints(id, hints) {
   return change(id, (record) => (record.hints = Math.max(record.hints, hints)));
 }
 
-/** As ./tumble check counts: what is untouched is no try. */
+/** Tries are the different texts until one has passed; what is untouched is none. */
 export function saveVerdict(id, text, verdict) {
   return change(id, (record) => {
     const started = !verdict.explanation.startsWith("·");
     if (verdict.judge_failure) return;
+    record.tries += started && !record.passed && text !== record.checked ? 1 : 0;
     record.checked = text;
     record.last = verdict;
-    record.tries += started ? 1 : 0;
     record.passed ||= verdict.passed;
     if (verdict.passed) record.right = text;
   });

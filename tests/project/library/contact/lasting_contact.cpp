@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "objects/objects.hpp"
 #include "project/harness/inputs.hpp"
@@ -125,4 +127,46 @@ TEST_CASE("lasting contact: without friction a box slides on, however slowly; wi
   CHECK(where == doctest::Approx(5 * v.x()).epsilon(1e-9));
   CHECK(run_with(0.3).first == Ending::all_at_rest);
   CHECK(run_with(1e-4).first != Ending::all_at_rest);  // friction needs ten seconds
+}
+
+TEST_CASE("lasting contact: what starts at rest in touch with a slope slides or rolls down it") {
+  constexpr double tilt = 0.35, mu = 0.2, until = 1;
+  const double pull = gravity * std::sin(tilt);
+  const double slides = pull - mu * gravity * std::cos(tilt), rolls = 5 * pull / 7;
+  const auto way_of = [&](const contact::ContactBody& body, double friction) {
+    auto scene = over_floor(body, 0.3, friction);
+    scene.gravity = {pull, 0, -gravity * std::cos(tilt)};
+    const ContactRun run = simulate_contacts(scene, {.until = until, .hop = 1e-4});
+    CHECK(run.ending == (friction < 1 ? Ending::time : Ending::all_at_rest));
+    CHECK(run.energy.impacts <= 0);
+    return run.state(scene, 0, run.t).x.x();
+  };
+  const auto flat = box("box", Vec3(0.2, 0.2, 0.1), Vec3(0, 0, 0.05), Quat::Identity(),
+                        Vec3::Zero(), Vec3::Zero());
+  const auto rolling = ball("ball", 0.1, Vec3(0, 0, 0.1), Vec3::Zero());
+  CHECK(way_of(flat, mu) == doctest::Approx(slides / 2).epsilon(0.01));
+  CHECK(way_of(rolling, 0.5) == doctest::Approx(rolls / 2).epsilon(0.01));
+  CHECK(std::abs(way_of(flat, 1)) < 1e-12);  // friction holds it
+}
+
+TEST_CASE("lasting contact: a cylinder that lands on its side comes to rest there") {
+  constexpr int sides = 128;
+  constexpr double r = 0.05, half = 0.1, turn = 2 * std::numbers::pi / sides;
+  std::vector<Vec3> corners;
+  for (int i = 0; i < sides; ++i)
+    for (const double z : {-half, half})
+      corners.emplace_back(r * std::cos(i * turn), r * std::sin(i * turn), z);
+  const RigidBody<> body(mass_properties(Cylinder{r, 2 * half}, 1000));
+  for (const double lean : {0., 0.02, 0.2}) {
+    CAPTURE(lean);
+    const contact::ContactBody cylinder{
+        "cylinder", body, collide::Convex::hull(corners),
+        state_of_motion<double>(body, Vec3(0, 0, 0.3),
+                                from_axis_angle(Vec3(1, 0, 0), std::numbers::pi / 2 - lean),
+                                Vec3::Zero(), Vec3::Zero())};
+    const ContactRun run =
+        simulate_contacts(over_floor(cylinder, 0.3, 0.5), {.until = 5, .hop = 1e-4});
+    REQUIRE(run.ending == Ending::all_at_rest);
+    CHECK(run.flights[0].back().state.x.z() == doctest::Approx(r).epsilon(1e-3));
+  }
 }

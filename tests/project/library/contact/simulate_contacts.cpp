@@ -161,6 +161,11 @@ TEST_CASE("simulate_contacts: a cube that lands flat leaves flat") {
   const ContactRun run = simulate_contacts(flat, {.until = 0.6});
   REQUIRE(run.impacts.size() == 1);
   CHECK(run.state(flat, 0, 0.6).L.norm() < 1e-9);
+  const auto dropped = over_floor(
+      box("cube", Vec3(1, 1, 1), Vec3(0, 0, 2), Quat::Identity(), Vec3::Zero(), Vec3::Zero()), 0.5);
+  const double end = std::sqrt(2 * 1.5 / gravity) * 1.5 / 0.5;  // of bounces without end
+  CHECK(simulate_contacts(dropped, {.until = 5}).rest_since[0] ==
+        doctest::Approx(end).epsilon(1e-6));
 }
 
 TEST_CASE("simulate_contacts: Newton's cradle, and a ball that is hit at its side") {
