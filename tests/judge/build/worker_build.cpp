@@ -8,10 +8,10 @@
 
 #include "judge/build/confined_compiler.hpp"
 #include "judge/build/diagnostics.hpp"
+#include "judge/build/header_errors.hpp"
 #include "judge/build/inspection.hpp"
 #include "judge/build/link_failure.hpp"
 #include "judge/build/object_cache.hpp"
-#include "judge/build/static_assertions.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/course/contract.hpp"
 #include "support/text_file.hpp"
@@ -108,7 +108,7 @@ class Builder {
     if (step.ending == Ending{false, 0}) return true;
     result.explained = has_error_in(source(), step.output);
     // The text may stand nowhere: an object that was kept is linked without it.
-    const std::string output = static_assertions_at(source(), text_, step.output);
+    const std::string output = header_errors_at(source(), text_, step.output);
     result.detail = messages_about(source(), output, others) + advice_on(output);
     if (result.detail.empty()) result.detail = "It ended without a word about a line of yours.\n";
     result.outcome =

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "judge/build/diagnostics.hpp"
+#include "judge/build/header_errors.hpp"
 #include "judge/build/link_failure.hpp"
 #include "judge/build/source_text.hpp"
-#include "judge/build/static_assertions.hpp"
 #include "judge/verdict/names_from_source.hpp"
 
 namespace tumble::judge {
@@ -44,7 +44,7 @@ void report_failure(BuildReport& report, const PageBuild& build, const Course& c
                     const Unit& unit, const std::string& source) {
   report.outcome =
       build.step == "limit" ? BuildOutcome::too_expensive : BuildOutcome::does_not_compile;
-  const std::string output = static_assertions_at(place_of(unit), source, build.output);
+  const std::string output = header_errors_at(place_of(unit), source, build.output);
   report.detail = messages_about(place_of(unit), output, true) + advice_on(output);
   if (build.step == "link")
     explain_link_failure(report, course, unit, build.output, build.functions);

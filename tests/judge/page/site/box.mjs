@@ -32,7 +32,7 @@ class Box {
 
   build(place) {
     const help = element("p", { id: `keys-${this.unit.number}`, className: "keys" },
-      "Ctrl-Enter checks. Tab indents; Escape, then Tab, leaves the editor. The verdict shows what your code prints.");
+      "Ctrl-Enter checks. Tab indents; Escape, then Tab, leaves the editor. Where a case fails, the verdict shows what your code printed.");
     const parts = {
       code: element("div", { className: "editor" }), help, hints: element("ol", { className: "hints", "aria-live": "polite" }),
       check: this.button("Check", () => this.judging.press(), { className: "main" }),

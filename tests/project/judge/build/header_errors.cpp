@@ -1,12 +1,13 @@
 /// @file
-/// A static assertion of Eigen's is told at the student's line, in other words.
-#include "judge/build/static_assertions.hpp"
+/// An error in a header is told at the student's line, a static assertion of Eigen's in other
+/// words.
+#include "judge/build/header_errors.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
-using tumble::judge::static_assertions_at;
+using tumble::judge::header_errors_at;
 
 namespace {
 
@@ -18,7 +19,7 @@ const std::string told =
     "    2 |   return v * v;\n"
     "      |            ^\n";
 
-std::string seen(const std::string& output) { return static_assertions_at(source, text, output); }
+std::string seen(const std::string& output) { return header_errors_at(source, text, output); }
 
 }  // namespace
 
@@ -49,7 +50,29 @@ TEST_CASE("clang tells of it in a note behind its error") {
             "/tmp/w/a.cpp:3:1: error: expected ';'\n");
 }
 
-TEST_CASE("what led nowhere in the file, or is no static assertion, stays as it is") {
+TEST_CASE("the first error of a line in a header is told there, what follows from it is not") {
+  CHECK(
+      seen("/tmp/w/a.cpp:2:12:   required from here\n"
+           "/usr/Eigen/Matrix.h:340:35: error: no matching function for call to '_init2<int, V>'\n"
+           "  340 |   Base::template _init2<T0, T1>(x, y);\n"
+           "/usr/Eigen/Plain.h:803:30: note: candidate: 'void _init2()'\n"
+           "/tmp/w/a.cpp:2:12:   required from here\n"
+           "/usr/Eigen/Plain.h:815:30: error: invalid use of incomplete type\n"
+           "  815 |   _init2(x);\n") ==
+      "/tmp/w/a.cpp:2:12: error: a vector is given its numbers one by one: {0, p[0], p[1], "
+      "p[2]}, not {0, p}\n"
+      "    2 |   return v * v;\n"
+      "      |            ^\n"
+      "/usr/Eigen/Plain.h:803:30: note: candidate: 'void _init2()'\n");
+  CHECK(
+      seen("/usr/stl_algo.h:7:8: error: no match for 'operator<'\n"
+           "/tmp/w/a.cpp:2:12: note: in instantiation of function template 'x' requested here\n") ==
+      "/tmp/w/a.cpp:2:12: error: no match for 'operator<'\n"
+      "    2 |   return v * v;\n"
+      "      |            ^\n");
+}
+
+TEST_CASE("what led nowhere in the file stays as it is") {
   for (const std::string output :
        {"/usr/a.hpp:1:1: error: static assertion failed: X\n",
         "/tmp/w/a.cpp:2:1: error: static assertion failed: mine\n 2 | static_assert(false);\n",

@@ -1,4 +1,4 @@
-#include "judge/build/static_assertions.hpp"
+#include "judge/build/header_errors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,9 @@ std::vector<std::string> split_lines(const std::string& text) {
   return lines;
 }
 
-bool has(const std::string& line, const char* words) {
+const std::string is_error = ": error: ";
+
+bool has(const std::string& line, const std::string& words) {
   return line.find(words) != std::string::npos;
 }
 
@@ -54,6 +56,17 @@ std::optional<std::string> static_assertion_in(const std::string& line) {
     if (open != std::string::npos) return line.substr(open + 1, line.size() - open - 2);
   }
   return line.substr(line.rfind(": ") + 2);
+}
+
+/// What an error in a header says, for who did not write the header.
+std::string words_of(const std::string& line) {
+  if (const auto assertion = static_assertion_in(line)) {
+    const std::string meaning = meaning_of(*assertion);
+    return meaning.empty() ? *assertion : meaning + " (" + *assertion + ")";
+  }
+  if (has(line, "_init2"))  // Eigen's constructor from two things
+    return "a vector is given its numbers one by one: {0, p[0], p[1], p[2]}, not {0, p}";
+  return line.substr(line.find(is_error) + is_error.size());
 }
 
 struct SourcePlace {
@@ -96,12 +109,11 @@ class Rewriting {
       return {};
     }
     is_dropped_ = is_dropped_ && line.starts_with(' ');
-    const std::optional<std::string> assertion = static_assertion_in(line);
     const std::optional<SourcePlace> place =
-        assertion && !is_here ? place_of_error(i) : std::optional<SourcePlace>();
+        has(line, is_error) && !is_here ? place_of_error(i) : std::optional<SourcePlace>();
     if (!place) return is_dropped_ ? "" : line + "\n";
     is_dropped_ = true;
-    return told_.insert(place->line).second ? error_at(*place, *assertion) : "";
+    return told_.insert(place->line).second ? error_at(*place, words_of(line)) : "";
   }
 
   /// The place in the source that led to the error in line i.
@@ -109,17 +121,17 @@ class Rewriting {
     const auto place = [&](std::size_t k) {
       return leads_to_header(output_[k]) ? place_at(output_[k], source_) : std::nullopt;
     };
-    for (std::size_t k = i; k-- > 0 && !has(output_[k], ": error: ");)
+    for (std::size_t k = i; k-- > 0 && !has(output_[k], is_error);)
       if (has(output_[k], "required from") && place(k)) return place(k);
-    for (std::size_t k = i + 1; k < output_.size() && !has(output_[k], ": error: "); ++k)
+    for (std::size_t k = i + 1; k < output_.size() && !has(output_[k], is_error); ++k)
       if (has(output_[k], "note: in instantiation of") && place(k)) return place(k);
     return std::nullopt;
   }
 
-  std::string error_at(const SourcePlace& place, const std::string& assertion) const {
-    const std::string line = std::to_string(place.line), meaning = meaning_of(assertion);
-    std::string error = source_ + ":" + line + ":" + std::to_string(place.column) + ": error: " +
-                        (meaning.empty() ? assertion : meaning + " (" + assertion + ")") + "\n";
+  std::string error_at(const SourcePlace& place, const std::string& words) const {
+    const std::string line = std::to_string(place.line);
+    std::string error =
+        source_ + ":" + line + ":" + std::to_string(place.column) + is_error + words + "\n";
     if (place.line == 0 || place.line > text_.size() || place.column == 0) return error;
     constexpr std::size_t width = 5;  // as gcc's
     const std::string quoted =
@@ -137,8 +149,8 @@ class Rewriting {
 
 }  // namespace
 
-std::string static_assertions_at(const std::filesystem::path& source, const std::string& text,
-                                 const std::string& compiler_output) {
+std::string header_errors_at(const std::filesystem::path& source, const std::string& text,
+                             const std::string& compiler_output) {
   return Rewriting(source.string(), text, compiler_output).result();
 }
 
