@@ -100,13 +100,16 @@ export class Judging {
     this.markAgain();
   }
 
-  /** Where to go on once this has passed. */
+  /** Where to go on once this has passed, and where the file is that one hands in. */
   async offerNext(verdict) {
     const { next } = this.parts;
     next.hidden = true;
-    const following = verdict.passed && (await unitAfter(this.unit)), address = following && (await addressOf(following));
-    if (!address || this.verdict !== verdict) return;
-    next.replaceChildren("Next: ", element("a", { href: address }, `${following.number} ${following.name}`));
+    if (!verdict.passed) return;
+    const following = await unitAfter(this.unit), address = following && (await addressOf(following));
+    if (this.verdict !== verdict) return;
+    const link = address ? ["Next: ", element("a", { href: address }, `${following.number} ${following.name}`), ". "] : [];
+    next.replaceChildren(...link, "To hand in, or to keep, what you have written: ",
+      element("a", { href: new URL("../index.html#your-exercises", base).href }, "Download my work"), ".");
     next.hidden = false;
   }
 
