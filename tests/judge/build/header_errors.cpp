@@ -20,7 +20,7 @@ std::vector<std::string> split_lines(const std::string& text) {
   return lines;
 }
 
-const std::string is_error = ": error: ";
+const std::string error_mark = ": error: ";
 
 bool has(const std::string& line, const std::string& words) {
   return line.find(words) != std::string::npos;
@@ -66,7 +66,7 @@ std::string words_of(const std::string& line) {
   }
   if (has(line, "_init2"))  // Eigen's constructor from two things
     return "a vector is given its numbers one by one: {0, p[0], p[1], p[2]}, not {0, p}";
-  return line.substr(line.find(is_error) + is_error.size());
+  return line.substr(line.find(error_mark) + error_mark.size());
 }
 
 struct SourcePlace {
@@ -110,7 +110,7 @@ class Rewriting {
     }
     is_dropped_ = is_dropped_ && line.starts_with(' ');
     const std::optional<SourcePlace> place =
-        has(line, is_error) && !is_here ? place_of_error(i) : std::optional<SourcePlace>();
+        has(line, error_mark) && !is_here ? place_of_error(i) : std::optional<SourcePlace>();
     if (!place) return is_dropped_ ? "" : line + "\n";
     is_dropped_ = true;
     return told_.insert(place->line).second ? error_at(*place, words_of(line)) : "";
@@ -121,9 +121,9 @@ class Rewriting {
     const auto place = [&](std::size_t k) {
       return leads_to_header(output_[k]) ? place_at(output_[k], source_) : std::nullopt;
     };
-    for (std::size_t k = i; k-- > 0 && !has(output_[k], is_error);)
+    for (std::size_t k = i; k-- > 0 && !has(output_[k], error_mark);)
       if (has(output_[k], "required from") && place(k)) return place(k);
-    for (std::size_t k = i + 1; k < output_.size() && !has(output_[k], is_error); ++k)
+    for (std::size_t k = i + 1; k < output_.size() && !has(output_[k], error_mark); ++k)
       if (has(output_[k], "note: in instantiation of") && place(k)) return place(k);
     return std::nullopt;
   }
@@ -131,7 +131,7 @@ class Rewriting {
   std::string error_at(const SourcePlace& place, const std::string& words) const {
     const std::string line = std::to_string(place.line);
     std::string error =
-        source_ + ":" + line + ":" + std::to_string(place.column) + is_error + words + "\n";
+        source_ + ":" + line + ":" + std::to_string(place.column) + error_mark + words + "\n";
     if (place.line == 0 || place.line > text_.size() || place.column == 0) return error;
     constexpr std::size_t width = 5;  // as gcc's
     const std::string quoted =
