@@ -32,7 +32,8 @@ inline std::vector<Energies> energies_of(const Throw& thrown) {
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const double begin = legs[i].t, end = i + 1 < legs.size() ? legs[i + 1].t : thrown.run.t;
     const int parts = 1 + static_cast<int>((end - begin) / fine);
-    for (int k = 0; k <= parts && legs[i].on_wall < 0; ++k)
+    const bool rests = legs[i].on_wall >= 0 && thrown.flight(legs[i]).is_still();
+    for (int k = 0; k <= parts && !rests; ++k)
       all.push_back(energies_at(thrown, thrown.flight(legs[i]), begin + k * (end - begin) / parts));
   }
   return all;

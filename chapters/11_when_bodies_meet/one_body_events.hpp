@@ -68,6 +68,10 @@ class OneBodyEvents {
 
   bool next() {
     if (all_rest()) return false;
+    if (slides_) {
+      event_ = {0, -1, -1, 0, 0, {true, stops_}};
+      return stops_ <= end_;
+    }
     event_ = {0,
               -1,
               0,
@@ -82,15 +86,20 @@ class OneBodyEvents {
 
   void fly(int, const RigidBodyState<>& state, double t) {
     flight_ = SteadyFlight(scene_.body(0).body, state, scene_.gravity, t);
+    slides_ = false;
   }
-  void support(int, const RigidBodyState<>& state, double t, int) {
-    flight_ = SteadyFlight(scene_.body(0).body, state, Vec3::Zero(), t);
+  void support(int, const RigidBodyState<>& state, double t, int, const Vec3& acceleration,
+               double stops) {
+    flight_ = SteadyFlight(scene_.body(0).body, state, acceleration, t);
+    slides_ = true;
+    stops_ = stops;
   }
   bool all_rest() const { return flight_.is_still(); }
 
  private:
   const contact::ContactScene& scene_;
-  double tolerance_, end_ = 0;
+  double tolerance_, end_ = 0, stops_ = 0;
+  bool slides_ = false;  // or rests, on the floor
   SteadyFlight flight_;
   contact::detail::ContactEvent event_{};
   std::int64_t queries_ = 0;

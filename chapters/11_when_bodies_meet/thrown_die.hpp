@@ -47,8 +47,8 @@ struct Throw {
   double end() const { return std::min(run.rest_since[0], run.t); }
 
   SteadyFlight flight(const contact::FlightStart& leg) const {
-    const Vec3 pull(0, 0, leg.on_wall < 0 ? -die_gravity : 0);
-    return {body, leg.state, pull, leg.t};
+    const Vec3 falls(0, 0, -die_gravity);
+    return {body, leg.state, leg.on_wall < 0 ? falls : leg.acceleration, leg.t};
   }
   RigidBodyState<> at(double t) const {
     t = std::min(t, run.t);

@@ -51,10 +51,20 @@ std::optional<double> first_crossing(const Contacts& contacts, const StopWhen& s
     const FlightStart& now = legs[i];
     const double until = i + 1 < legs.size() ? legs[i + 1].t : contacts.run.t;
     const Leg leg{now.state.x[stop.coordinate] - stop.level, now.state.P[stop.coordinate] / mass,
-                  now.on_wall < 0 ? contacts.scene.gravity[stop.coordinate] : 0, until - now.t};
+                  (now.on_wall < 0 ? contacts.scene.gravity : now.acceleration)[stop.coordinate],
+                  until - now.t};
     if (const auto s = leg.crossing()) return now.t + *s;
   }
   return {};
+}
+
+/// On a floor that carries it.
+std::string how_it_goes_on(const SceneBody& body, const FlightStart& leg) {
+  const bool is_ball = body.shape->convex.points().size() == 1;
+  const Derived<> now = derived(body.body, leg.state);
+  const double turns = now.omega.norm() * body.shape->convex.reach();
+  if (turns > 0 && now.v.norm() <= 1e-9 * turns) return "spinning in place";
+  return is_ball && turns > 0 ? "rolling" : "sliding";
 }
 
 }  // namespace
@@ -88,10 +98,10 @@ std::string how_it_ended(const Scene& scene, const Motions& motions, std::size_t
   };
   if (std::isfinite(run.rest_since[body])) return "at rest" + since(run.rest_since[body]);
   if (last.on_wall >= 0)
-    return "rolling on the " + scene.contact->walls[static_cast<std::size_t>(last.on_wall)].name +
-           since(last.t);
-  if (run.undecided == static_cast<int>(body)) return "in lasting contact, which is not modelled";
-  return "in flight";
+    return how_it_goes_on(scene.bodies[body], last) + " on the " +
+           scene.contact->walls[static_cast<std::size_t>(last.on_wall)].name + since(last.t);
+  if (run.undecided == static_cast<int>(body)) return "in contact that lasts, undecided";
+  return last.is_hop ? "in contact that lasts, in hops" : "in flight";
 }
 
 const std::string& hit_name(const Scene& scene, const contact::ImpactEvent& impact) {

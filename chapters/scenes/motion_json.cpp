@@ -96,8 +96,9 @@ Json run_json(const Scene& scene, const Motions& motions) {
                {"rest_since", Json::object()},
                {"energy",
                 {{"start", run.energy.start},
-                 {"lost_in_impacts", -run.energy.impacts},
-                 {"lost_when_put_to_rest", -run.energy.settled},
+                 {"lost_in_impacts", 0 - run.energy.impacts},
+                 {"lost_in_sliding", 0 - run.energy.sliding},
+                 {"lost_when_put_to_rest", 0 - run.energy.settled},
                  {"end", run.energy.end}}},
                {"queries", run.queries}};
   if (run.undecided >= 0)

@@ -33,7 +33,7 @@ void print_impacts(const Scene& scene, const Motions& motions) {
     table.add({support::number(motions.start + impact.t, 9),
                scene.bodies[static_cast<std::size_t>(impact.body)].name, hit_name(scene, impact),
                three_digits(impact.normal), three_digits(impact.impulse),
-               support::number(-impact.energy)});
+               support::number(0 - impact.energy)});
   }
   if (!impacts.empty()) std::cout << support::fitted(table) << '\n';
 }
@@ -41,8 +41,9 @@ void print_impacts(const Scene& scene, const Motions& motions) {
 void print_energy(const contact::EnergyLedger& energy) {
   support::Table table({"energy of all bodies", "[J]"});
   table.add({"at the start", support::number(energy.start, 9)});
-  table.add({"lost in impacts", support::number(-energy.impacts, 9)});
-  table.add({"lost when put to rest", support::number(-energy.settled, 9)});
+  table.add({"lost in impacts", support::number(0 - energy.impacts, 9)});
+  table.add({"lost in sliding", support::number(0 - energy.sliding, 9)});
+  table.add({"lost when put to rest", support::number(0 - energy.settled, 9)});
   table.add({"at the end", support::number(energy.end, 9)});
   std::cout << support::fitted(table) << '\n';
 }
@@ -83,9 +84,10 @@ void print_hops(const Scene& scene, const Motions& motions) {
   if (hopped.empty()) return;
   std::cout << support::fitted("These stayed in touch and moved on, in hops: " + hopped +
                                ". That is not exact, and the comparison above does not see it. "
-                               "Where a body slides or tips, expect its way and its times to be "
-                               "off by some per cent; what is round but no ball slows down as it "
-                               "rolls.")
+                               "Where a body slides in a curve or tips, expect its way and its "
+                               "times to be off by some per cent, by more where it is slow; what "
+                               "is round but no ball slows down as it rolls, and may stop; what "
+                               "spins upright is not slowed as it should be.")
             << "\n\n";
 }
 

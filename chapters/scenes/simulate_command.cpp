@@ -34,11 +34,11 @@ bool followed_to_the_end(const Scene& scene, const Motions& motions) {
   std::cerr << "tumble: at t = " << motions.end << " s ";
   if (run.undecided >= 0)
     std::cerr << scene.bodies[static_cast<std::size_t>(run.undecided)].name
-              << " stays in touch and moves on. We don't model lasting contact, so the motion "
+              << " stays in touch, and we can't tell how it goes on. The motion "
                  "ends here\n";
   else
-    std::cerr << "we have computed " << run.impacts.size()
-              << " impulses, the most that we allow. The motion ends here\n";
+    std::cerr << "there are " << motions.contacts->settings.max_impacts
+              << " impacts, the most that we allow. The motion ends here\n";
   return false;
 }
 

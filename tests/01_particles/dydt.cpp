@@ -196,7 +196,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the position changes at the velocity, and where nothing acts the velocity stays") {
+  TEST_CASE("the position changes at the velocity, which stays, or changes by what acts") {
     for (const int count : {1, 2, 5}) {
       const System system = free_particles(count);
       const VectorXd y = any_state(count);
@@ -258,7 +258,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("springs shift no momentum and no angular momentum in from nowhere") {
+  TEST_CASE("springs pull as they should, and bring in no momentum and no angular momentum") {
     for (const int count : {2, 3, 6}) {
       const System system = ring(count);
       const VectorXd y = any_state(count);
@@ -276,7 +276,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a spring's damping resists only what changes its length") {
+  TEST_CASE("a spring that is carried along or circles pulls by its stretch alone, undamped") {
     for (int n = 0; n < 5; ++n) {
       const System system = ring(2);  // two springs between the same two particles
       const VectorXd y = any_state(2);
@@ -297,7 +297,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a spring whose ends are at the same place does not pull") {
+  TEST_CASE("a spring whose ends are at the same place does not pull, and all else acts as ever") {
     System system = any_system(3);
     VectorXd y = any_state(3);
     y.segment<3>(6) = y.head<3>();

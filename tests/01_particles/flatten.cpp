@@ -50,12 +50,12 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("two particles, whose numbers count from 1 to 12") {
+  TEST_CASE("two particles whose numbers count from 1 to 12 give 1, 2, 3 … 12") {
     const Particles list{{50, {1, 2, 3}, {4, 5, 6}}, {70, {7, 8, 9}, {10, 11, 12}}};
     REQUIRE(student::flatten(list) == close_to(VectorXd(VectorXd::LinSpaced(12, 1, 12)), 0));
   }
 
-  TEST_CASE("what particle n is and does stands from place 6 n on") {
+  TEST_CASE("the numbers of particle n begin at place 6 n: its position, then its velocity") {
     const Particles list = any_particles(9);
     const auto y = student::flatten(list);
     REQUIRE(y == obeys("there are six numbers per particle",
@@ -69,7 +69,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the masses do not matter, be they equal, tiny or huge") {
+  TEST_CASE(
+      "whatever the masses, tiny or huge: the same positions and velocities in their places") {
     Particles list = any_particles(3);
     const VectorXd expected = reference(list);
     for (const double mass : {1., 1e-30, 1e30}) {
@@ -78,7 +79,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("one particle is six numbers, no particle is none") {
+  TEST_CASE("one particle is six numbers, its position first; no particle is none") {
     const Particles one = any_particles(1), none;
     REQUIRE(student::flatten(one) == close_to(reference(one), 0));
     REQUIRE(student::flatten(none) == close_to(VectorXd(0), 0));

@@ -80,7 +80,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("order 1: a quarter of the error doubles the step, four times the error halves it") {
+  TEST_CASE("order 1: an error of 1/4 makes 1.8 of the step, an error of 4 makes 0.45 of it") {
     const double h = any_step();
     REQUIRE(student::adaptive_step_size(h, 0.25, 1) == close_to(1.8 * h, 32 * eps * h));
     REQUIRE(student::adaptive_step_size(h, 4, 1) == close_to(0.45 * h, 16 * eps * h));
@@ -118,7 +118,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("of high order: a tiny error is still no reason for the longest step") {
+  TEST_CASE("of high order: for a tiny error, too, the rule decides, not the limit of 10 h") {
     for (const int order : {12, 20})
       for (const double error : {1e-10, 1e-12}) {
         const double h = any_step();
@@ -127,7 +127,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       }
   }
 
-  TEST_CASE("backwards in time the steps stay negative") {
+  TEST_CASE("backwards in time the steps are those of the rule, with a minus") {
     for (int n = 0; n < 8; ++n) {
       const int order = 1 + n;
       const double h = -any_step();
@@ -137,7 +137,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("tiny and huge steps: the limits are of the factor, not of the step") {
+  TEST_CASE("tiny and huge steps follow the rule: its limits are of the factor, not of the step") {
     for (const double size : {1e-200, 1e-9, 1e9, 1e200}) {
       const int order = 4;
       const double h = size * any_step(), error = moderate_error(order);

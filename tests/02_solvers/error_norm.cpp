@@ -89,7 +89,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("where every component errs by just what is allowed, the norm is 1, of any number") {
+  TEST_CASE("where each of any number of components errs by just what is allowed, the norm is 1") {
     for (const int count : {1, 2, 7, 40}) {
       const VectorXd y0 = any_numbers(count, 2), y1 = any_numbers(count, 2);
       const Tolerances tolerances = any_tolerances();
@@ -101,7 +101,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("10 times the error is 10 times the norm, and without an error it is 0") {
+  TEST_CASE("10 times the error is 10 times the right norm, and without an error it is 0") {
     const VectorXd error = any_numbers(4, 1e-3), y0 = any_numbers(4, 2), y1 = any_numbers(4, 2);
     const Tolerances tolerances = any_tolerances();
     const double norm = reference(error, y0, y1, tolerances);
@@ -110,7 +110,7 @@ TEST_SUITE(TUMBLE_UNIT) {
               close_to(std::abs(factor) * norm, rounding(error, std::abs(factor) * norm)));
   }
 
-  TEST_CASE("before and after the step count alike, and so do positive and negative numbers") {
+  TEST_CASE("with y0 and y1 exchanged, or with signs turned, the norm is the same right one") {
     for (int n = 0; n < 10; ++n) {
       const VectorXd error = any_numbers(3, 1e-3), y0 = any_numbers(3, 2), y1 = any_numbers(3, 2);
       const Tolerances tolerances = any_tolerances();
@@ -121,7 +121,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("each component has its own scale: metres and kilometres side by side") {
+  TEST_CASE("metres and kilometres side by side have the right norm: each has its own scale") {
     for (int n = 0; n < 10; ++n) {
       VectorXd error = any_numbers(4, 1e-3), y0 = any_numbers(4, 2), y1 = any_numbers(4, 2);
       const Tolerances tolerances = any_tolerances();
@@ -146,6 +146,10 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (const VectorXd& other : {huge, zero})
       REQUIRE(student::error_norm(error_of_huge, huge, other, tolerances) ==
               close_to(relative, rounding(error, relative)));
+    // Of numbers that are not quite zero nothing is left beside the absolute tolerance.
+    const VectorXd before = any_numbers(3, 1e-30), after = any_numbers(3, 1e-30);
+    REQUIRE(student::error_norm(error, before, after, tolerances) ==
+            close_to(norm, rounding(error, norm)));
   }
 
   TEST_CASE("a state of one number, of many, and an empty one, whose norm is 0") {

@@ -116,7 +116,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("units do not matter: steps in hours, errors in millimetres, the same order") {
+  TEST_CASE("units do not matter: steps in hours, errors in millimetres, the right order") {
     const auto [h, errors] = any_table(6, 3, 0.5);
     const Numbers hours = scaled(h, 1 / 3600.), millimetres = scaled(errors, 1000);
     const double order = reference(h, errors);
@@ -126,7 +126,7 @@ TEST_SUITE(TUMBLE_UNIT) {
             close_to(order, 2 * rounding(h, millimetres)));
   }
 
-  TEST_CASE("the rows of the table may come in any order, and some steps more than once") {
+  TEST_CASE("the rows may come in any order, some steps more than once: p comes out right") {
     for (int n = 0; n < 5; ++n) {
       auto [h, errors] = any_table(7, 2, 0.5);
       for (std::size_t i = h.size() - 1; i > 0; --i) {
@@ -142,7 +142,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("errors that stay are of order 0, errors that grow as h falls of a negative one") {
+  TEST_CASE("errors that stay are of order 0, errors that grow about as 1/h of one about −1") {
     const auto [h, errors] = any_table(5, -1, 0.2);  // as where rounding rules
     REQUIRE(student::observed_order(h, errors) ==
             close_to(reference(h, errors), rounding(h, errors)));

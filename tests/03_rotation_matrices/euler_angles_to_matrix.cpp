@@ -86,7 +86,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the second turn is about the axis that the first has moved") {
+  TEST_CASE("after a quarter turn about z the second turn, about x, is one about the world's y") {
     // A quarter turn about z brings the body's x axis to the world's y axis.
     for (int n = 0; n < 10; ++n) {
       const double beta = any_angles()[0];
@@ -118,7 +118,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("at gimbal lock only the sum of the outer angles counts") {
+  TEST_CASE(
+      "at gimbal lock the outer angles count as one turn by their sum, before the middle one") {
     for (int n = 0; n < 10; ++n) {
       const Vec3 a = any_angles();
       for (const auto& [beta, axes] : {std::pair(pi / 2, xyz), std::pair(0., zxz)}) {

@@ -48,7 +48,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the first column keeps its direction, the second the plane of the first two") {
+  TEST_CASE(
+      "the first column keeps its direction, the second the plane of the first two, and its side") {
     for (int n = 0; n < 20; ++n) {
       const Mat3 M = drifted_rotation(0.4);
       const auto R = student::gram_schmidt(M);
@@ -80,7 +81,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the lengths of the columns do not matter, be they tiny or huge") {
+  TEST_CASE("columns of any length, tiny or huge, give the right rotation: lengths do not matter") {
     for (const Vec3& lengths : {Vec3(2, 3, 5), Vec3(1e-50, 1e-50, 1e-50), Vec3(1e50, 1e50, 1e50),
                                 Vec3(1e-50, 1, 1e50), Vec3(1e50, 1, 1e-50)}) {
       const Mat3 M = drifted_rotation(0.4);
@@ -89,7 +90,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("after 1000 Euler steps of a steady turn the matrix is a rotation again") {
+  TEST_CASE("after 1000 Euler steps of a steady turn: a rotation again, x first, then y, then z") {
     for (int n = 0; n < 5; ++n) {
       const Mat3 start = any_rotation();
       const Mat3 M = drifted_by_euler(start, 2 * any_direction(), 0.01, 1000);
@@ -113,7 +114,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(student::gram_schmidt(M) == close_to(expected, rounding(M)));
   }
 
-  TEST_CASE("almost parallel columns: still orthogonal, to rounding times the condition number") {
+  TEST_CASE(
+      "almost parallel columns: orthogonal, x first, to rounding times the condition number") {
     for (const double angle : {1e-4, 1e-3, 1e-2, 1e-1}) {
       for (int n = 0; n < 10; ++n) {
         const Mat3 M = almost_parallel(angle);

@@ -61,7 +61,7 @@ Mat3 after_100(Mat3 X, const Step& step) {
 }  // namespace
 
 TEST_SUITE(TUMBLE_UNIT) {
-  TEST_CASE("any drifted matrix") {
+  TEST_CASE("any drifted matrix: the rotation that changes it least") {
     for (int n = 0; n < 30; ++n) {
       const Mat3 M = drifted_rotation(0.25);
       REQUIRE(student::nearest_rotation(M) == close_to(reference(M), rounding(M)));
@@ -106,7 +106,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("no axis is favoured: turning M turns its nearest rotation, from either side") {
+  TEST_CASE(
+      "M turned from both sides: the right rotation, turned like M, for no axis is favoured") {
     for (int n = 0; n < 20; ++n) {
       const Mat3 M = drifted_rotation(0.25), A = any_rotation(), B = any_rotation();
       REQUIRE(student::nearest_rotation(A * M * B) ==
@@ -122,7 +123,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the smallest drift is repaired too") {
+  TEST_CASE("the smallest drift is repaired too, and by the nearest rotation") {
     for (const double size : {1e-2, 1e-4, 1e-8, 1e-12}) {
       const Mat3 M = drifted_rotation(size);
       const auto R = student::nearest_rotation(M);

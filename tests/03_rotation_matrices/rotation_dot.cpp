@@ -30,7 +30,7 @@ Vec3 any_omega() { return any_vector(5); }
 }  // namespace
 
 TEST_SUITE(TUMBLE_UNIT) {
-  TEST_CASE("any orientation, any angular velocity") {
+  TEST_CASE("any orientation, any angular velocity: each axis of the body moves as ω × axis") {
     for (int n = 0; n < 20; ++n) {
       const Mat3 R = any_rotation();
       const Vec3 omega = any_omega();

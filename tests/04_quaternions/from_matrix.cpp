@@ -95,7 +95,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("no turn is 1, a tiny turn is a tiny one") {
+  TEST_CASE("no turn is 1, and a tiny turn keeps its digits") {
     REQUIRE(student::from_matrix(Mat3::Identity()) == same_rotation(one, rounding));
     for (const double angle : {1e-150, 1e-16, 1e-13, 1e-12, 1e-8, 1e-4}) {
       const Quaternion q = reference::from_axis_angle(any_direction(), angle);
@@ -103,7 +103,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("thirds of a turn about the diagonals of a cube: all four numbers are ½ or −½") {
+  TEST_CASE("thirds of a turn about a cube's diagonals: four times ½ or −½, the signs right") {
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.5, 0.5})
         for (const double z : {-0.5, 0.5}) {

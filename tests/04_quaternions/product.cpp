@@ -34,6 +34,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(student::product(j, k) == close_to(i, rounding(j, k)));
     REQUIRE(student::product(k, i) == close_to(j, rounding(k, i)));
     REQUIRE(student::product(j, i) == close_to(Quaternion(-k), rounding(j, i)));
+    REQUIRE(student::product(k, j) == close_to(Quaternion(-i), rounding(k, j)));
+    REQUIRE(student::product(i, k) == close_to(Quaternion(-j), rounding(i, k)));
   }
 
   TEST_CASE("i² = j² = k² = −1") {
@@ -41,7 +43,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       REQUIRE(student::product(unit, unit) == close_to(Quaternion(-one), rounding(unit, unit)));
   }
 
-  TEST_CASE("1 changes nothing, from either side") {
+  TEST_CASE("1 changes nothing, from either side; what is only close to 1 changes a little") {
     const Quaternion a = any_quaternion();
     REQUIRE(student::product(one, a) == close_to(a, rounding(one, a)));
     REQUIRE(student::product(a, one) == close_to(a, rounding(a, one)));
@@ -58,6 +60,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (const double size : {0., 1e-150, 1e150}) {
       const Quaternion b = size * any_quaternion();
       REQUIRE(student::product(a, b) == close_to(reference::product(a, b), rounding(a, b)));
+      REQUIRE(student::product(b, a) == close_to(reference::product(b, a), rounding(b, a)));
     }
   }
 }

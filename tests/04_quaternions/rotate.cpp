@@ -58,7 +58,8 @@ TEST_SUITE(TUMBLE_UNIT) {
   }
 
   TEST_CASE("the distance from the origin stays, however little or far q has drifted") {
-    for (const double drift : {0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1.}) {
+    for (const double drift :
+         {0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1., -1e-12, -1e-9, -1e-6, -1e-3, -0.1, -0.9}) {
       const Quaternion q = (1 + drift) * any_unit_quaternion();
       const Vec3 p = any_vector(3);
       const auto answer = student::rotate(q, p);
@@ -78,7 +79,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("q and −q turn alike") {
+  TEST_CASE("q and −q, of any length, turn a point alike, and to the right place") {
     const Quaternion q = any_quaternion();
     const Vec3 p = any_vector(3);
     REQUIRE(student::rotate(-q, p) == close_to(reference::rotate(q, p), rounding(p)));

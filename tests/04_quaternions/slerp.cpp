@@ -72,7 +72,7 @@ TEST_SUITE(TUMBLE_UNIT) {
       }
   }
 
-  TEST_CASE("nearly equal orientations, to rounding") {
+  TEST_CASE("between nearly equal orientations it is right to rounding") {
     // The cosine between these two is rounded to 1, in whatever order it is summed.
     const Quaternion close = turned(one, 1e-8);
     REQUIRE(student::slerp(one, close, 0.3) ==
@@ -93,9 +93,19 @@ TEST_SUITE(TUMBLE_UNIT) {
       REQUIRE(student::slerp(one, reference::from_axis_angle(axis, angle), t) ==
               same_rotation(reference::from_axis_angle(axis, t * angle), rounding));
     }
+    // Not only from 1 on: between two turns about the axis, up to 2.9 rad apart.
+    for (const double t : {1 / 3., 2 / 3., any_number(0, 1)}) {
+      const Vec3 axis = any_direction();
+      const double from = any_number(-3, 3), way = any_number(1, 2.9);
+      const Quaternion a = reference::from_axis_angle(axis, from),
+                       b = reference::from_axis_angle(axis, from + way),
+                       expected = reference::from_axis_angle(axis, from + t * way);
+      REQUIRE(student::slerp(a, b, t) == same_rotation(expected, rounding));
+      REQUIRE(student::slerp(b, a, 1 - t) == same_rotation(expected, rounding));
+    }
   }
 
-  TEST_CASE("from a to b and from b to a is the same way: t there is 1 − t here") {
+  TEST_CASE("from a to b and from b to a is the same way, the right one: t there is 1 − t here") {
     for (int n = 0; n < 20; ++n) {
       const Quaternion a = any_unit_quaternion(), b = any_unit_quaternion();
       const double t = any_number(0, 1);

@@ -55,14 +55,15 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(student::to_matrix(k) == close_to(diagonal(-1, -1, 1), rounding));
   }
 
-  TEST_CASE("the columns are the body's axes: a quarter turn about z takes x to y and y to −x") {
+  TEST_CASE("the columns are the body's axes: 1 + k, of length √2, takes x to y and y to −x") {
     Mat3 about_z;
     about_z << Vec3::UnitY(), -Vec3::UnitX(), Vec3::UnitZ();
     REQUIRE(student::to_matrix(one + k) == close_to(about_z, rounding));
   }
 
   TEST_CASE("Rᵀ R = 1 and det R = 1, however little or far q has drifted from length 1") {
-    for (const double drift : {0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1.}) {
+    for (const double drift :
+         {0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1., -1e-12, -1e-9, -1e-6, -1e-3, -0.1, -0.9}) {
       const Quaternion q = (1 + drift) * any_unit_quaternion();
       const auto R = student::to_matrix(q);
       REQUIRE(R == obeys("RᵀR = 1", tumble::rotation::orthonormality_error(R), rounding_of_all));
@@ -79,12 +80,12 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("q and −q have the same matrix") {
+  TEST_CASE("q and −q, of any length, have the same matrix, and it is the right one") {
     const Quaternion q = any_quaternion();
     REQUIRE(student::to_matrix(-q) == close_to(reference::to_matrix(q), rounding));
   }
 
-  TEST_CASE("a tiny turn keeps its digits: R p − p is the rotation vector × p") {
+  TEST_CASE("a tiny turn by (1, v), hardly longer than 1, has the right digits off the diagonal") {
     for (const double half : {1e-4, 1e-8, 1e-12, 1e-150}) {
       const Vec3 v = half * any_direction();
       const auto R = student::to_matrix(Quaternion(1, v.x(), v.y(), v.z()));
@@ -96,7 +97,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("tiny and huge quaternions") {
+  TEST_CASE("tiny and huge quaternions have the matrices of their rotations") {
     for (const double length : {1e-100, 1e-8, 1e8, 1e100}) {
       const Quaternion q = length * any_unit_quaternion();
       REQUIRE(student::to_matrix(q) == close_to(reference::to_matrix(q), rounding));

@@ -97,7 +97,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("which axes of the body carry its coordinates does not matter") {
+  TEST_CASE("the same body, described in other body axes, turns alike") {
     for (int n = 0; n < 10; ++n) {
       const Mat3 R = any_rotation(), axes = any_rotation();
       const Vec3 values = any_moments().cwiseInverse(), L = any_momentum();
@@ -109,7 +109,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a ball turns along L however it is turned; other bodies at less than a right angle") {
+  TEST_CASE("a ball turns along L, by L over its moment; other bodies at less than a right angle") {
     for (int n = 0; n < 10; ++n) {
       const Mat3 R = any_rotation(), I_body_inv = any_inverse();
       const Mat3 ball = any_number(0.1, 5) * Mat3::Identity();

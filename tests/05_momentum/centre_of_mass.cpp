@@ -124,7 +124,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("neither a point without mass nor the order of the points changes the centre") {
+  TEST_CASE("with a point without mass, and in another order: still the right centre") {
     for (int n = 0; n < 5; ++n) {
       Points points = any_points(4);
       const Vec3 centre = reference(points);

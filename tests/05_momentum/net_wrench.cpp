@@ -105,7 +105,7 @@ TEST_SUITE(TUMBLE_UNIT) {
   }
 
   TEST_CASE(
-      "a force pushes with all its strength wherever it acts, and turns only off the centre") {
+      "a force pushes with all its strength wherever it acts, and turns by its arm in the world") {
     for (const double off : {0., 0.1, 1., 10.}) {
       Scene scene = any_scene(0);
       const Vec3 F = any_vector(20), p_body = off * any_direction();
@@ -126,7 +126,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(ask(scene) == close_to(Wrench{3 * X, -6 * Z}, rounding(scene)));
   }
 
-  TEST_CASE("two opposite forces push a body nowhere, but turn it, wherever it is") {
+  TEST_CASE("two opposite forces push a body nowhere, but turn it as they should, wherever it is") {
     for (int n = 0; n < 5; ++n) {
       Scene scene = any_scene(0);
       scene.g = zero;
@@ -137,7 +137,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the wrench of all forces is the sum of the wrenches of each, in any order") {
+  TEST_CASE("the wrench of all forces is the sum of the wrenches of two groups, in any order") {
     for (int n = 0; n < 5; ++n) {
       Scene scene = any_scene(4);
       Scene first = scene, second = scene;

@@ -83,7 +83,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("no two points of the body come nearer to each other") {
+  TEST_CASE("no two points of the body come nearer to each other, or part") {
     for (int n = 0; n < 10; ++n) {
       const auto [x, R, v, omega] = Motion();
       const Vec3 a = any_vector(2), b = any_vector(2);
@@ -108,7 +108,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("where the body is does not matter, and far from the origin no digit is lost") {
+  TEST_CASE("the right velocity wherever the body is: far from the origin no digit is lost") {
     for (const double far : {0., 1., 1e4, 1e8}) {
       for (int n = 0; n < 3; ++n) {
         const auto [x, R, v, omega] = Motion();

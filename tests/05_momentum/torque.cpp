@@ -88,7 +88,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("two opposite forces turn a body alike, wherever its centre of mass is") {
+  TEST_CASE("two opposite forces turn a body as they should, wherever its centre of mass is") {
     for (int n = 0; n < 10; ++n) {
       const Vec3 F = any_force(), p = any_place(), other = any_place(), x = any_place();
       const auto one = student::torque(F, p, x);

@@ -289,7 +289,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(all_right(trials));
   }
 
-  TEST_CASE("a ray may meet a corner or an edge, touch one, or run along: it counts once or not") {
+  TEST_CASE(
+      "where a line meets a corner or an edge, touches one or runs along, the answer is right") {
     // Small ones first: what is shown of a wrong answer can be drawn on paper.
     const Mesh cube = box(Vec3::Constant(-1), Vec3::Constant(1));
     std::vector<Trial> trials{from_lattice_origin(octahedron(1)), from_lattice_origin(cube)};
@@ -335,7 +336,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(student::inside_mesh(bodies[8], {1.1, 1.6, 1.5}) == close_to(false, 0));
   }
 
-  TEST_CASE("a thousandth of its size below the surface is inside, above it is outside") {
+  TEST_CASE("two thousandths of its size below the surface is inside, above it is outside") {
     for (int n = 0; n < 5; ++n) {
       const Mesh mesh = any_turned_body();
       const double step = 2e-3 * extent(mesh);
@@ -353,18 +354,29 @@ TEST_SUITE(TUMBLE_UNIT) {
   }
 
   TEST_CASE("tiny and huge bodies, near the origin and far from it") {
+    // One point of each kind: who always says "outside" must not be right by luck.
+    const auto tells_apart = [](const Mesh& body, double size, const Mat3& R, const Vec3& place) {
+      for (const bool inside : {true, false}) {
+        Vec3 p = any_place_near(body);
+        while (reference(body, p) != inside) p = any_place_near(body);
+        if (!(student::inside_mesh(mapped(body, size * R, size * place), size * (R * p + place)) ==
+              close_to(inside, 0)))
+          return false;
+      }
+      return true;
+    };
     for (const double size : {1e-50, 1e-6, 1e6, 1e50}) {
       const Mesh body = any_lattice_body();
       const Mat3 R = any_rotation();
       const Vec3 place = any_number(0, 1) < 0.5 ? origin : any_vector(1e6);
-      // One of each: who always says "outside" must not be right by luck.
-      for (const bool inside : {true, false}) {
-        Vec3 p = any_place_near(body);
-        while (reference(body, p) != inside) p = any_place_near(body);
-        REQUIRE(student::inside_mesh(mapped(body, size * R, size * place),
-                                     size * (R * p + place)) == close_to(inside, 0));
-      }
+      REQUIRE(tells_apart(body, size, R, place));
     }
+    for (const double size : {1e-50, 1e50})
+      for (const double far : {0., 1e6}) {
+        const Mesh body = any_lattice_body();
+        const Mat3 R = any_rotation();
+        REQUIRE(tells_apart(body, size, R, far * any_direction()));
+      }
   }
 
   TEST_CASE("nothing is inside a mesh without triangles") {

@@ -87,7 +87,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("back to the centre: about no other point is a body easier to turn") {
+  TEST_CASE("moved back to the centre of mass, the tensor is the body's own one again") {
     for (int n = 0; n < 10; ++n) {
       const Body body;
       const Vec3 from = any_vector(3);
@@ -98,7 +98,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("two points that are equally far from the centre do not have the same tensor") {
+  TEST_CASE("two points equally far from the centre: not the same tensor, but the right one") {
     Body body;
     body.centre = Vec3(1, -2, 3);  // nothing is rounded: both distances are 2 m to the last bit
     for (int k = 0; k < 3; ++k) {
@@ -171,7 +171,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("points that lie close together are not the same, also far from the origin") {
+  TEST_CASE("points close together are not the same: the right tensor, also far from the origin") {
     for (const double apart : {1e-2, 1e-5, 1e-7}) {
       for (const double far : {0., 1e8}) {
         // On a grid: the differences are not rounded, and not zero.
@@ -197,7 +197,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("points without extent, no mass, tiny and huge bodies") {
+  TEST_CASE("a body of one point, one without mass, tiny and huge ones") {
     const Vec3 centre = any_vector(3), from = any_vector(3), to = any_vector(3);
     const Mat3 I = point_inertia(2, centre - from);
     REQUIRE(student::parallel_axis(I, 2, centre, from, to) ==

@@ -41,7 +41,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a quarter turn about z exchanges what is about x and about y; so do x and y for z") {
+  TEST_CASE("a quarter turn about one axis exchanges the moments about the two others") {
     const Mat3 I_body = any_moments().asDiagonal();
     for (int k = 0; k < 3; ++k) {
       const int i = (k + 1) % 3, j = (k + 2) % 3;

@@ -254,7 +254,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(b == obeys("the error falls as h²", std::abs(std::log2(error(a) / error(b)) - 2), 0.5));
   }
 
-  TEST_CASE("what is inside and what is outside add up to the whole box") {
+  TEST_CASE("what is inside and what is outside add up to the mass and the centre of the box") {
     for (int n = 0; n < 3; ++n) {
       const Grid grid = any_grid(5);
       const double density = any_number(0.5, 3), whole = density * grid.volume();

@@ -114,7 +114,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("eight point masses resist like the box, from its centre 1/√3 of the way to a corner") {
+  TEST_CASE(
+      "eight point masses, each 1/√3 of the way from the centre to a corner, resist like a box") {
     for (int n = 0; n < 5; ++n) {
       const double mass = any_number(0.5, 5);
       const Box box = any_box();
@@ -130,7 +131,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a cube about its centre is alike in all directions, however it is turned") {
+  TEST_CASE("a cube about its centre, however it is turned: m a²/6 in all directions") {
     for (int n = 0; n < 5; ++n) {
       const double mass = any_number(0.5, 5), edge = any_number(0.5, 3);
       const Box cube{any_vector(3), any_rotation(), Vec3::Constant(edge)};
@@ -149,6 +150,10 @@ TEST_SUITE(TUMBLE_UNIT) {
       renamed.R << box.R.col(1), -box.R.col(0), box.R.col(2);
       std::swap(renamed.size.x(), renamed.size.y());
       const auto I = student::box_inertia(mass, box, about);
+      REQUIRE(student::box_inertia(mass, renamed, about) ==
+              close_to(I.value(), 2 * rounding_near_origin(mass, box, about)));
+      renamed.R << box.R.col(1), -box.R.col(2), -box.R.col(0);
+      renamed.size = Vec3(box.size.y(), box.size.z(), box.size.x());
       REQUIRE(student::box_inertia(mass, renamed, about) ==
               close_to(I.value(), 2 * rounding_near_origin(mass, box, about)));
     }
@@ -177,7 +182,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a point close to the centre is not the centre, also far from the origin") {
+  TEST_CASE("close to the centre is not at it: the right tensor there, also far from the origin") {
     for (const double apart : {1e-2, 1e-5, 1e-7}) {
       for (const double far : {0., 1e8}) {
         Box box = any_box();

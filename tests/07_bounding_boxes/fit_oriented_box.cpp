@@ -194,7 +194,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("points turned and moved take their box along") {
+  TEST_CASE("points turned and moved take the right box along") {
     for (int n = 0; n < 10; ++n) {
       const Points points = any_cloud(10);
       const Mat3 turn = any_rotation();

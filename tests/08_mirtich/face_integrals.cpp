@@ -192,7 +192,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a level square seen from above and from below: its area is positive both times") {
+  TEST_CASE("a level square at three heights, seen from above and from below: right both times") {
     for (int gamma = 0; gamma < 3; ++gamma) {
       for (const double height : {0., 2., -0.5}) {
         Mat3 axes;
@@ -210,7 +210,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("along which axis the shadow is cast makes no difference") {
+  TEST_CASE("along whichever axis the shadow is cast, the face has the same right integrals") {
     for (int n = 0; n < 10; ++n) {
       Face face = any_face();
       while (face.plane.n.cwiseAbs().minCoeff() < 0.1) face = any_face();
@@ -222,7 +222,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("x, y and z renamed in a cycle: the same numbers under the same letters") {
+  TEST_CASE("x, y and z renamed in a cycle: the same right numbers under the same letters") {
     Mat3 cycle;  // x to y, y to z, z to x
     cycle << Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX();
     for (int n = 0; n < 5; ++n) {
@@ -237,7 +237,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the middle of a face lies in its plane, also where the plane is steep") {
+  TEST_CASE(
+      "a steep plane: the middle of the face lies in it, and all twelve integrals are right") {
     for (const double steep : {0.5, 0.1, 0.01}) {
       for (int gamma = 0; gamma < 3; ++gamma) {
         Vec3 n = any_direction();
@@ -260,7 +261,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a shadow without area: all zero; and a plane through the origin") {
+  TEST_CASE("a shadow without area: all zero; a plane through the origin: right as any other") {
     for (int n = 0; n < 5; ++n) {
       Face face = any_face();
       const int gamma = best_axis(face);

@@ -213,7 +213,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     demand(body, 480, {80, Vec3::Constant(1. / 4), 480 * I});
   }
 
-  TEST_CASE("a body that is moved and turned takes its centre and its inertia along") {
+  TEST_CASE("moved and turned, a body takes the right centre and the right inertia along") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(5, somewhere());
       const Mat3 R = any_rotation();
@@ -230,7 +230,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("of a material twice as dense: twice the mass, twice the inertia, the same centre") {
+  TEST_CASE(
+      "right with one density; with twice of it, twice the mass and inertia, the same centre") {
     for (int n = 0; n < 5; ++n) {
       const Polyhedron body = polyhedron_of(any_prism(5, somewhere()));
       const double density = any_density();
@@ -255,7 +256,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("inside out: mass and inertia are negative, the centre is where it is") {
+  TEST_CASE("inside out: the right mass and inertia with a minus, and the right centre") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(5, somewhere());
       const double density = any_density();
@@ -264,7 +265,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("faces without area change nothing; no volume at all is no mass, not NaN") {
+  TEST_CASE("right also with faces without area; no volume at all is no mass, not NaN") {
     for (int n = 0; n < 5; ++n) {
       Polyhedron body = polyhedron_of(n == 0 ? shapes::cube() : any_prism(5, somewhere()));
       const double density = any_density();
@@ -281,7 +282,8 @@ TEST_SUITE(TUMBLE_UNIT) {
       REQUIRE(student::mass_properties(body, any_density()) == close_to(nothing(), 0));
   }
 
-  TEST_CASE("far away from the origin neither the mass nor the inertia loses a digit") {
+  TEST_CASE(
+      "far away mass and inertia lose no digit, the centre no more than any place out there") {
     for (const double far : {1e8, 1e6, 1e4, 1e2}) {
       for (int n = 0; n < 3; ++n) {
         const Vec3 d = far * any_direction();

@@ -175,7 +175,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("round the other way, every integral changes its sign") {
+  TEST_CASE("round one way the right integrals, round the other way the same with a minus") {
     for (int n = 3; n < 8; ++n) {
       const Corners corners = any_polygon(n);
       const int gamma = n % 3;
@@ -197,7 +197,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("cut in two, the parts add up to the whole, wherever the cut goes") {
+  TEST_CASE("cut in two, the parts are right and add up to the whole, wherever the cut goes") {
     for (int n = 0; n < 6; ++n) {
       const Vec3 centre = any_vector(1.5);
       const Corners corners = any_polygon(7, centre);
@@ -219,7 +219,7 @@ TEST_SUITE(TUMBLE_UNIT) {
   }
 
   TEST_CASE(
-      "the corner to begin with, corners given twice or in the middle of an edge: no matter") {
+      "wherever it begins, with corners twice or in the middle of an edge: right all the same") {
     for (int n = 0; n < 5; ++n) {
       const Corners corners = any_polygon(5);
       const int gamma = n % 3;
@@ -236,7 +236,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a shadow without area: edge-on, there and back, one corner, none") {
+  TEST_CASE("a shadow without area (edge-on, there and back, one corner, none): all integrals 0") {
     const ProjectionIntegrals nothing{};
     for (int gamma = 0; gamma < 3; ++gamma) {
       Corners edge_on = any_star(6);
@@ -251,7 +251,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("tiny and huge ones, and some far away: each integral to its own rounding") {
+  TEST_CASE("tiny and huge polygons, and some far away: each integral to its own rounding") {
     for (const double size : {1e-40, 1e-8, 1e8, 1e40}) {
       const Corners corners = mapped(any_polygon(6), size * Mat3::Identity(), Vec3::Zero());
       for (int gamma = 0; gamma < 3; ++gamma) {

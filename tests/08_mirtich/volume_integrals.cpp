@@ -226,7 +226,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("two bodies add up, and a cavity is taken off") {
+  TEST_CASE("two bodies add up, a cavity is taken off: each time the right sum") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh one = any_prism(5, somewhere());
       const PolygonMesh other =
@@ -240,14 +240,14 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("inside out, every integral changes its sign") {
+  TEST_CASE("inside out, every integral is the right one with a minus") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(5, somewhere());
       demand(polyhedron_of(shapes::inside_out(mesh)), -1 * reference(polyhedron_of(mesh)));
     }
   }
 
-  TEST_CASE("faces without area bring nothing, and no face no volume") {
+  TEST_CASE("right all the same with faces without area; without any face all is 0") {
     for (int n = 0; n < 5; ++n) {
       Polyhedron body = polyhedron_of(n == 0 ? shapes::cube() : any_prism(5, somewhere()));
       const VolumeIntegrals expected = reference(body);
@@ -269,7 +269,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     demand({{any_vector(), any_vector(), any_vector()}, {}}, zero());
   }
 
-  TEST_CASE("faces cut into triangles enclose the same") {
+  TEST_CASE("faces as they are, or cut into triangles: the same right integrals") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(6, somewhere());
       demand(polyhedron_of(mesh));
@@ -278,7 +278,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     demand(polyhedron_of(shapes::triangulated(shapes::torus_mesh(8, 5, 1, 0.4))));
   }
 
-  TEST_CASE("moved by d, a body has the same volume V, and ∫ r dV grows by V d") {
+  TEST_CASE(
+      "moved by d: the same volume V, ∫ r dV grows by V d, and the second powers as they must") {
     for (int n = 0; n < 5; ++n) {
       const PolygonMesh mesh = any_prism(5, somewhere());
       const Vec3 d = any_vector(3);

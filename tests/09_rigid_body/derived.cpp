@@ -64,8 +64,9 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("R is a rotation and ω stays the same, however little or far q has drifted") {
-    for (const double drift : {0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1.}) {
+  TEST_CASE("R, v and ω are right to rounding, however little or far q has drifted") {
+    for (const double drift :
+         {0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1., -1e-12, -1e-9, -1e-6, -1e-3, -0.1, -0.9}) {
       const Body body = any_body();
       State state = any_state();
       state.q = any_unit_quaternion();
@@ -106,7 +107,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("q and −q are one orientation, and where the body is does not matter") {
+  TEST_CASE("right also with −q for q, and wherever the body is") {
     const Body body = any_body();
     State state = any_state();
     const Derived expected = reference::derived(body, state);

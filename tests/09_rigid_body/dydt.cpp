@@ -77,7 +77,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("what pushes is evaluated exactly once: at the time t, in the state as it is packed") {
+  TEST_CASE("right, with what pushes evaluated exactly once: at t, in the state as it is packed") {
     for (int n = 0; n < 5; ++n) {
       const Body body = any_body();
       const WrenchAt wrench = any_wrench();
@@ -96,7 +96,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the momenta change by the force and by the torque, whatever the body is and does") {
+  TEST_CASE("right whatever the body is and does; the momenta change by the force and the torque") {
     for (const double mass : {1e-3, 1., 1e3}) {
       const Vec3 moments = mass * any_moments();
       const Body body = body_with(mass, moments, any_rotation());

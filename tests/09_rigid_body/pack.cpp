@@ -21,14 +21,14 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("each of the thirteen numbers has one place of its own") {
+  TEST_CASE("each of the thirteen numbers has its own place, the right one") {
     for (int place = 0; place < 13; ++place) {
       const PackedState y = PackedState::Unit(place);
       REQUIRE(student::pack(reference::unpack(y)) == close_to(y, 0));
     }
   }
 
-  TEST_CASE("a quaternion that has drifted from length 1 stays as it is") {
+  TEST_CASE("a state whose q has drifted from length 1 is packed as it is") {
     for (const double drift : {1e-15, 1e-9, 1e-3, 0.1, 1.}) {
       State state = any_state();
       state.q = (1 + drift) * any_unit_quaternion();
@@ -36,7 +36,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("q and −q are packed as what they are") {
+  TEST_CASE("a state with q, and the same with −q: both are packed as they are") {
     for (int n = 0; n < 5; ++n) {
       State state = any_state();
       REQUIRE(student::pack(state) == close_to(reference::pack(state), 0));

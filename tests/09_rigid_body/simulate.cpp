@@ -153,7 +153,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("what pushes is evaluated four times per step, where the Runge–Kutta method looks") {
+  TEST_CASE(
+      "right states, and what pushes is evaluated four times a step, where Runge–Kutta looks") {
     for (int n = 0; n < 3; ++n) {
       const Scene scene;
       const auto states = ask(scene);
@@ -185,7 +186,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("q has length 1 in every state, and the first state is the start as it is") {
+  TEST_CASE("right states: q has length 1 in each, and the first is the start as it is") {
     for (const int steps : {1, 3, 40}) {
       Scene scene;
       scene.steps = steps;
@@ -198,7 +199,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("where nothing pushes both momenta stay, and the centre goes straight on") {
+  TEST_CASE(
+      "nothing pushes: the right states, with momenta that stay and a centre that goes straight") {
     for (int n = 0; n < 5; ++n) {
       Scene scene;
       scene.wrench = no_wrench();
@@ -218,7 +220,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a constant push: a parabola for the centre, and momenta that grow evenly") {
+  TEST_CASE(
+      "a constant push: the right states, a parabola for the centre, momenta that grow evenly") {
     for (int n = 0; n < 5; ++n) {
       Scene scene;
       const Vec3 F = any_vector(10), tau = any_vector(10);
@@ -239,8 +242,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE(
-      "half the step, a sixteenth of the error: against the exact flight of a symmetric top") {
+  TEST_CASE("a symmetric top's flight in RK4's states: half the step, a sixteenth of the error") {
     const double mass = any_number(0.5, 5), transverse = any_number(1, 2);
     const double axial = any_number(0.4, 0.6) * transverse;
     Scene scene;
@@ -268,7 +270,7 @@ TEST_SUITE(TUMBLE_UNIT) {
                           std::abs(std::log2(angle(coarse) / angle(fine)) - 4), 0.5));
   }
 
-  TEST_CASE("one step, no step at all, and back in time") {
+  TEST_CASE("one step, no step at all, back in time, and steps that go nowhere") {
     Scene scene;
     scene.steps = 0;
     REQUIRE(ask(scene) == close_to(States{scene.start}, 0));

@@ -42,14 +42,14 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("each of the thirteen numbers goes to one place") {
+  TEST_CASE("each of the thirteen numbers goes to its own place, the right one") {
     for (int place = 0; place < 13; ++place) {
       const PackedState y = PackedState::Unit(place);
       REQUIRE(student::unpack(y) == close_to(reference::unpack(y), 0));
     }
   }
 
-  TEST_CASE("a quaternion that has drifted from length 1 stays as it is, and so does −q") {
+  TEST_CASE("a state whose q has drifted from length 1 comes out as it is, and so with −q") {
     for (const double drift : {1e-15, 1e-9, 1e-3, 0.1, 1.}) {
       State state = any_state();
       state.q = (1 + drift) * any_unit_quaternion();

@@ -167,7 +167,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     require_all(tasks);
   }
 
-  TEST_CASE("where nobody asks and no force cares how it is turned, every body is a particle") {
+  TEST_CASE("where nobody asks and no force cares how it is turned: a particle, without steps") {
     std::vector<Task> tasks = all_kinds(4);
     for (Task& task : tasks) {
       task.scene.orientation_is_asked = false;
@@ -185,7 +185,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     require_all(tasks);
   }
 
-  TEST_CASE("which of the moments is the odd one, and in which order they come, does not matter") {
+  TEST_CASE("the right model whichever moment is the odd one, and in whatever order they come") {
     std::vector<Task> tasks;
     for (const Vec3& moments :
          {Vec3(2, 2, 2), Vec3(2, 2, 1), Vec3(2, 2, 3), Vec3(2, 2.5, 3), Vec3(2, 2, 2e-6)}) {
@@ -221,7 +221,8 @@ TEST_SUITE(TUMBLE_UNIT) {
             close_to(Choice{Model::full_body, tasks[2].scene.torque_acts}, 0));
   }
 
-  TEST_CASE("no torque, no steps: not for a full body either") {
+  TEST_CASE(
+      "no torque, no steps, not for a full body either; the right model with and without one") {
     std::vector<Task> tasks;
     for (Task task : all_kinds(4)) {
       for (const bool torque : {false, true}) {

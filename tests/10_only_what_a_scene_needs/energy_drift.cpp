@@ -190,7 +190,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("an energy that only swings has hardly a trend, and less the longer one looks on") {
+  TEST_CASE("an energy that only swings: largest is its height, the trend small, and both right") {
     const double height = any_number(0.2, 0.8);
     for (const int times : {2, 10}) {
       const Motion motion = with_energies(swings(times, height));
@@ -213,7 +213,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("real flights: the exact one keeps its energy, Euler's steps heat the body up") {
+  TEST_CASE("real flights: 0 for the exact one, and as much as Euler's steps heat the body up") {
     const double mass = any_number(0.5, 5), transverse = any_number(1, 2);
     Motion exact;
     exact.body = body_with(mass, {transverse, transverse, 0.5 * transverse}, any_rotation());
@@ -238,7 +238,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(ask(euler) == close_to(right(euler), rounding(euler)));
   }
 
-  TEST_CASE("turned, moved or with a longer quaternion, a state has the same energy") {
+  TEST_CASE("the same right drift with states turned, moved, or with q longer or shorter") {
     Motion motion = any_motion(12);
     const EnergyDrift expected = right(motion);
     for (State& state : motion.states) {
@@ -248,7 +248,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     REQUIRE(ask(motion) == close_to(expected, 4 * rounding(motion)));
   }
 
-  TEST_CASE("back in time the trend has the opposite sign, and half as fast it is half as large") {
+  TEST_CASE(
+      "back in time the trend has a minus, half as fast it is half, and largest stays right") {
     Motion motion = any_motion(12);
     const EnergyDrift once = right(motion);
     for (const double factor : {-1., 2., -0.5}) {

@@ -101,7 +101,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("the axis of symmetry goes round L at the rate |L|/A and keeps its angle to L") {
+  TEST_CASE("the right turn: the axis goes round L at the rate |L|/A and keeps its angle to L") {
     for (int n = 0; n < 10; ++n) {
       const Top top = n % 2 ? any_disc() : Top{};
       const double t = any_number(-5, 5);
@@ -131,7 +131,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("from here to there and on is one flight: the clock may be set to zero on the way") {
+  TEST_CASE("from here to there and on is one right flight: the clock may be set to 0 on the way") {
     for (int n = 0; n < 10; ++n) {
       Top top = n % 2 ? any_disc() : Top{};
       const double first = any_number(-3, 3), second = any_number(-3, 3);
@@ -161,7 +161,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("at rest nothing turns, at time 0 nothing has turned, and q0 and −q0 fly alike") {
+  TEST_CASE("at rest and at time 0 nothing has turned, and from −q0 the flight is right, too") {
     for (const double t : {0., 1., -1e6}) {
       Top top;
       REQUIRE(ask(top, 0) == same_rotation(top.q0, rounding(top, 0)));

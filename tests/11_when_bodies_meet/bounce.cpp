@@ -233,7 +233,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("no contact creates energy, and the centre is one radius above the floor at each") {
+  TEST_CASE("right contacts: none creates energy, and at each the centre is one radius up") {
     for (int n = 0; n < 8; ++n) {
       const Scene s = any_scene(0.2, 0.95);
       const auto bounces = ask(s);
@@ -254,7 +254,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a ball without spin rolls off with 5/7 of its speed, if friction suffices") {
+  TEST_CASE(
+      "a ball without spin rolls off with 5/7 of its speed, and spins to match, given friction") {
     for (int n = 0; n < 5; ++n) {
       Scene s = any_scene();
       s.ball.mu = 50;
@@ -283,7 +284,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("straight down, without slip and without friction: nothing but v_z changes") {
+  TEST_CASE("straight down without spin, or without friction: nothing but v_z changes") {
     for (int n = 0; n < 5; ++n) {
       Scene s = any_drop();
       if (n % 2) {
@@ -370,7 +371,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("t1 before the first contact, between two, and before the ball is at rest") {
+  TEST_CASE("t1 at the start, before the first contact, between two, and just after all of them") {
     for (int n = 0; n < 4; ++n) {
       Scene s = any_scene();
       const double first = s.first_contact(), rest = s.rest_time();

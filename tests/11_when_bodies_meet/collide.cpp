@@ -147,7 +147,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("with e = 1 the film runs backwards as well") {
+  TEST_CASE("with e = 1 the impulse is right, and the film runs backwards as well") {
     for (int n = 0; n < 5; ++n) {
       Impact impact = any_impact();
       impact.e = 1;
@@ -159,7 +159,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("swapped bodies get the opposite impulse, and a turned world a turned one") {
+  TEST_CASE(
+      "the right impulse: for swapped bodies the opposite one, in a turned world a turned one") {
     for (int n = 0; n < 5; ++n) {
       const Impact impact = any_impact();
       const Impact swapped{impact.K, -impact.u, -impact.n, impact.e};

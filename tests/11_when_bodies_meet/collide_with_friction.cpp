@@ -301,7 +301,7 @@ TEST_SUITE(TUMBLE_UNIT) {
   }
 
   TEST_CASE(
-      "no contact creates energy, pulls, leaves the cone of friction or ends pressed together") {
+      "right impulses: no energy created, no pull, friction at most μ, no end pressed together") {
     for (int n = 0; n < 150; ++n) {
       const Contact c = any_contact(kinds[n % 6]);
       const auto answer = ask(c);
@@ -355,7 +355,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a ball thrown with slip rolls off with 5/7 of its speed, if friction suffices") {
+  TEST_CASE(
+      "a ball thrown with slip rolls off with 5/7 of its speed if friction suffices, else slips") {
     for (int n = 0; n < 6; ++n) {
       const double mass = any_number(0.1, 2), radius = any_number(0.02, 1);
       const double v = any_number(0.5, 2), w = any_number(1, 3), e = any_number(0, 1);
@@ -387,7 +388,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("in a mirror the impulse is mirrored") {
+  TEST_CASE("in a mirror the right impulse is mirrored") {
     for (const Kind kind : kinds) {
       const Contact c = any_contact(kind);
       const PlanarImpulse expected = right(c);
@@ -397,7 +398,8 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("e = 0 leaves no velocity along the normal; with e = 1 only friction takes energy") {
+  TEST_CASE(
+      "right with e = 0, which leaves no normal velocity, and e = 1: only friction takes energy") {
     for (const Kind kind : {Kind::kept, Kind::stopped, Kind::turned, Kind::jams}) {
       Contact c = any_contact(kind);
       c.e = 0;

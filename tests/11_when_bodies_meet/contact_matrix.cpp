@@ -96,7 +96,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("it is symmetric to the last bit, and an impulse never pulls its own point back") {
+  TEST_CASE("the right K, symmetric to the last bit; an impulse never pulls its own point back") {
     for (int n = 0; n < 20; ++n) {
       const Place place;
       const auto K = ask(place);
@@ -109,7 +109,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("hit at the centre a body doesn't turn; hit along the arm it doesn't turn, either") {
+  TEST_CASE("the right K; an impulse at the centre, or along the arm, doesn't turn the body") {
     for (int n = 0; n < 5; ++n) {
       Place place;
       const auto K = ask(place);
@@ -123,7 +123,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("it depends on no velocity, and not on where in the world body and point are") {
+  TEST_CASE("the right K at any velocity, and wherever in the world body and point are") {
     for (const double distance : {1., 1e4, 1e8}) {
       Place place;
       const auto K = ask(place);
@@ -137,7 +137,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("body, point and world turned together turn K") {
+  TEST_CASE("body, point and world turned together turn K, and it is the right one") {
     for (int n = 0; n < 5; ++n) {
       Place place;
       const auto K = ask(place);

@@ -178,7 +178,8 @@ bool is_right(const Bodies& bodies, const Meet& meet) {
 }  // namespace
 
 TEST_SUITE(TUMBLE_UNIT) {
-  TEST_CASE("bodies here and there, in any order") {
+  TEST_CASE(
+      "bodies here and there: each overlapping pair asked for once, those that meet in order") {
     for (int n = 0; n < 6; ++n) REQUIRE(is_right(any_bodies(60, 0.25), some_meet));
   }
 
@@ -198,7 +199,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     for (int n = 0; n < 6; ++n) REQUIRE(is_right(any_touching(20), all_meet));
   }
 
-  TEST_CASE("none, one, two in the same place, and points") {
+  TEST_CASE("none, one, several in the same place, and points") {
     REQUIRE(is_right({}, all_meet));
     const Vec3 a = any_vector(2), b = a + Vec3::Ones();
     REQUIRE(is_right({{a, b}}, all_meet));
@@ -225,7 +226,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("a mirrored world has the same pairs") {
+  TEST_CASE("a mirrored world has the same pairs, the right ones") {
     const Bodies bodies = any_bodies(60, 0.25);
     Bodies mirrored;
     for (const Bounds& each : bodies) mirrored.push_back({-each.high, -each.low});

@@ -53,7 +53,8 @@ void follow(const scenes::Scene& scene) {
       scale += kinetic_energy(b.body, state) +
                b.body.mass() * scene.gravity.norm() * (state.x.norm() + b.shape.reach());
   }
-  const double balance = run.energy.start + run.energy.impacts + run.energy.settled;
+  const double balance =
+      run.energy.start + run.energy.impacts + run.energy.sliding + run.energy.settled;
   fuzz::demand(std::abs(balance - run.energy.end) <= 1e-9 * scale, "energies add up");
   for (const contact::ImpactEvent& impact : run.impacts)
     fuzz::demand(impact.energy <= 1e-9 * scale, "no impact creates energy");

@@ -16,13 +16,14 @@
 
 namespace tumble::contact::detail {
 
-/// Two bodies, or a body and a wall, that will meet.
+/// Two bodies, or a body and a wall, that will meet; or a body that will have slid to its end.
 struct ContactEvent {
-  int body, other, wall;     ///< other is -1 for a wall, wall is -1 for a body
+  int body, other, wall;     ///< other is -1 for a wall, wall is -1 for a body; for an end both are
   int flight, other_flight;  ///< how many flights they had begun when this was predicted
   collide::Meeting meeting;
 
   double t() const { return meeting.t; }
+  bool is_end_of_slide() const { return other < 0 && wall < 0; }
   /// Later events have lower priority; of those at one time, that of the smallest numbers is first.
   friend bool operator<(const ContactEvent& a, const ContactEvent& b) {
     return std::tuple(-a.t(), -a.body, -a.other, -a.wall) <
@@ -38,7 +39,7 @@ class ContactEvents {
     for (const ContactBody& b : scene.bodies) {
       flows_.emplace_back(b.body);
       axes_.push_back(principal_axes(b.body.I_body()));
-      flights_.push_back({Flight(b.body, b.start, scene.gravity, 0), 0, -1});
+      flights_.push_back({Flight(b.body, b.start, scene.gravity, 0), 0, -1, never});
     }
   }
 
@@ -77,7 +78,7 @@ class ContactEvents {
     grid_ = collide::BoundsGrid(size(), mean_size(swept));
     for (int i = 0; i < size(); ++i) {
       grid_.put(i, swept[static_cast<std::size_t>(i)]);
-      predict_walls(i, begin);
+      predict_own(i, begin);
       // Each pair once: of those after i nothing is known yet.
       predict_pairs(i, begin);
     }
@@ -99,19 +100,23 @@ class ContactEvents {
 
   /// A body flies on from a state.
   void fly(int i, const RigidBodyState<>& state, double t) {
-    begin_flight(i, state, scene_.gravity, t, -1);
+    begin_flight(i, state, scene_.gravity, t, -1, never);
   }
-  /// A body is carried by a floor: it rests or rolls.
-  void support(int i, const RigidBodyState<>& state, double t, int wall) {
-    begin_flight(i, state, Vec3::Zero(), t, wall);
+  /// A body is carried by a floor: it rests or rolls, or it slides until it stops.
+  void support(int i, const RigidBodyState<>& state, double t, int wall, const Vec3& acceleration,
+               double stops) {
+    begin_flight(i, state, acceleration, t, wall, stops);
   }
   bool all_rest() const { return std::all_of(flights_.begin(), flights_.end(), rests); }
 
  private:
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
   struct Leg {
     Flight flight;
-    int number;   ///< how many began before it
-    int on_wall;  ///< that carries it, or -1
+    int number;    ///< how many began before it
+    int on_wall;   ///< that carries it, or -1
+    double stops;  ///< when it will have slid to its end [s]
   };
   static bool rests(const Leg& leg) { return leg.on_wall >= 0 && leg.flight.is_still(); }
 
@@ -126,13 +131,19 @@ class ContactEvents {
   collide::Moving<Flight> moving(int i) const { return {scene_.body(i).shape, of(i).flight}; }
 
   void begin_flight(int i, const RigidBodyState<>& state, const Vec3& gravity, double t,
-                    int on_wall) {
+                    int on_wall, double stops) {
     const auto k = static_cast<std::size_t>(i);
     of(i) = {Flight(scene_.body(i).body, flows_[k], axes_[k], state, gravity, t), of(i).number + 1,
-             on_wall};
+             on_wall, stops};
     grid_.put(i, swept_by(i, t));
-    predict_walls(i, t);
+    predict_own(i, t);
     predict_pairs(i, t);
+  }
+
+  /// What happens to a body by itself.
+  void predict_own(int i, double t) {
+    predict_walls(i, t);
+    if (of(i).stops <= end_) queue_.push({i, -1, -1, of(i).number, 0, {true, of(i).stops}});
   }
 
   /// What a body passes from t to the end of this window.

@@ -48,21 +48,23 @@ enum class Ending {
   too_many_events,  ///< the number of impacts that was allowed is reached
 };
 
-/// A flight from one impact to the next, or how it rests or rolls on a floor.
+/// A flight from one impact to the next, or how it rests, rolls or slides on a floor.
 struct FlightStart {
-  double t;                ///< [s]
-  RigidBodyState<> state;  ///< then
-  int on_wall;             ///< the floor that carries it, or -1: then it flies
+  double t;                          ///< [s]
+  RigidBodyState<> state;            ///< then
+  int on_wall;                       ///< the floor that carries it, or -1: then it flies
+  Vec3 acceleration = Vec3::Zero();  ///< of what a floor carries: it slides [m/s²]
   /// Whether the body was lifted for it, in contact that lasts. Its other motions were slowed then:
   /// what slides or tips in hops is off by some per cent of its way.
   bool is_hop = false;
 };
 
-/// Where the energy of all bodies went [J]: start + impacts + settled = end, to rounding.
+/// Where the energy of all bodies went [J]: start + impacts + sliding + settled = end, to rounding.
 struct EnergyLedger {
   double start = 0;    ///< kinetic, and potential in the uniform gravity
   double impacts = 0;  ///< gained in impacts: never more than 0, but for rounding
-  double settled = 0;  ///< what bodies still had that were then said to be at rest: ≤ 0
+  double sliding = 0;  ///< the work of friction on what slides on a face: ≤ 0, but for rounding
+  double settled = 0;  ///< what bodies still had that were then said to rest, roll or slide: ≤ 0
   double end = 0;
 };
 
@@ -89,7 +91,7 @@ struct ContactRun {
     auto leg = std::upper_bound(legs.begin(), legs.end(), time,
                                 [](double at, const FlightStart& f) { return at < f.t; });
     if (leg != legs.begin()) --leg;
-    const Vec3 pull = leg->on_wall < 0 ? scene.gravity : Vec3(Vec3::Zero());
+    const Vec3& pull = leg->on_wall < 0 ? scene.gravity : leg->acceleration;
     return Flight(scene.body(i).body, leg->state, pull, leg->t).state(time);
   }
 };

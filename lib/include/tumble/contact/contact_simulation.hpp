@@ -3,9 +3,10 @@
 /// A run of bodies that hit each other: takes the next impact, changes momenta, and asks who stays
 /// in touch.
 
-#include "tumble/contact/contact_events.hpp"
 #include "tumble/contact/hops.hpp"
 #include "tumble/contact/rest.hpp"
+#include "tumble/contact/run_recorder.hpp"
+#include "tumble/contact/slide.hpp"
 
 namespace tumble::contact::detail {
 
@@ -15,14 +16,11 @@ template <class Events>
 class ContactSimulation {
  public:
   ContactSimulation(const ContactScene& scene, const ContactSettings& settings)
-      : scene_(scene), settings_(settings), events_(scene, settings.tolerance) {
-    for (int i = 0; i < events_.size(); ++i) {
-      run_.flights.push_back({{0, scene.body(i).start, -1}});
-      run_.rest_since.push_back(std::numeric_limits<double>::infinity());
-      landings_.push_back({});
-    }
-    run_.energy.start = energy_at(0);
-  }
+      : scene_(scene),
+        settings_(settings),
+        events_(scene, settings.tolerance),
+        recorder_(scene),
+        landings_(scene.bodies.size()) {}
 
   ContactRun run() {
     while (run_.t < settings_.until && run_.ending == Ending::time) {
@@ -32,26 +30,25 @@ class ContactSimulation {
       if (run_.ending == Ending::time) run_.t = end;
     }
     run_.queries = events_.queries();
-    run_.energy.end = energy_at(run_.t);
+    for (int i = 0; i < events_.size(); ++i) recorder_.end(i, events_.state(i, run_.t));
     return std::move(run_);
   }
 
  private:
   Landings& landings(int i) { return landings_[static_cast<std::size_t>(i)]; }
-  FlightStart& flight(int i) { return run_.flights[static_cast<std::size_t>(i)].back(); }
-  double& rest_since(int i) { return run_.rest_since[static_cast<std::size_t>(i)]; }
-
-  double energy_at(double t) const {
-    double sum = 0;
-    for (int i = 0; i < events_.size(); ++i)
-      sum += energy_in(scene_.gravity, scene_.body(i).body, events_.state(i, t));
-    return sum;
-  }
-
   Colliding colliding(int i, double t) const { return {scene_.body(i).body, events_.state(i, t)}; }
 
   void handle(const ContactEvent& event) {
     run_.t = event.t();
+    if (event.is_end_of_slide())
+      stop(event.body);
+    else
+      impact(event);
+    if (++handled_ >= settings_.max_impacts && run_.ending == Ending::time)
+      run_.ending = Ending::too_many_events;
+  }
+
+  void impact(const ContactEvent& event) {
     Colliding a = colliding(event.body, event.t());
     std::optional<Colliding> b;
     if (event.other >= 0) b.emplace(colliding(event.other, event.t()));
@@ -59,139 +56,143 @@ class ContactSimulation {
     const Vec3 normal = -event.meeting.distance.normal;
     const auto& points = event.meeting.points;
     const double coming = -least_parting(a, second, points, normal);
-    if (coming > 2 * lowest_hop(event.body, normal)) landings(event.body).skids = false;
+    const double lowest = lowest_hop(event.body, normal);
+    if (coming > 2 * lowest) landings(event.body).skids = false;
     if (b) landings(event.other).skids = false;
-    const auto impulses = collide_at_points(
-        a, second, points, {normal, restitution(event, normal, coming), scene_.mu});
-    for (const PointImpulse& impulse : impulses) record(event, impulse, normal, a.state.x);
-    const bool is_hop =
-        hops(event, normal) && lift_to_hop(a, points, normal, lowest_hop(event.body, normal));
-    const double parting = least_parting(a, second, points, normal);
-    fly_on(event.body, a.state, coming);
-    flight(event.body).is_hop = is_hop;
-    if (b) fly_on(event.other, b->state, coming);
-    settle(event, a, {normal, coming, parting});
-    // Between several others its impacts can follow each other ever faster.
-    if (run_.ending == Ending::time && landings(event.body).are_endless(scene_.e))
-      end_undecided(event.body);
-    if (++handled_ >= settings_.max_impacts && run_.ending == Ending::time)
-      run_.ending = Ending::too_many_events;
+    const bool raised = may_hop(event, normal) && lowest > scene_.e * coming;
+    const double e = raised ? std::min(1., lowest / coming) : scene_.e;
+    for (const PointImpulse& impulse : collide_at_points(a, second, points, {normal, e, scene_.mu}))
+      recorder_.impact(event, impulse, normal, a.state.x);
+    count(event.body, a.state, coming);
+    if (b) {
+      count(event.other, b->state, coming);
+      fly_on(event.other, b->state, false);
+    }
+    const double parting = raised ? 0 : least_parting(a, second, points, normal);
+    if (settles(event, a, {normal, coming, parting, landings(event.body).fastest})) return;
+    const bool lifted = may_hop(event, normal) && lift_to_hop(a, points, normal, lowest);
+    fly_on(event.body, a.state, raised || lifted);
+    // It neither hops nor lies; or between several others it is hit ever faster.
+    const Landings& all = landings(event.body);
+    if (run_.ending == Ending::time && (all.are_endless(scene_.e) || (raised && all.faint > 1000)))
+      recorder_.end_undecided(event.body);
   }
 
-  void record(const ContactEvent& event, const PointImpulse& impulse, const Vec3& normal,
-              const Vec3& x) {
-    const ImpactResult& result = impulse.result;
-    run_.impacts.push_back({event.t(), event.body, event.other, event.wall, x + impulse.arm, normal,
-                            result.impulse, result.energy, result.slip, result.jammed});
-    run_.energy.impacts += result.energy;
-  }
-
-  void fly_on(int i, const RigidBodyState<>& state, double coming) {
-    rest_since(i) = std::numeric_limits<double>::infinity();
+  void count(int i, const RigidBodyState<>& state, double coming) {
+    recorder_.rest_since(i) = std::numeric_limits<double>::infinity();
     landings(i).count(coming, lowest_hop(i, -scene_.gravity.normalized()),
                       kinetic_energy(scene_.body(i).body, state));
-    run_.flights[static_cast<std::size_t>(i)].push_back({run_.t, state, -1});
+  }
+
+  void fly_on(int i, const RigidBodyState<>& state, bool is_hop) {
+    recorder_.go_on(i, {run_.t, state, -1, Vec3::Zero(), is_hop});
     events_.fly(i, state, run_.t);
   }
 
-  bool is_ball(int i) const { return events_.is_ball(i); }
   double pull(const Vec3& normal) const { return -normal.dot(scene_.gravity); }
 
   /// The speed of the lowest hops of a body.
   double lowest_hop(int i, const Vec3& normal) const {
     return hop_speed(std::max(0., pull(normal)), settings_.hop * scene_.body(i).shape.reach());
   }
-  /// What is at rest has energy for some hops, and along the ground the speed of rounding, or one
-  /// with which it comes no farther than bodies touch. On a line of what is round nothing tips: its
-  /// neighbours are nearly as low.
-  bool comes_to_rest(int i, const Colliding& a, const Vec3& normal, const Aftermath& after) {
-    const double speed = std::max(1e-9 * after.first, events_.tolerance(i) / settings_.until);
-    return is_at_rest(a, scene_.body(i).shape, normal, scene_.gravity, scene_.mu,
-                      {10 * settings_.hop, speed, landings(i).have_ended() ? 2e-3 : 1e-4});
+  /// What lies has energy for some hops, or, where bounces never die away, for as far as bodies
+  /// touch. On a line of what is round nothing tips: its neighbours are nearly as low.
+  Stillness stillness(int i) {
+    const double touching = events_.tolerance(i);
+    const double lift = scene_.e < 1 ? 10 * settings_.hop : touching / scene_.body(i).shape.reach();
+    return {lift, std::max(1e-9 * landings(i).fastest, touching / settings_.until),
+            landings(i).have_ended() ? 2e-3 : 1e-4};
   }
 
   /// Whether this body's contact with this wall is a train of hops where it lasts.
-  bool hops(const ContactEvent& event, const Vec3& normal) {
+  bool may_hop(const ContactEvent& event, const Vec3& normal) {
     return event.wall >= 0 && pull(normal) > 0 && scene_.e < 1 &&
-           (!is_ball(event.body) || landings(event.body).skids);
+           (!events_.is_ball(event.body) || landings(event.body).skids);
   }
 
-  /// That of the scene, or as much more as a hop takes.
-  double restitution(const ContactEvent& event, const Vec3& normal, double coming) {
-    if (!hops(event, normal)) return scene_.e;
-    return std::max(scene_.e, std::min(1., lowest_hop(event.body, normal) / coming));
-  }
-
-  /// After an impact: whether the first body goes on in touch.
-  void settle(const ContactEvent& event, const Colliding& a, const Speeds& speeds) {
-    const Aftermath after{speeds.coming, speeds.parting, landings(event.body).fastest};
-    if (event.wall < 0 || !(pull(speeds.normal) > 0)) {
-      if (stays(after)) end_undecided(event.body);
-    } else if (is_ball(event.body)) {
-      settle_ball(event, a, speeds.normal, after);
-    } else if (comes_to_rest(event.body, a, speeds.normal, after)) {
-      rest(event, a, run_.t + time_to_rest(after, pull(speeds.normal), scene_.e));
-    } else if (landings(event.body).have_ended()) {
-      end_undecided(event.body);
+  /// After an impact: whether the first body is carried from now on, or nobody can tell.
+  bool settles(const ContactEvent& event, const Colliding& a, const Aftermath& after) {
+    const Vec3& normal = after.normal;
+    if (event.wall >= 0 && pull(normal) > 0)
+      return events_.is_ball(event.body) ? ball_settles(event, a, after)
+                                         : lies_on(event, a, normal, after.parting);
+    // What falls so slowly has not fallen farther than bodies touch: one lies on the other.
+    const double slow = 1e-3 * hop_speed(scene_.gravity.norm(), events_.tolerance(event.body));
+    const bool lasts = stays(after) || (event.wall < 0 && after.coming <= slow);
+    if (lasts) {
+      fly_on(event.body, a.state, false);
+      recorder_.end_undecided(event.body);
     }
+    return lasts;
   }
 
-  void settle_ball(const ContactEvent& event, const Colliding& a, const Vec3& normal,
-                   const Aftermath& after) {
+  /// Lets a body that has come down on a face slide or rest there.
+  /// @param parting the speed of what bounces are left, which are over at once [m/s]
+  bool lies_on(const ContactEvent& event, const Colliding& a, const Vec3& normal, double parting) {
+    const collide::Convex& shape = scene_.body(event.body).shape;
+    const Stillness still = stillness(event.body);
+    if (const auto slide = slide_of(a, shape, normal, scene_.gravity, scene_.mu, still)) {
+      support(event, a, slide->state, slide->acceleration, run_.t + slide->stops);
+      return true;
+    }
+    if (!is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, still)) return false;
+    rest(event, a, run_.t + time_to_rest(parting, pull(normal), scene_.e));
+    return true;
+  }
+
+  /// A slide has come to its end: friction holds the body, or it slides back.
+  void stop(int i) {
+    Colliding a = colliding(i, run_.t);
+    a.state.P = Vec3::Zero();
+    const int wall = recorder_.flight(i).on_wall;
+    if (!lies_on({i, -1, wall, 0, 0, {}}, a, scene_.wall(wall).normal, 0))
+      fly_on(i, a.state, false);
+  }
+
+  /// A ball that slides hops, too: in each hop friction slows its slip, until it rolls.
+  bool ball_settles(const ContactEvent& event, const Colliding& a, const Aftermath& after) {
+    const Vec3& normal = after.normal;
+    bool& skids = landings(event.body).skids;
     // Bounces of a millionth of the tolerance are over before the next look for meetings.
     const double lowest = hop_speed(pull(normal), events_.tolerance(event.body));
     const bool faded = scene_.e < 1 && (has_faded(after) || after.parting <= 1e-3 * lowest);
     const bool stood = after.first <= lowest;  // and fell by less than places have digits for
-    if (!landings(event.body).skids && !faded && !stood) return;
-    if (comes_to_rest(event.body, a, normal, after))
-      rest(event, a, run_.t + time_to_rest(after, pull(normal), scene_.e));
-    else if (rolls_on(a, scene_.body(event.body).shape.radius(), normal, scene_.gravity, scene_.mu))
-      roll(event, a, normal);
+    if (!skids && !faded && !stood) return false;
+    const collide::Convex& shape = scene_.body(event.body).shape;
+    const bool rests =
+        is_at_rest(a, shape, normal, scene_.gravity, scene_.mu, stillness(event.body));
+    skids = !rests && !rolls_on(a, shape.radius(), normal, scene_.gravity, scene_.mu);
+    if (skids) return false;
+    if (rests)
+      rest(event, a, run_.t + time_to_rest(after.parting, pull(normal), scene_.e));
     else
-      skid(event, a, normal);
-  }
-
-  /// A ball that slides on hops, too: in each hop friction slows its slip, until it rolls.
-  void skid(const ContactEvent& event, Colliding ball, const Vec3& normal) {
-    if (landings(event.body).skids) return;
-    landings(event.body).skids = true;
-    FlightStart& now = flight(event.body);
-    now.is_hop = lift_to_hop(ball, event.meeting.points, normal, lowest_hop(event.body, normal));
-    now.state = ball.state;
-    events_.fly(event.body, ball.state, run_.t);
-  }
-
-  void end_undecided(int i) {
-    run_.ending = Ending::lasting_contact;
-    run_.undecided = i;
+      support(event, a, along_ground(a.state, normal));
+    return true;
   }
 
   void rest(const ContactEvent& event, const Colliding& a, double since) {
     RigidBodyState<> still = a.state;
     still.P = still.L = Vec3::Zero();
-    rest_since(event.body) = since;
     support(event, a, still);
+    recorder_.rest_since(event.body) = std::min(since, settings_.until);
     if (events_.all_rest()) run_.ending = Ending::all_at_rest;
   }
 
-  void roll(const ContactEvent& event, const Colliding& a, const Vec3& normal) {
-    RigidBodyState<> rolling = a.state;
-    rolling.P -= normal.dot(rolling.P) * normal;
-    support(event, a, rolling);
-  }
-
   /// The floor carries the body from now on.
-  void support(const ContactEvent& event, const Colliding& a, const RigidBodyState<>& state) {
-    run_.energy.settled += kinetic_energy(a.body, state) - kinetic_energy(a.body, a.state);
+  void support(const ContactEvent& event, const Colliding& a, const RigidBodyState<>& state,
+               const Vec3& acceleration = Vec3::Zero(),
+               double stops = std::numeric_limits<double>::infinity()) {
+    recorder_.forget(a, state);
     landings(event.body) = {};
-    flight(event.body) = {run_.t, state, event.wall};
-    events_.support(event.body, state, run_.t, event.wall);
+    recorder_.go_on(event.body, {run_.t, state, event.wall, acceleration});
+    events_.support(event.body, state, run_.t, event.wall, acceleration, stops);
   }
 
   const ContactScene& scene_;
   ContactSettings settings_;
   Events events_;
-  ContactRun run_;
+  RunRecorder recorder_;
+  ContactRun& run_ = recorder_.run();
   std::vector<Landings> landings_;
   int handled_ = 0;
 };

@@ -15,13 +15,6 @@
 
 namespace tumble::contact::detail {
 
-/// Of the points of a contact, along its normal.
-struct Speeds {
-  Vec3 normal;
-  double coming;   ///< the fastest before the impulses [m/s]
-  double parting;  ///< the slowest after them [m/s]
-};
-
 /// How a body has landed since it stood or rolled.
 struct Landings {
   double fastest = 0;  ///< the largest speed [m/s]

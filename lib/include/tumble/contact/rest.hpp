@@ -15,6 +15,7 @@ namespace tumble::contact::detail {
 
 /// A contact and its impulses.
 struct Aftermath {
+  Vec3 normal;     ///< out of what it hit
   double coming;   ///< the speed at which the fastest of its points came [m/s]
   double parting;  ///< the least speed at which one leaves [m/s]
   double first;    ///< the largest speed at which this body has landed since it last stood [m/s]
@@ -29,8 +30,8 @@ inline bool stays(const Aftermath& after) {
 }
 
 /// The time that all bounces still take [s]: the sum of 2 u/g e^k.
-inline double time_to_rest(const Aftermath& after, double pull, double e) {
-  return e < 1 ? 2 * std::fmax(0, after.parting) / (pull * (1 - e)) : 0;
+inline double time_to_rest(double parting, double pull, double e) {
+  return e < 1 ? 2 * std::fmax(0, parting) / (pull * (1 - e)) : 0;
 }
 
 /// Whether a ball that stays on the ground rolls on as it is: it does not slip, or nothing rubs,
@@ -46,6 +47,12 @@ inline bool rolls_on(const Colliding& ball, double radius, const Vec3& normal, c
          (mu == 0 || slips <= rounding * (now.v.norm() + across.norm()));
 }
 
+/// The same without a speed along the normal.
+inline RigidBodyState<> along_ground(RigidBodyState<> state, const Vec3& normal) {
+  state.P -= normal.dot(state.P) * normal;
+  return state;
+}
+
 /// What a body on the ground may still have and count as being at rest.
 struct Stillness {
   double lift;   ///< energy for hops so high, as a part of its reach
@@ -57,6 +64,28 @@ struct Stillness {
 inline double speed_along(const Colliding& c, double reach, const Vec3& normal) {
   const Derived<> now = derived(c.body, c.state);
   return (now.v - now.v.dot(normal) * normal).norm() + std::abs(now.omega.dot(normal)) * reach;
+}
+
+/// Whether a body stands on the ground as it lies there: the line through its centre along `pull`,
+/// which is gravity less the body's own acceleration, meets the ground between its feet. A ball
+/// stands on one point, and rolls with the least push.
+/// @param normal out of the ground
+/// @param near   so close to the ground are its feet [m]
+inline bool stands_on(const Colliding& c, const collide::Convex& shape, const Vec3& normal,
+                      const Vec3& pull, double near) {
+  const double little = 1e-9 * shape.reach();
+  const collide::Pose pose{Vec3::Zero(), to_matrix(c.state.q)};
+  const auto below = distance(shape, pose, collide::HalfSpace{Vec3::Zero(), normal});
+  const auto points = contact_points(shape, pose, below, near);
+  const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+  const Vec3 foot = pull * (normal.dot(below.arm_a) / normal.dot(pull));
+  std::vector<Eigen::Vector2d> feet;
+  for (const Vec3& p : points) feet.emplace_back(x.dot(p - foot), y.dot(p - foot));
+  const auto hull = collide::detail::flat_hull(std::move(feet), little);
+  if (hull.size() == 1) return hull[0].norm() < little;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    if (collide::detail::turn(hull[i], hull[(i + 1) % hull.size()], {0, 0}) < 0) return false;
+  return hull.size() > 2;
 }
 
 /// Whether a body on the ground is at rest there: it has no energy to tilt, nothing goes on that
@@ -73,19 +102,7 @@ inline bool is_at_rest(const Colliding& c, const collide::Convex& shape, const V
   const bool is_ball = shape.points().size() == 1;
   const double to_slide = is_ball ? 0 : 10 * to_tilt * (mu - sideways / pull);
   if (energy > to_slide && speed_along(c, reach, normal) > still.speed) return false;
-  const collide::Pose pose{Vec3::Zero(), to_matrix(c.state.q)};
-  const auto below = distance(shape, pose, collide::HalfSpace{Vec3::Zero(), normal});
-  const auto points = contact_points(shape, pose, below, still.near * reach);
-  const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
-  // Where the line of gravity through the centre meets the ground.
-  const Vec3 foot = gravity * (normal.dot(below.arm_a) / normal.dot(gravity));
-  std::vector<Eigen::Vector2d> feet;
-  for (const Vec3& p : points) feet.emplace_back(x.dot(p - foot), y.dot(p - foot));
-  const auto hull = collide::detail::flat_hull(std::move(feet), 1e-9 * reach);
-  if (hull.size() == 1) return hull[0].norm() < 1e-9 * reach;
-  for (std::size_t i = 0; i < hull.size(); ++i)
-    if (collide::detail::turn(hull[i], hull[(i + 1) % hull.size()], {0, 0}) < 0) return false;
-  return hull.size() > 2;
+  return stands_on(c, shape, normal, gravity, still.near * reach);
 }
 
 }  // namespace tumble::contact::detail

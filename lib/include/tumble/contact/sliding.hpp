@@ -131,7 +131,7 @@ class Contact {
     if (coming_together_) {
       coming_together_ = false;
       target_ = (1 - e_ * e_) * work_;
-      ended_ = e_ == 0;
+      ended_ = target_ == work_;  // e² is 0, or less than rounding
     } else {
       ended_ = work_ >= target_ * (1 + 1e-12) || u_n > 0;
       coming_together_ = !ended_;

@@ -35,7 +35,7 @@ inline ContactScene over_floor(const ContactBody& body, double e, double mu = 0)
 
 /// What an energy ledger lacks [J].
 inline double balance(const contact::EnergyLedger& energy) {
-  return energy.start + energy.impacts + energy.settled - energy.end;
+  return energy.start + energy.impacts + energy.sliding + energy.settled - energy.end;
 }
 
 }  // namespace tumble::test

@@ -84,7 +84,7 @@ TEST_CASE("advance: refuses what makes no sense, with words") {
   CHECK_REFUSED(go({0.1, -1}), "steps", "-1");
   CHECK_REFUSED(go({0.1, 1, 0, {0}}), "threads", "0");
   if (simd::best_instruction_set() != simd::InstructionSet::avx512)
-    CHECK_REFUSED(go({0.1, 1, 0, {1, simd::InstructionSet::avx512}}), "instructions");
+    CHECK_REFUSED(go({0.1, 1, 0, {1, simd::InstructionSet::avx512}}), "instruction set");
   CHECK_REFUSED(go({0.1, 1}, Weight{Vec3(0, 0, NAN)}), "weight", "nan");
   CHECK_REFUSED(go({0.1, 1}, BodyDrag{-1, 0}), "drag", "-1");
   CHECK_REFUSED(go({0.1, 1}, ForceAtBodyPoint{Vec3(INFINITY, 0, 0), Vec3::Zero()}), "force", "inf");
