@@ -5,8 +5,7 @@
 ///
 /// Source: Gilbert, Johnson & Keerthi, "A fast procedure for computing the distance between complex
 /// objects in three-dimensional space", IEEE J. Robotics and Automation 4(2) (1988). It ends when
-/// the two bounds on the distance that it has meet to rounding: the points that it found are no
-/// nearer, and the planes that it found lie no farther apart.
+/// its two bounds on the distance meet to rounding: one from two points, one from two planes.
 
 #include "tumble/collide/box_axes.hpp"
 #include "tumble/collide/penetration.hpp"

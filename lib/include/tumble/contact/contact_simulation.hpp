@@ -73,8 +73,7 @@ class ContactSimulation {
     const bool lifted = may_hop(event, normal) && lift_to_hop(a, points, normal, lowest);
     fly_on(event.body, a.state, raised || lifted);
     // It neither hops nor lies; or between several others it is hit ever faster.
-    const Landings& all = landings(event.body);
-    if (run_.ending == Ending::time && (all.are_endless(scene_.e) || (raised && all.faint > 1000)))
+    if (run_.ending == Ending::time && landings(event.body).are_endless(scene_.e, raised))
       recorder_.end_undecided(event.body);
   }
 
@@ -95,6 +94,7 @@ class ContactSimulation {
   double lowest_hop(int i, const Vec3& normal) const {
     return hop_speed(std::max(0., pull(normal)), settings_.hop * scene_.body(i).shape.reach());
   }
+
   /// What lies has energy for some hops, or, where bounces never die away, for as far as bodies
   /// touch. On a line of what is round nothing tips: its neighbours are nearly as low.
   Stillness stillness(int i) {
@@ -118,12 +118,10 @@ class ContactSimulation {
                                          : lies_on(event, a, normal, after.parting);
     // What falls so slowly has not fallen farther than bodies touch: one lies on the other.
     const double slow = 1e-3 * hop_speed(scene_.gravity.norm(), events_.tolerance(event.body));
-    const bool lasts = stays(after) || (event.wall < 0 && after.coming <= slow);
-    if (lasts) {
-      fly_on(event.body, a.state, false);
-      recorder_.end_undecided(event.body);
-    }
-    return lasts;
+    if (!stays(after) && (event.wall >= 0 || after.coming > slow)) return false;
+    fly_on(event.body, a.state, false);
+    recorder_.end_undecided(event.body);
+    return true;
   }
 
   /// Lets a body that has come down on a face slide or rest there.

@@ -33,8 +33,11 @@ struct Landings {
   }
   /// Whether no hop goes on.
   bool have_ended() const { return faint >= 30; }
-  /// Whether this are more than bounces need to die away: each leaves e of the speed.
-  bool are_endless(double e) const { return faint >= 1000 / (1 - std::min(e, 0.999999)); }
+  /// Whether these are more than hops need to grow, or bounces to die away: each of them leaves e
+  /// of the speed.
+  bool are_endless(double e, bool hops) const {
+    return faint >= (hops ? 1000 : 1000 / (1 - std::min(e, 0.999999)));
+  }
 };
 
 /// How fast a body leaves the ground for a hop of some height.

@@ -55,12 +55,10 @@ class Contact {
     const double scale = speed_scale(K_, start_, j_);
     // What rounding leaves unsure of a slow slip's direction looks like turning, too.
     const double unsure = rounding * scale / speed * mu_ * K_.topLeftCorner<2, 2>().norm();
-    // So slow that it comes to rest before a turn says anything, whichever way it spirals.
-    const double last = slowest();
     constexpr double straight = 1e-13, settled_within = 1e-12;
     if (turning <= straight * rate.norm())
       go_straight(u, press, rate, until_rest);
-    else if (speed <= last * scale)
+    else if (speed <= slowest() * scale)  // at rest before a turn says anything
       leave_or_keep_rest(u);
     else if (const auto settled = settled_direction(direction, settled_within * scale / speed))
       follow(*settled, u);
