@@ -1,13 +1,18 @@
-// How many exercises of each chapter have passed, beside its name in the list of all pages.
-import { unitsByChapter } from "./course.mjs";
+// In the list of all pages: how many exercises of each chapter have passed, and the way to the next one.
+import { addressOf, unitsByChapter } from "./course.mjs";
 import { allWork, onWorkOfOthers } from "./store.mjs";
+
+const links = {}; // of each chapter's exercises; they lead to its contract until somebody can write
 
 async function draw() {
   const passed = new Set((await allWork()).filter((work) => work.passed).map(({ id }) => id));
   for (const [chapter, all] of await unitsByChapter()) {
-    const link = document.querySelector(`#sidebar a[href="exercises-${chapter}.html"]`);
+    const link = (links[chapter] ??= document.querySelector(`#sidebar a[href="exercises-${chapter}.html"]`));
+    if (!link) continue;
+    const next = await addressOf(all.find(({ id }) => !passed.has(id)) ?? all[0]);
+    if (next) link.href = next;
     const done = all.filter(({ id }) => passed.has(id)).length;
-    if (!link || done === 0) continue;
+    if (done === 0) continue;
     link.textContent = `${done} of ${all.length}`;
     link.setAttribute("aria-label", `exercises: ${done} of ${all.length} have passed`);
   }
