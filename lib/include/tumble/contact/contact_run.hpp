@@ -20,8 +20,8 @@ namespace tumble::contact {
 struct ContactSettings {
   double until;              ///< from t = 0 on [s]
   double tolerance = 1e-11;  ///< at which distance bodies touch [m]
-  /// Where contact of a body other than a ball lasts, it is a train of hops: so high, as a part of
-  /// the body's reach.
+  /// Contact that lasts, and is neither rest nor a straight slide on a face, is a train of hops for
+  /// a body that is no ball: so high, as a part of its reach.
   double hop = 1e-6;
   int max_impacts = 100000;  ///< after so many contacts the run ends, and says so
 };
@@ -44,7 +44,7 @@ struct ImpactEvent {
 enum class Ending {
   time,             ///< at the time that was asked for
   all_at_rest,      ///< nothing moves any more
-  lasting_contact,  ///< bodies stayed in touch and moved on, which is not modelled
+  lasting_contact,  ///< bodies stay in touch, and how they go on is not modelled
   too_many_events,  ///< the number of impacts that was allowed is reached
 };
 
@@ -54,8 +54,8 @@ struct FlightStart {
   RigidBodyState<> state;            ///< then
   int on_wall;                       ///< the floor that carries it, or -1: then it flies
   Vec3 acceleration = Vec3::Zero();  ///< of what a floor carries: it slides [m/s²]
-  /// Whether the body was lifted for it, in contact that lasts. Its other motions were slowed then:
-  /// what slides or tips in hops is off by some per cent of its way.
+  /// Whether the body was lifted for it, or thrown back harder than e says, in contact that lasts:
+  /// what tips, rolls or slides in a curve is off by some per cent of its way, and more where slow.
   bool is_hop = false;
 };
 
