@@ -16,9 +16,11 @@
 #include "tumble/contact/hops.hpp"
 #include "tumble/contact/impact.hpp"
 #include "tumble/contact/rest.hpp"
+#include "tumble/contact/run_recorder.hpp"
 #include "tumble/contact/scene.hpp"
 #include "tumble/contact/several_points.hpp"
 #include "tumble/contact/simulate_contacts.hpp"
+#include "tumble/contact/slide.hpp"
 #include "tumble/contact/sliding.hpp"
 
 /// What a hit leaves: impulses, with and without friction, that never create energy; and bodies
