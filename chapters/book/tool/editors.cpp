@@ -10,7 +10,7 @@ namespace tumble::book {
 
 namespace {
 
-const std::string box = "<div class=\"now-write\" id=\"now-write-";
+const std::string box = R"(<div class="now-write" id="now-write-)";
 const std::string script = "<script type=\"module\" src=\"exercises/exercise.mjs\"></script>\n";
 
 void demand(const fs::path& folder, const std::vector<std::string>& names) {
