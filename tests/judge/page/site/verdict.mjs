@@ -47,8 +47,26 @@ function shownLine(line, rules) {
   const [pattern, make] = rules.find(([pattern]) => pattern.test(line)) ?? [/.*/, () => [line]];
   const className = styles.find(([pattern]) => pattern.test(line))?.[1] ?? "";
   const shown = element("span", { className }, ...make(...pattern.exec(line)), "\n");
-  shown.style.setProperty("--indent", line.search(/\S|$/));
+  shown.style.setProperty("--indent", indentOf(line));
   return shown;
+}
+
+const indentOf = (line) => line.search(/\S|$/);
+
+/** A line of sentences: no table, no number with a name, no code. */
+const isProse = (line) => /^\s*[\p{L}“(]/u.test(line) && !/\S {2,}\S|[|=]/.test(line);
+
+/** The terminal's lines, with sentences whole: a page breaks them where it ends itself. */
+function reflowed(lines, rules) {
+  const flows = (line) => isProse(line) && !rules.some(([pattern]) => pattern.test(line));
+  const whole = [];
+  lines.forEach((line, i) => {
+    const above = lines[i - 1] ?? "";
+    const goesOn = above.length > 60 && flows(above) && flows(line) && indentOf(above) === indentOf(line);
+    if (goesOn) whole[whole.length - 1] += ` ${line.trim()}`;
+    else whole.push(line);
+  });
+  return whole;
 }
 
 /** Its first line, and the others as the terminal has them. */
@@ -68,6 +86,6 @@ export function showVerdict(verdict, { line, text }, actions) {
   const rules = rewritings(actions);
   line.textContent = first;
   line.className = `verdict-line ${verdict.passed ? "holds" : first.startsWith("·") ? "" : "fails"}`;
-  text.replaceChildren(...rest.map((each) => shownLine(each, rules)));
+  text.replaceChildren(...reflowed(rest, rules).map((each) => shownLine(each, rules)));
   text.hidden = rest.length === 0;
 }
