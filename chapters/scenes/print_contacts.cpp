@@ -87,7 +87,7 @@ void print_hops(const Scene& scene, const Motions& motions) {
                                "Where a body slides in a curve or tips, expect its way and its "
                                "times to be off by some per cent, by more where it is slow; what "
                                "is round but no ball slows down as it rolls, and may stop; what "
-                               "spins upright is not slowed as it should be.")
+                               "spins upright is hardly slowed.")
             << "\n\n";
 }
 
