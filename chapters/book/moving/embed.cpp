@@ -1,6 +1,6 @@
 /// @file
 /// A figure's module as a script: pages from disk may load scripts, and nothing else.
-/// tumble_embed FILE.wasm NAME SCRIPT.js
+/// tumble_embed FILE.wasm.gz NAME SCRIPT.js
 
 #include <exception>
 #include <iostream>
@@ -26,7 +26,7 @@ std::string base64(const std::string& bytes) {
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    std::cerr << "usage: tumble_embed FILE.wasm NAME SCRIPT.js\n";
+    std::cerr << "usage: tumble_embed FILE.wasm.gz NAME SCRIPT.js\n";
     return 2;
   }
   try {

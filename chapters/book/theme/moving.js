@@ -7,25 +7,28 @@ const tumbleMoving = (function () {
 
   // ── A figure's module ──
 
-  function instantiate(base64) {
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  function unpack(base64) {
+    const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+  }
+
+  async function instantiate(base64) {
     let memory;
     const text = (place, length) => new TextDecoder().decode(new Uint8Array(memory.buffer, place, length));
     const numbers = (place, count) => new Float64Array(memory.buffer, place, count);
     const tumble_refused = (place, length) => { throw new Error(text(place, length)); };
-    return WebAssembly.instantiate(bytes, { env: { tumble_refused } }).then(({ instance: { exports: c } }) => {
-      memory = c.memory;
-      c._initialize();
-      return {
-        declaration: () => JSON.parse(text(c.declaration(), c.text_size())),
-        draw: () => text(c.draw(), c.text_size()),
-        drag: c.drag,
-        question: () => [...numbers(c.question(), c.numbers_size())],
-        take: (answer) => (numbers(c.room(answer.length), answer.length).set(answer), c.take()),
-        // A view of the memory, made anew each time: it moves when the memory grows.
-        settings: (count) => numbers(c.settings(), count),
-      };
-    });
+    const { instance: { exports: c } } = await WebAssembly.instantiate(await unpack(base64), { env: { tumble_refused } });
+    memory = c.memory;
+    c._initialize();
+    return {
+      declaration: () => JSON.parse(text(c.declaration(), c.text_size())),
+      draw: () => text(c.draw(), c.text_size()),
+      drag: c.drag,
+      question: () => [...numbers(c.question(), c.numbers_size())],
+      take: (answer) => (numbers(c.room(answer.length), answer.length).set(answer), c.take()),
+      // A view of the memory, made anew each time: it moves when the memory grows.
+      settings: (count) => numbers(c.settings(), count),
+    };
   }
 
   function load(name) {

@@ -12,9 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a module may have [bytes]: 104 KiB, some 45 KB of what a reader downloads. Without
-/// wasm-opt, by which clang makes what it links a sixth smaller, one may have more.
-const std::uintmax_t most_bytes = (std::getenv("TUMBLE_WASM_OPT") ? 108 : 124) * 1024;
+/// What a reader may have to download for a figure: its module, compressed [bytes].
+constexpr std::uintmax_t most_bytes = 60 * 1024;
 
 /// A figure that moves, and its page.
 struct Moving {
