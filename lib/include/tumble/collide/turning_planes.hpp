@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "tumble/collide/motion.hpp"
+#include "tumble/ode/linear_solver.hpp"
 
 namespace tumble::collide::detail {
 
@@ -37,7 +38,7 @@ class TurningPlanes {
     if (sum.isZero(0)) return;
     // Where the edges leave a part of Ω open, it is 0.
     sum += sum.trace() * (1e-12 * Mat3::Identity() + n * n.transpose());
-    turning_ = sum.ldlt().solve(right);
+    turning_ = tumble::detail::SmallLu<Mat3>(sum).solve(right);
     turning_ -= n.dot(turning_) * n;
     seen_a_.omega -= turning_;
     seen_b_.omega -= turning_;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "tumble/core/types.hpp"
+#include "tumble/ode/linear_solver.hpp"
 
 namespace tumble::contact::detail {
 
@@ -19,7 +20,8 @@ using Mat2 = Eigen::Matrix2d;
 /// Friction per normal impulse that keeps a contact at rest: K_tt f + K_tn = 0.
 inline Vec2 holding_friction(const Mat3& K) {
   const Mat2 K_tt = K.topLeftCorner<2, 2>();
-  return -K_tt.ldlt().solve(Vec2(K.topRightCorner<2, 1>()));
+  const Vec2 K_tn = K.topRightCorner<2, 1>();
+  return -tumble::detail::SmallLu<Mat2>(K_tt).solve(K_tn);
 }
 
 /// The direction in which a contact begins to slide that friction cannot hold: the one in which it

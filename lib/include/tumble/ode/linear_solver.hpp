@@ -1,7 +1,8 @@
 #pragma once
 /// @file
-/// Solves A x = b for the matrices of implicit steps, factorised once: Gaussian elimination with
-/// row pivoting. Source: Golub & Van Loan, "Matrix Computations", 4th ed. (2013), algorithm 3.4.1.
+/// Solves A x = b for small matrices, and for those of implicit steps, factorised once: Gaussian
+/// elimination with row pivoting. Source: Golub & Van Loan, "Matrix Computations", 4th ed. (2013),
+/// algorithm 3.4.1.
 ///
 /// For matrices of a fixed, and so small, size this is a few loops. Eigen's PartialPivLU does the
 /// same in blocks that pay for large matrices only, and takes seconds to compile for every size and
@@ -23,6 +24,7 @@ class SmallLu {
   static constexpr int n = Matrix::RowsAtCompileTime;
 
   SmallLu() = default;
+  explicit SmallLu(const Matrix& A) { compute(A); }
 
   void compute(const Matrix& A) {
     lu_ = A;
