@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "book/tool/addresses.hpp"
+#include "book/tool/boxes.hpp"
 #include "book/tool/contract.hpp"
 #include "book/tool/exercises.hpp"
 #include "book/tool/fences.hpp"
@@ -49,7 +50,10 @@ std::string places_text(const fs::path& root, const fs::path& folder, const Page
   if (const std::string section = chapter ? section_of(*chapter, part.number) : "";
       !section.empty())
     text += " We derive it in [" + section + "](../../chapters/" + name + "/README.md#" +
-            anchor_of(section) + ").";
+            anchor_of(section) + "). On that page it is " +
+            link_html(address_of(root, chapter->file) + "#" + box_id(part.number),
+                      "Now write " + part.number) +
+            ".";
   const auto add = [&](const std::string& tree, const std::string& before) {
     if (fs::exists(root / tree / name / (part.name + ".cpp")))
       text += before + "](../../" + tree + "/" + name + "#" + part.name + "cpp).";
