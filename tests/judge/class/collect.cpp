@@ -5,6 +5,7 @@
 #include <set>
 
 #include "judge/class/archive.hpp"
+#include "judge/class/canonical_names.hpp"
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
 #include "judge/class/gradescope_metadata.hpp"
@@ -143,7 +144,7 @@ class SubmissionCollector {
   }
 
   Submission& add_whole(const std::string& student, const fs::path& path) {
-    Submission submission{student, path};
+    Submission submission{canonical(student), path};  // one record, wherever it was packed
     submission.answer_under = student + "/";
     work_.submissions.push_back(std::move(submission));
     return work_.submissions.back();
@@ -151,10 +152,10 @@ class SubmissionCollector {
 
   /// The submission that a platform's number stands for.
   Submission& of(const LmsEntry& says) {
-    Submission& submission = named_[says.key()];
-    submission.student = says.key();
+    Submission& submission = named_[canonical(says.key())];
+    submission.student = canonical(says.key());
     submission.path = folder_;
-    submission.who = {says.name, says.id, ""};
+    submission.who = {canonical(says.name), says.id, ""};
     return submission;
   }
 
@@ -288,6 +289,12 @@ void collect_one(const Course& course, const fs::path& given, const std::optiona
   if (lms != Lms::none) all.lms = lms;
 }
 
+/// Where two paths look the same and are not.
+std::string why_alike(const fs::path& a, const fs::path& b) {
+  if (a == b || canonical(a.string()) != canonical(b.string())) return "";
+  return " (an accent in them is written in two ways)";
+}
+
 /// Where a student has several: the last one, or all of them, numbered.
 void sort_out(std::vector<Submission>& all, Several several) {
   std::stable_sort(all.begin(), all.end(),
@@ -297,9 +304,10 @@ void sort_out(std::vector<Submission>& all, Several several) {
     std::size_t end = i + 1;
     while (end < all.size() && all[end].student == all[i].student) ++end;
     const std::string count = std::to_string(end - i);
+    const Submission& next = all[i + 1 < all.size() ? i + 1 : i];
     require(end == i + 1 || several != Several::refused, "two submissions have the name ",
             escaped(all[i].student), ": ", escaped(all[i].path.string()), " and ",
-            escaped(all[i + 1 < all.size() ? i + 1 : i].path.string()),
+            escaped(next.path.string()), why_alike(all[i].path, next.path),
             R"(; "several" in course.json says which counts)");
     for (std::size_t k = several == Several::last ? end - 1 : i; k < end; ++k) {
       if (end > i + 1) all[k].attempt = several == Several::best ? k - i + 1 : 0;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "judge/class/file_kinds.hpp"
+#include "judge/class/canonical_names.hpp"
 #include "judge/class/moment.hpp"
 #include "support/how_many.hpp"
 
@@ -59,11 +59,11 @@ void subtract_late(const CourseSettings& settings, const StudentRecord& record, 
 
 bool is_called(const StudentRecord& record, const std::string& what) {
   const auto same = [](const std::string& a, const std::string& b) {
-    return !a.empty() && lower_case(a) == lower_case(b);
+    return !a.empty() && folded(a) == folded(b);
   };
   // Two rows may differ by the case of a letter: their names are meant exactly.
-  return record.student == what || same(record.who.id, what) || same(record.who.name, what) ||
-         same(record.who.email, what);
+  return canonical(record.student) == canonical(what) || same(record.who.id, what) ||
+         same(record.who.name, what) || same(record.who.email, what);
 }
 
 bool is_complete(const CourseSettings& settings, const StudentRecord& record) {
