@@ -69,6 +69,7 @@ bool is_called(const StudentRecord& record, const std::string& what) {
 bool is_complete(const CourseSettings& settings, const StudentRecord& record) {
   const Override* by_hand = said_about(settings.rules.overrides, record);
   if (record.absent || !record.refused.empty() || (by_hand && by_hand->points)) return true;
+  if (!record.incomplete.empty()) return false;
   return std::all_of(settings.units.begin(), settings.units.end(), [&](const Unit& unit) {
     const UnitRecord* verdict = record.find(unit);
     return (verdict && verdict->judge_failure.empty()) ||
