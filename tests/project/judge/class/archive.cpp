@@ -119,8 +119,14 @@ TEST_CASE("archives: a checksum that is wrong is damage, not an empty file") {
   const fs::path file = folder.path() / "a.zip";
   write_archive(file, {{"a.cpp", "int a = 1;"}, {"b.cpp", "int b;"}});
   std::string bytes = tumble::support::read_text(file);
-  std::ofstream(file, std::ios::binary)
-      << bytes.replace(bytes.find("int a = 1;"), 10, "int a = 2;");
+  const auto spoil = [&](const std::string& header, std::size_t at) {  // of the first file
+    if (const std::size_t found = bytes.find(header); found != std::string::npos)
+      bytes[found + at] = static_cast<char>(~bytes[found + at]);
+  };
+  spoil("PK\x03\x04", 14);  // its checksum, wherever it is written
+  spoil("PK\x07\x08", 4);
+  spoil("PK\x01\x02", 16);
+  std::ofstream(file, std::ios::binary) << bytes;
   CHECK(unpack(file).refused.starts_with("cannot be unpacked: ZIP bad CRC"));
   const std::vector<EntryLeftOut> left_out = unpack_class(file, folder.path() / "all");
   REQUIRE(left_out.size() == 1);
