@@ -89,9 +89,32 @@ std::string read_archive(const fs::path& archive, const char* what, std::size_t 
   return refused;
 }
 
+/// The path of what is left out, as far as it is one in this folder.
+fs::path harmless(const fs::path& path) {
+  fs::path all;
+  for (const fs::path& part : path) {
+    if (part == ".." || part.is_absolute() || part.string().size() > longest_name) break;
+    if (part != ".") all /= part;
+  }
+  return all;
+}
+
+void put_left_out(const EntryLeftOut& entry, const fs::path& to) {
+  const fs::path path = harmless(entry.path);
+  const bool is_whole = path.filename() == fs::path(entry.path).filename();
+  std::error_code there_is_a_file;
+  fs::create_directories(to / (is_whole ? path.parent_path() : path), there_is_a_file);
+  if (entry.is_work && is_whole && !there_is_a_file && !fs::exists(to / path))
+    support::write_text(to / path, "");
+}
+
 /// An entry of a class's download: a file with its text, or an empty one that has its name.
-void put(const nlohmann::json& entry, const fs::path& to, std::vector<std::string>& left_out) {
-  if (entry.contains("note")) return left_out.push_back(bytes_in(entry.at("note")));
+void put(const nlohmann::json& entry, const fs::path& to, std::vector<EntryLeftOut>& left_out) {
+  if (entry.contains("left_out")) {
+    left_out.push_back(
+        {bytes_in(entry.at("path")), bytes_in(entry.at("left_out")), entry.at("work")});
+    return put_left_out(left_out.back(), to);
+  }
   const fs::path file = to / bytes_in(entry.at("path"));
   support::write_text_and_folders(file, entry.contains("text") ? bytes_in(entry.at("text")) : "");
 }
@@ -135,8 +158,8 @@ Unpacked unpack(const fs::path& archive) {
   return unpacked.refused.empty() ? unpacked : Unpacked{{}, unpacked.refused};
 }
 
-std::vector<std::string> unpack_class(const fs::path& archive, const fs::path& to) {
-  std::vector<std::string> left_out;
+std::vector<EntryLeftOut> unpack_class(const fs::path& archive, const fs::path& to) {
+  std::vector<EntryLeftOut> left_out;
   const Limits limits{.cpu_seconds = 600, .wall_seconds = 1200};
   const std::string refused =
       read_archive(archive, "class", largest_class_kept + (largest_class_kept >> 2), limits,
@@ -147,13 +170,14 @@ std::vector<std::string> unpack_class(const fs::path& archive, const fs::path& t
 
 #else
 
-Unpacked unpack(const fs::path& archive) {
-  return {{},
-          "cannot be unpacked: " + archive.string() + ", as tumble was built without libarchive"};
+Unpacked unpack(const fs::path& archive) {  // no student's fault
+  throw std::runtime_error("cannot read " + archive.string() +
+                           ": tumble was built without libarchive");
 }
 
-std::vector<std::string> unpack_class(const fs::path& archive, const fs::path&) {
-  tumble::detail::refuse(unpack(archive).refused);
+std::vector<EntryLeftOut> unpack_class(const fs::path& archive, const fs::path&) {
+  unpack(archive);
+  return {};
 }
 
 #endif

@@ -48,10 +48,16 @@ inline constexpr int disk_failed = 3;
 ///         fails, too many open files
 Unpacked unpack(const fs::path& archive);
 
+/// An entry of a class's download that was not unpacked.
+struct EntryLeftOut {
+  std::string path, why;  ///< "Ann_1_assignsubmission_file_/product.cpp", "is encrypted"
+  bool is_work = false;   ///< by its name a source file or an archive
+};
+
 /// Unpacks a platform's download of a class into a folder: source files and archives, and of all
-/// else the names.
-/// @return what was left out, and why
-/// @throws std::invalid_argument if the archive cannot be read, or leads out of the folder
-std::vector<std::string> unpack_class(const fs::path& archive, const fs::path& to);
+/// else the names. Of what is left out, the folders are made, and a file of its name without a
+/// content if it is somebody's work: so a student who has nothing else is known.
+/// @throws std::invalid_argument if the archive cannot be read
+std::vector<EntryLeftOut> unpack_class(const fs::path& archive, const fs::path& to);
 
 }  // namespace tumble::judge

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "judge/class/archive.hpp"
+#include "judge/class/canonical_names.hpp"
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
 #include "judge/class/gradescope_metadata.hpp"
@@ -143,7 +144,7 @@ class SubmissionCollector {
   }
 
   Submission& add_whole(const std::string& student, const fs::path& path) {
-    Submission submission{student, path};
+    Submission submission{canonical(student), path};  // one record, wherever it was packed
     submission.answer_under = student + "/";
     work_.submissions.push_back(std::move(submission));
     return work_.submissions.back();
@@ -151,10 +152,10 @@ class SubmissionCollector {
 
   /// The submission that a platform's number stands for.
   Submission& of(const LmsEntry& says) {
-    Submission& submission = named_[says.key()];
-    submission.student = says.key();
+    Submission& submission = named_[canonical(says.key())];
+    submission.student = canonical(says.key());
     submission.path = folder_;
-    submission.who = {says.name, says.id, ""};
+    submission.who = {canonical(says.name), says.id, ""};
     return submission;
   }
 
@@ -225,8 +226,8 @@ class SubmissionCollector {
       const std::size_t before = work_.submissions.size();
       add_gradescope(name, folder_ / name);
       for (std::size_t i = before; i < work_.submissions.size(); ++i)
-        work_.submissions[i].refused =
-            "is named in submission_metadata.yml, but " + name + " is not there";
+        work_.submissions[i].incomplete =
+            name + " is named in submission_metadata.yml, but is not there";
     }
   }
 
@@ -240,15 +241,48 @@ class SubmissionCollector {
 
 /// A folder that was given, or what a zip that was given is unpacked to.
 fs::path unpacked_folder(const fs::path& given, const WorkFolder& work, std::size_t number,
-                         ClassWork& all) {
+                         std::vector<EntryLeftOut>& left_out) {
   const bool is_archive = fs::is_regular_file(given) && !archive_stem(file_of(given)).empty();
   require(fs::is_directory(given) || is_archive, escaped(given.string()), " is not a folder");
   if (!is_archive) return given;
   fs::path to = work.path() / std::to_string(number) / archive_stem(file_of(given));
   fs::create_directories(to);
-  for (const std::string& note : unpack_class(given, to))
-    all.left_out.push_back({given.string(), note});
+  left_out = unpack_class(given, to);
   return to;
+}
+
+/// The path below a part of a submission; empty if it is not there.
+std::string path_in(const Part& part, const std::string& path) {
+  const std::string whole = part.path.string();
+  if (path == whole) return part.path.filename().string();
+  return path.starts_with(whole + "/") ? path.substr(whole.size() + 1) : "";
+}
+
+fs::path without_dots(const fs::path& path) {
+  fs::path all;
+  for (const fs::path& part : path)
+    if (part != ".") all /= part;
+  return all;
+}
+
+/// Says in whose submission these are missing. Work that we do not have is no zero: who has handed
+/// it in is not judged.
+/// @return whether it is anybody's
+bool noted_at(const EntryLeftOut& entry, const fs::path& unpacked, std::size_t first,
+              ClassWork& all) {
+  const std::string path = (unpacked / without_dots(entry.path)).string();
+  bool is_anybodys = false;
+  for (std::size_t i = first; i < all.submissions.size(); ++i)
+    for (const Part& part : parts_of(all.submissions[i]))
+      if (const std::string name = path_in(part, path); !name.empty()) {
+        const std::string text = name + " in the download " + entry.why;
+        is_anybodys = true;
+        if (!entry.is_work)
+          all.submissions[i].notes.push_back(text);
+        else if (all.submissions[i].incomplete.empty())
+          all.submissions[i].incomplete = text;
+      }
+  return is_anybodys;
 }
 
 /// Why the first entries of a folder are no submissions: "; product.cpp is …".
@@ -272,7 +306,8 @@ std::string some_reasons(const ClassWork& all, std::size_t first) {
 
 void collect_one(const Course& course, const fs::path& given, const std::optional<Lms>& from,
                  const WorkFolder& work, std::size_t number, ClassWork& all) {
-  const fs::path unpacked = unpacked_folder(given, work, number, all);
+  std::vector<EntryLeftOut> not_unpacked;
+  const fs::path unpacked = unpacked_folder(given, work, number, not_unpacked);
   const fs::path folder = innermost(course, unpacked, unpacked != given);
   require(!is_one_students(course, entries_of(folder)), escaped(given.string()),
           " looks like one student's work: give the folder that holds the students' folders");
@@ -283,9 +318,18 @@ void collect_one(const Course& course, const fs::path& given, const std::optiona
     if (all.left_out[i].what.starts_with(unpacked.string() + "/"))
       all.left_out[i].what =
           (given / all.left_out[i].what.substr(unpacked.string().size() + 1)).string();
+  for (const EntryLeftOut& entry : not_unpacked)
+    if (!noted_at(entry, unpacked, before, all))
+      all.left_out.push_back({(given / entry.path).string(), entry.why});
   require(all.submissions.size() > before, escaped(given.string()),
           " holds no submissions: neither folders nor archives", some_reasons(all, left_before));
   if (lms != Lms::none) all.lms = lms;
+}
+
+/// Where two paths look the same and are not.
+std::string why_alike(const fs::path& a, const fs::path& b) {
+  if (a == b || canonical(a.string()) != canonical(b.string())) return "";
+  return " (an accent in them is written in two ways)";
 }
 
 /// Where a student has several: the last one, or all of them, numbered.
@@ -297,9 +341,10 @@ void sort_out(std::vector<Submission>& all, Several several) {
     std::size_t end = i + 1;
     while (end < all.size() && all[end].student == all[i].student) ++end;
     const std::string count = std::to_string(end - i);
+    const Submission& next = all[i + 1 < all.size() ? i + 1 : i];
     require(end == i + 1 || several != Several::refused, "two submissions have the name ",
             escaped(all[i].student), ": ", escaped(all[i].path.string()), " and ",
-            escaped(all[i + 1 < all.size() ? i + 1 : i].path.string()),
+            escaped(next.path.string()), why_alike(all[i].path, next.path),
             R"(; "several" in course.json says which counts)");
     for (std::size_t k = several == Several::last ? end - 1 : i; k < end; ++k) {
       if (end > i + 1) all[k].attempt = several == Several::best ? k - i + 1 : 0;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "judge/build/build_outcome.hpp"
 #include "judge/class/final_grade.hpp"
 #include "judge/class/moment.hpp"
 #include "judge/verdict/markup.hpp"
@@ -66,9 +67,20 @@ std::string judge_failures(const StudentRecord& record) {
   return units.empty() ? "" : "the judge failed at " + units + ": no verdict";
 }
 
+/// "1.3 is refused: euler_step.cpp is empty" of files that were not even compiled, or nothing.
+std::vector<std::string> refused_files(const StudentRecord& record) {
+  std::vector<std::string> lines;
+  for (const UnitRecord& unit : record.units)
+    if (unit.summary == name_of(BuildOutcome::refused))
+      lines.push_back(unit.number +
+                      " is refused: " + unit.detail.substr(0, unit.detail.find('\n')));
+  return lines;
+}
+
 /// "not judged yet: 1.3, 1.5" of a grading that was interrupted or had no time left, or nothing.
 std::string not_judged(const CourseSettings& settings, const StudentRecord& record) {
   if (record.absent || !record.refused.empty()) return "";
+  if (!record.incomplete.empty()) return "not judged: " + record.incomplete;
   if (const std::size_t left = count_unreached(settings, record); left > 0)
     return std::to_string(left) + " " + no_time_left;
   std::string units;
@@ -97,6 +109,7 @@ std::string note_on(const CourseSettings& settings, const StudentRecord& record)
   if (record.absent) notes.emplace_back("not handed in");
   if (!record.refused.empty()) notes.push_back(record.refused);
   notes.insert(notes.end(), record.notes.begin(), record.notes.end());
+  for (std::string& line : refused_files(record)) notes.push_back(std::move(line));
   for (const std::string& open : {judge_failures(record), not_judged(settings, record)})
     if (!open.empty()) notes.push_back(open);
   const FinalGrade grade = final_grade(settings, record);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "judge/class/file_kinds.hpp"
-#include "judge/class/moment.hpp"
+#include "judge/class/canonical_names.hpp"
+#include "judge/class/handed_in.hpp"
 #include "support/how_many.hpp"
 
 namespace tumble::judge {
@@ -27,24 +27,36 @@ std::string short_text(double x) {
   return text;
 }
 
-/// How many days late, the first that has begun counts; 0 if it is in time or nobody knows.
-int days_late(const CourseSettings& settings, const StudentRecord& record) {
+/// How many days late, the first that has begun counts.
+struct Lateness {
+  int days = 0;           ///< 0 if it is in time or nobody knows
+  int if_clock_went = 0;  ///< if a clock without a zone was put forward since the due date
+};
+
+int days_begun(double seconds) {
+  return seconds > 0 ? static_cast<int>(std::ceil(seconds / 86400)) : 0;
+}
+
+Lateness lateness(const CourseSettings& settings, const StudentRecord& record) {
   const std::string* extension = said_about(settings.rules.extensions, record);
   const std::string due = extension ? *extension : settings.due.value_or("");
-  const auto limit = moment_of(due), time = moment_of(record.handed_in, zone_of(due));
-  if (!limit) return 0;
+  const auto limit = moment_of(due), time = handed_in(record.handed_in, zone_of(due)).when;
+  if (!limit) return {};
   // Who has an extension is late for the platform, which does not know it.
-  if (!time) return record.marked_late && !extension ? 1 : 0;
+  if (!time) return record.marked_late && !extension ? Lateness{1, 1} : Lateness{};
   const double late = static_cast<double>(*time - *limit) - 60 * settings.rules.late->grace;
-  return late > 0 ? static_cast<int>(std::ceil(late / 86400)) : 0;
+  constexpr double summer_time = 3600;
+  return {days_begun(late), days_begun(names_zone(record.handed_in) ? late : late - summer_time)};
 }
 
 void subtract_late(const CourseSettings& settings, const StudentRecord& record, FinalGrade& grade) {
   if (!settings.rules.late) return;
   const LateRule& rule = *settings.rules.late;
-  const int days = days_late(settings, record);
+  const auto [days, if_clock_went] = lateness(settings, record);
   if (days == 0) return;
-  const std::string text = support::how_many(days, "day") + " late";
+  std::string text = support::how_many(days, "day") + " late";
+  if (days > 1 && if_clock_went < days)  // no clock is put forward within the first hour
+    text += " (" + std::to_string(if_clock_went) + " if summer time began after the due date)";
   if (rule.days && days > *rule.days) {
     grade.points = 0;
     grade.because.push_back(text + ", and nothing counts after " + std::to_string(*rule.days));
@@ -59,16 +71,17 @@ void subtract_late(const CourseSettings& settings, const StudentRecord& record, 
 
 bool is_called(const StudentRecord& record, const std::string& what) {
   const auto same = [](const std::string& a, const std::string& b) {
-    return !a.empty() && lower_case(a) == lower_case(b);
+    return !a.empty() && folded(a) == folded(b);
   };
   // Two rows may differ by the case of a letter: their names are meant exactly.
-  return record.student == what || same(record.who.id, what) || same(record.who.name, what) ||
-         same(record.who.email, what);
+  return canonical(record.student) == canonical(what) || same(record.who.id, what) ||
+         same(record.who.name, what) || same(record.who.email, what);
 }
 
 bool is_complete(const CourseSettings& settings, const StudentRecord& record) {
   const Override* by_hand = said_about(settings.rules.overrides, record);
   if (record.absent || !record.refused.empty() || (by_hand && by_hand->points)) return true;
+  if (!record.incomplete.empty()) return false;
   return std::all_of(settings.units.begin(), settings.units.end(), [&](const Unit& unit) {
     const UnitRecord* verdict = record.find(unit);
     return (verdict && verdict->judge_failure.empty()) ||

@@ -133,13 +133,16 @@ std::vector<StudentRecord> records_of(const GradesFolder& folder, const CourseSe
     std::size_t end = i;
     std::optional<StudentRecord> best;
     std::size_t best_attempt = 0;
+    std::string incomplete;  // who knows whether that one was better?
     for (; end < submissions.size() && submissions[end].student == submissions[i].student; ++end) {
       StudentRecord record = record_or_reason(folder, submissions[end]);
+      if (!record.incomplete.empty()) incomplete = record.incomplete;
       if (best && final_grade(settings, record).points <= final_grade(settings, *best).points)
         continue;
       best = std::move(record);
       best_attempt = submissions[end].attempt;
     }
+    best->incomplete = incomplete;
     if (best_attempt > 0) {
       best->notes.push_back("the best of " + std::to_string(end - i) + " submissions: number " +
                             std::to_string(best_attempt));

@@ -45,6 +45,7 @@ StudentRecord new_record(const Grading& grading, const Submission& submission,
   record.handed_in = submission.handed_in;
   record.marked_late = submission.marked_late;
   record.together = submission.together;
+  record.incomplete = submission.incomplete;
   for (const Unit& unit : grading.settings.units)
     if (const auto path = sources.handed_in(unit)) record.files[unit.id()] = *path;
   return record;
@@ -87,12 +88,13 @@ void grade_student(const Grading& grading, const Submission& submission,
     sources.keep(grading.keep_sources / file.stem(), grading.settings.units);
   StudentRecord record = new_record(grading, submission, sources);
   const std::optional<StudentRecord> before = read_record(file);
-  if (record.refused.empty()) record.units = kept(grading, sources, before, record);
+  const bool is_read = record.refused.empty() && record.incomplete.empty();
+  if (is_read) record.units = kept(grading, sources, before, record);
   write_record(file, record, grading.settings);
   std::vector<Unit> open;
   for (const Unit& unit : grading.settings.units) {
     const bool wanted = grading.only.empty() || grading.only.contains(unit.id());
-    const bool known = record.find(unit) != nullptr || !record.refused.empty() || !wanted;
+    const bool known = record.find(unit) != nullptr || !is_read || !wanted;
     if (known)
       done(record);
     else

@@ -84,7 +84,8 @@ std::string grades_junit(const CourseSettings& settings,
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" << markup(settings.title)
       << "\">\n";
   for (const StudentRecord& record : records) {
-    const std::size_t refused = record.refused.empty() ? 0 : 1;
+    const std::string& unread = record.refused.empty() ? record.incomplete : record.refused;
+    const std::size_t refused = unread.empty() ? 0 : 1;
     const std::size_t unjudged = count_judge_failures(record), errors = refused + unjudged;
     const std::size_t skipped = count_unreached(settings, record);
     out << "  <testsuite name=\"" << markup(record.student) << "\" tests=\""
@@ -93,7 +94,7 @@ std::string grades_junit(const CourseSettings& settings,
         << (skipped > 0 ? " skipped=\"" + std::to_string(skipped) + "\"" : "") << ">\n";
     if (refused > 0)
       out << "    <testcase classname=\"" << markup(record.student)
-          << "\" name=\"submission\">\n      <error message=\"" << markup(record.refused)
+          << "\" name=\"submission\">\n      <error message=\"" << markup(unread)
           << "\"/>\n    </testcase>\n";
     for (const UnitRecord& unit : record.units) write_case(out, record, unit);
     write_unreached(out, settings, record);

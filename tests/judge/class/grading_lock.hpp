@@ -15,6 +15,7 @@ class GradingLock {
  public:
   enum class With { nobody, other_shards };
 
+  /// Where the file system has no locks, nothing is held, and that is said.
   /// @param where what is locked, for the message
   /// @throws std::invalid_argument if another process holds it
   GradingLock(const std::filesystem::path& file, const std::string& where,

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "judge/class/canonical_names.hpp"
 #include "judge/class/feedback.hpp"
 #include "judge/class/final_grade.hpp"
 
@@ -122,11 +123,12 @@ std::string gradescope_grades(const CourseSettings& settings,
 
 /// The column of an assignment in Canvas's gradebook: "Homework 1 (98765)".
 std::string canvas_column(const CourseSettings& settings, const Roster* roster) {
+  const std::string title = canonical(settings.title);
   if (roster)
-    for (const std::string& name : roster->table.header)
-      if (name == settings.title ||
-          (name.starts_with(settings.title + " (") && name.ends_with(")")))
-        return name;
+    for (const std::string& column : roster->table.header) {
+      const std::string name = canonical(column);
+      if (name == title || (name.starts_with(title + " (") && name.ends_with(")"))) return column;
+    }
   return settings.title;
 }
 

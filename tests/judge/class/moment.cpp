@@ -75,6 +75,11 @@ std::optional<Moment> spoken_moment(const std::string& text, std::int64_t zone) 
 
 }  // namespace
 
+bool names_zone(const std::string& text) {
+  std::smatch m;
+  return text.size() <= 100 && std::regex_match(text, m, iso()) && m[7].matched;
+}
+
 std::int64_t zone_of(const std::string& text) {
   static const std::regex pattern(R"(.*([+-])(\d{2}):?(\d{2}))");
   std::smatch m;

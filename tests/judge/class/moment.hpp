@@ -11,6 +11,9 @@ namespace tumble::judge {
 /// Seconds since 1970 in UTC.
 using Moment = std::int64_t;
 
+/// Whether a time says in which zone it is: "…+01:00", "…Z", "… UTC".
+bool names_zone(const std::string& text);
+
 /// How far the time zone of an ISO time is ahead of UTC [s]: "…+01:00", "…Z"; 0 if it has none.
 std::int64_t zone_of(const std::string& text);
 

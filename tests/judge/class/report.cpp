@@ -96,7 +96,7 @@ class Page {
   void add_summary() {
     std::size_t refused = 0, absent = 0;
     for (const StudentRecord& record : records_) {
-      refused += record.refused.empty() ? 0u : 1u;
+      refused += record.refused.empty() && record.incomplete.empty() ? 0u : 1u;
       absent += record.absent ? 1u : 0u;
     }
     const double most = settings_.most();

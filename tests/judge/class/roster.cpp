@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-#include "judge/class/file_kinds.hpp"
+#include "judge/class/canonical_names.hpp"
 #include "judge/class/file_names.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
@@ -28,14 +28,6 @@ const ColumnNames time_columns = {"last modified (submission)", "submission time
 std::string digits_at_the_end(const std::string& text) {
   const std::size_t last = text.find_last_not_of("0123456789");
   return last == std::string::npos ? text : text.substr(last + 1);
-}
-
-/// Letters and digits alone: "doejane" for "Doe, Jane".
-std::string squeezed(const std::string& name) {
-  std::string text;
-  for (const char c : lower_case(name))
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80)) text += c;
-  return text;
 }
 
 /// "Ann Lee" for "Lee, Ann"; empty for a name without a comma.
@@ -83,6 +75,7 @@ class RosterReader {
     const std::string first = cell(row, first_name_columns), last = cell(row, last_name_columns);
     if (member.who.name.empty())
       member.who.name = first + (first.empty() || last.empty() ? "" : " ") + last;
+    member.who.name = canonical(member.who.name);
     member.who.id = cell(row, id_columns);
     if (roster_.lms == Lms::moodle) member.who.id = digits_at_the_end(member.who.id);
     member.who.email = cell(row, email_columns);
@@ -123,7 +116,7 @@ MemberFinder::MemberFinder(const Roster& roster) {
     const std::string& email = member.who.email;
     for (const std::string& name : {member.who.name, turned(member.who.name), member.who.id, email,
                                     member.login, email.substr(0, email.find('@'))})
-      by_name_[squeezed(name)].insert(&member);
+      by_name_[letters_of(name)].insert(&member);
   }
 }
 
@@ -137,7 +130,7 @@ const Member* MemberFinder::find(const Submission& submission) const {
 std::set<const Member*> MemberFinder::all_named(const Submission& submission) const {
   std::set<const Member*> named;
   for (const std::string* name : {&submission.student, &submission.who.name, &submission.who.email})
-    if (const auto found = by_name_.find(squeezed(*name));
+    if (const auto found = by_name_.find(letters_of(*name));
         found != by_name_.end() && !found->first.empty())
       named.insert(found->second.begin(), found->second.end());
   return named;
@@ -168,9 +161,9 @@ RosterMatch match(const Roster& roster, std::vector<Submission>& submissions) {
     const Member* member = members.find(submission);
     if (!member) {
       const bool several = members.all_named(submission).size() > 1;
-      result.strangers.push_back(
-          submission.student +
-          (several ? ": this means several there, so it counts for none" : ""));
+      result.strangers.push_back(submission.student +
+                                 (several ? ": this means several there, so it counts for none"
+                                          : spelling_doubt(submission.student)));
       continue;
     }
     const std::string& first = handed_in.try_emplace(member->row, submission.student).first->second;

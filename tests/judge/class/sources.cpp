@@ -80,7 +80,7 @@ Sources::Sources(const Course& course, const std::vector<Unit>& counted,
     : course_(&course), refused_(submission.refused), notes_(submission.notes) {
   const fs::path whole = fs::absolute(submission.path).lexically_normal();
   folder_ = fs::is_directory(whole) ? whole : own_.path();
-  if (!refused_.empty()) return;
+  if (!refused_.empty() || !submission.incomplete.empty()) return;
   for (Part part : parts_of(submission)) {
     part.path = fs::absolute(part.path).lexically_normal();
     add(part);

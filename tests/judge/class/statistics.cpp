@@ -72,7 +72,7 @@ std::vector<UnitStatistics> statistics_of(const CourseSettings& settings,
   for (const Unit& unit : settings.units) {
     UnitCounter counter(unit);
     for (const StudentRecord& record : records)
-      if (!record.refused.empty())
+      if (!record.refused.empty() || !record.incomplete.empty())
         counter.add_unread();
       else if (!record.absent)
         counter.add(record.find(unit));

@@ -24,11 +24,10 @@ namespace {
 /// What is known besides the verdicts; what is not known is not written.
 void add_circumstances(ordered_json& j, const StudentRecord& record) {
   if (!record.refused.empty()) j["refused"] = record.refused;
-  const std::pair<const char*, const std::string*> texts[] = {{"name", &record.who.name},
-                                                              {"id", &record.who.id},
-                                                              {"email", &record.who.email},
-                                                              {"handed_in", &record.handed_in},
-                                                              {"together", &record.together}};
+  const std::pair<const char*, const std::string*> texts[] = {
+      {"name", &record.who.name},     {"id", &record.who.id},
+      {"email", &record.who.email},   {"handed_in", &record.handed_in},
+      {"together", &record.together}, {"incomplete", &record.incomplete}};
   for (const auto& [key, text] : texts)
     if (!text->empty()) j[key] = *text;
   if (record.marked_late) j["marked_late"] = true;
@@ -42,6 +41,7 @@ void read_circumstances(const ordered_json& j, StudentRecord& record) {
   record.who = {j.value("name", ""), j.value("id", ""), j.value("email", "")};
   record.handed_in = j.value("handed_in", "");
   record.together = j.value("together", "");
+  record.incomplete = j.value("incomplete", "");
   record.marked_late = j.value("marked_late", false);
   record.out_of_time = j.value("out_of_time", false);
   record.notes = j.value("notes", record.notes);

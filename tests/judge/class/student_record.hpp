@@ -29,7 +29,8 @@ struct StudentRecord {
   std::string handed_in = {};                     ///< when, if somebody says so
   bool marked_late = false;                       ///< by the platform, which says no time
   std::string together = {};                      ///< of a group: the same for all in it
-  bool absent = false;                            ///< on the roster, and nothing was handed in
+  std::string incomplete = {};  ///< what of it we do not have: so it was not judged
+  bool absent = false;          ///< on the roster, and nothing was handed in
 
   const UnitRecord* find(const Unit& unit) const;
 };

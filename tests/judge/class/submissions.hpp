@@ -30,7 +30,8 @@ struct Submission {
   bool is_archive = false;
   std::vector<Part> parts = {};  ///< if it is more than that
   Identity who = {};
-  std::string refused = {};             ///< why it is not looked at; empty if it is
+  std::string refused = {};     ///< why it is not looked at; empty if it is
+  std::string incomplete = {};  ///< what of it we do not have, which is not the student's doing
   std::vector<std::string> notes = {};  ///< what one should know about it
   std::string handed_in = {};           ///< when, if somebody says so: ISO 8601 with a time zone
   bool marked_late = false;             ///< the platform says so, and not by how much

@@ -37,6 +37,13 @@ struct TooMuch : Refused {
   using Refused::Refused;
 };
 
+/// An archive is refused for what one entry is.
+struct BadEntry : Refused {
+  BadEntry(const std::string& archive_has, const std::string& entry_is, const std::string& path)
+      : Refused(archive_has + ": " + path), is(entry_is) {}
+  std::string is;  ///< for who leaves out the entry alone
+};
+
 /// What one kind of archive may have in it.
 struct Allowed {
   std::size_t entries = most_entries, content = largest_content, kept = largest_content;
@@ -95,8 +102,8 @@ class Reader {
     std::string text, part(1 << 16, '\0');
     for (;;) {
       const la_ssize_t got = archive_read_data(archive_.get(), part.data(), part.size());
-      if (got < 0) require_ok(static_cast<int>(got));
-      if (got <= 0) return text;
+      if (got < 0) refuse();  // a mere warning says that a checksum is wrong
+      if (got == 0) return text;
       used_->content += static_cast<std::size_t>(got);
       if (used_->content > allowed_->content) throw TooMuch(allowed_->too_much);
       if (text.size() <= most) text.append(part, 0, static_cast<std::size_t>(got));
@@ -117,7 +124,10 @@ class Reader {
   }
 
   void require_ok(int status) const {
-    if (status >= ARCHIVE_WARN) return;
+    if (status < ARCHIVE_WARN) refuse();
+  }
+
+  [[noreturn]] void refuse() const {
     const int error = archive_errno(archive_.get());
     if (error == EIO || error == ESTALE || error == ETIMEDOUT) throw DiskFailed();
     const char* why = archive_error_string(archive_.get());
@@ -169,12 +179,14 @@ void require_short(const std::string& path) {
 /// The path of an entry that may be unpacked.
 std::string checked_path(archive_entry* entry) {
   const std::string path = path_of(entry);
-  if (leads_out(path)) throw Refused("has a path that leads out of it: " + path);
+  if (leads_out(path))
+    throw BadEntry("has a path that leads out of it", "leads out of the archive", path);
   if (archive_entry_hardlink(entry) || archive_entry_filetype(entry) == AE_IFLNK)
-    throw Refused("has a link in it: " + path);
+    throw BadEntry("has a link in it", "is a link", path);
   const auto type = archive_entry_filetype(entry);
   if (type != AE_IFREG && type != AE_IFDIR)
-    throw Refused("has in it what is neither a file nor a folder: " + path);
+    throw BadEntry("has in it what is neither a file nor a folder",
+                   "is neither a file nor a folder", path);
   if (archive_entry_is_encrypted(entry)) throw Refused("is encrypted");
   require_short(path);
   return path;
@@ -185,6 +197,15 @@ std::size_t wanted_bytes(const std::string& file, bool is_class) {
   if (!source_stem(file).empty()) return largest_submission;
   if (!archive_stem(file).empty()) return largest_archive;
   return is_class && file == "submission_metadata.yml" ? largest_submission << 4 : 0;
+}
+
+/// What is said of an entry that is left out of a class's download.
+json left_out(archive_entry* entry, const std::string& why) {
+  const char* name = archive_entry_pathname(entry);
+  const std::string path = name ? name : "";
+  const bool is_work = archive_entry_filetype(entry) != AE_IFDIR &&
+                       wanted_bytes(fs::path(path).filename().string(), false) > 0;
+  return {{"left_out", bytes_of(why)}, {"path", bytes_of(path)}, {"work", is_work}};
 }
 
 /// Reads an archive, and those in it.
@@ -209,9 +230,12 @@ class Unpacking {
         if (archive_entry_filetype(entry) == AE_IFREG) add(reader, within, path, say);
       } catch (const TooMuch&) {
         throw;
+      } catch (const BadEntry& why) {
+        if (!allowed_.is_class) throw;
+        say(left_out(entry, why.is));
       } catch (const Refused& why) {
         if (!allowed_.is_class) throw;
-        say({{"note", bytes_of("an entry " + std::string(why.what()))}});
+        say(left_out(entry, why.what()));
       }
     }
   }

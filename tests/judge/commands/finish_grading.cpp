@@ -56,6 +56,19 @@ bool said_who_is_left(const std::vector<StudentRecord>& records, const GradingRu
   return left > 0;
 }
 
+/// Says whose work we do not have whole.
+/// @return whether there is anybody
+bool said_who_is_incomplete(const std::vector<StudentRecord>& records) {
+  std::vector<std::string> lines;
+  for (const StudentRecord& record : records)
+    if (!record.incomplete.empty()) lines.push_back(record.student + ": " + record.incomplete);
+  say_list(
+      "not judged, and no point is lost: get the download anew, or ask these students for a .zip "
+      "and give it in a folder:",
+      lines);
+  return !lines.empty();
+}
+
 }  // namespace
 
 void keep_settings(const GradesFolder& folder, const std::optional<std::string>& text) {
@@ -88,7 +101,8 @@ int say_end(const std::vector<StudentRecord>& records, const GradingRun& run) {
     return 130;
   }
   const bool has_failed = say_failures(run.failed, records, run.again),
-             unfinished = said_who_is_left(records, run);
+             is_incomplete = said_who_is_incomplete(records),
+             unfinished = said_who_is_left(records, run) || is_incomplete;
   return has_failed ? 2 : unfinished ? 1 : 0;
 }
 

@@ -7,8 +7,8 @@
 
 #include "judge/class/feedback.hpp"
 #include "judge/class/final_grade.hpp"
+#include "judge/class/handed_in.hpp"
 #include "judge/class/identical_files.hpp"
-#include "judge/class/moment.hpp"
 #include "support/nearest.hpp"
 #include "support/wrapped.hpp"
 
@@ -55,11 +55,10 @@ void say_timeless(const CourseSettings& settings, const std::vector<StudentRecor
   if (!settings.rules.late) return;
   std::vector<std::string> lines;
   for (const StudentRecord& record : records) {
-    const bool known = moment_of(record.handed_in).has_value() || record.marked_late;
-    if (record.absent || known) continue;
-    lines.push_back(record.student + (record.handed_in.empty()
-                                          ? ""
-                                          : ": \"" + record.handed_in + "\" cannot be read"));
+    const HandedIn time = handed_in(record.handed_in, zone_of(settings.due.value_or("")));
+    if (record.absent || time.when || record.marked_late) continue;
+    lines.push_back(record.student +
+                    (time.doubt.empty() ? "" : ": \"" + record.handed_in + "\" " + time.doubt));
   }
   say_list("we don't know when these students handed in, so their work counts as on time:", lines);
 }

@@ -28,6 +28,11 @@ bool may_judge(const Course& course, Strangers strangers) {
   for (const MissingWall& each : missing)
     if (strangers != Strangers::no || each.wall != Wall::other_user)
       std::cerr << "tumble: the sandbox lacks " << name_of(each.wall) << ": " << each.why << "\n";
+  for (const MissingWall& each : missing)
+    if (each.wall == Wall::limits) {
+      std::cerr << "tumble: nothing can be judged here, as no process can be confined\n";
+      return false;
+    }
   if (missing.empty() || strangers != Strangers::strictly) return true;
   std::cerr << "tumble: --strict: nothing is judged\n";
   return false;

@@ -20,7 +20,7 @@ enum class Strangers {
   strictly,  ///< nothing is judged if one is missing
 };
 
-/// Says on stderr which walls are missing.
+/// Says on stderr which walls are missing, and whether no process can be confined at all.
 /// @return whether judging may go on
 bool may_judge(const Course& course, Strangers strangers);
 

@@ -1,7 +1,6 @@
 #include "judge/sandbox/confined_process.hpp"
 
 #include <fcntl.h>
-#include <grp.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -42,6 +41,7 @@ struct Plan {
   std::vector<const char*> argv, environment;
   std::vector<int> descriptors;
   int null, report;
+  bool other_user;
 };
 
 std::vector<const char*> pointers(const std::vector<std::string>& strings) {
@@ -80,12 +80,9 @@ bool set_limits(const Limits& limits) {
          limit_resource(RLIMIT_CORE, 0, 0) && limit_resource(RLIMIT_NOFILE, 64, 64);
 }
 
-/// Where the judge is root, nobody; the count of processes is that user's, so it comes after.
-bool change_user(const Walls& walls) {
-  if (geteuid() != 0 || !walls.other_user) return true;
-  return setgroups(0, nullptr) == 0 && setregid(unprivileged_id, unprivileged_id) == 0 &&
-         setreuid(unprivileged_id, unprivileged_id) == 0 &&
-         limit_resource(RLIMIT_NPROC, walls.limits.processes, walls.limits.processes);
+/// The count of processes is that user's, so it comes after.
+bool change_user(const Limits& limits) {
+  return become_unprivileged() && limit_resource(RLIMIT_NPROC, limits.processes, limits.processes);
 }
 
 [[noreturn]] void become_program(const Plan& plan) {
@@ -103,7 +100,8 @@ bool change_user(const Walls& walls) {
   report = moved;
   if (chdir(plan.walls.folder.c_str()) != 0) stop(Step::folder);
   if (!set_limits(plan.walls.limits)) stop(Step::limits);
-  if (!change_user(plan.walls) || !platform::die_with_parent()) stop(Step::user);
+  if (plan.other_user && !change_user(plan.walls.limits)) stop(Step::user);
+  if (!platform::die_with_parent()) stop(Step::user);
   if (!plan.filter.empty()) {
     if (!install_call_filter(plan.filter)) stop(Step::calls);
     execute_behind_filter(plan.argv.data(), plan.environment.data());
@@ -146,7 +144,8 @@ ConfinedProcess::ConfinedProcess(const std::vector<std::string>& command,
                      pointers(environment),
                      descriptors,
                      null.number(),
-                     report.write.number()};
+                     report.write.number(),
+                     walls.other_user && may_become_unprivileged()};
   if (!plan.filter.empty()) prepare_path(command.at(0));
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));

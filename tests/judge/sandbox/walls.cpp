@@ -1,7 +1,10 @@
 #include "judge/sandbox/walls.hpp"
 
+#include <grp.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <stdexcept>
 
 #include "judge/sandbox/confined_process.hpp"
@@ -51,6 +54,29 @@ std::string lowered_limits(const Limits& limits) {
   return std::to_string(seconds) + " s of computing instead of " + std::to_string(wanted);
 }
 
+bool become_unprivileged() {
+  return setgroups(0, nullptr) == 0 && setregid(unprivileged_id, unprivileged_id) == 0 &&
+         setreuid(unprivileged_id, unprivileged_id) == 0;
+}
+
+namespace {
+
+bool child_becomes_unprivileged() {
+  const pid_t child = fork();
+  if (child == 0) _exit(become_unprivileged() ? 0 : 1);
+  int status = 1;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return child > 0 && status == 0;
+}
+
+}  // namespace
+
+bool may_become_unprivileged() {
+  static const bool may = geteuid() == 0 && child_becomes_unprivileged();
+  return may;
+}
+
 bool others_may_enter(const fs::path& path) {
   for (fs::path folder = path; folder != folder.root_path(); folder = folder.parent_path())
     if ((fs::status(folder).permissions() & fs::perms::others_exec) == fs::perms::none)
@@ -81,7 +107,10 @@ std::vector<MissingWall> missing_walls() {
   walls.files.read = {"/"};
   if (const std::string why = failure_of(walls); !why.empty())
     missing.push_back({Wall::limits, why});
-  if (geteuid() != 0) missing.push_back({Wall::other_user, "only root can become another user"});
+  if (!may_become_unprivileged())
+    missing.push_back({Wall::other_user, geteuid() == 0
+                                             ? "root of this container may not become another user"
+                                             : "only root can become another user"});
   if (!file_rules_available())
     missing.push_back({Wall::files, "this kernel has no Landlock, or does not allow it here"});
   walls.system_calls = CallRules::worker;

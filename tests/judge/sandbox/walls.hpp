@@ -65,6 +65,14 @@ struct MissingWall {
 
 std::string name_of(Wall wall);
 
+/// Becomes the unprivileged user, for good. Async-signal-safe.
+/// @return whether that went well
+bool become_unprivileged();
+
+/// Whether this process may: root may, but not root of a container that lacks the right, nor root
+/// of a user namespace (unshare -r, rootless containers), where nobody else is known.
+bool may_become_unprivileged();
+
 /// May every user pass through all folders of this path?
 bool others_may_enter(const fs::path& path);
 

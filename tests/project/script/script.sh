@@ -60,8 +60,13 @@ case $* in
       echo 'ninja: build stopped: subcommand failed.'
       exit 1
     fi
-    echo '[1/4] 0.5 Building a'
-    echo '[4/4] 7.9 Linking b'
+    if [ -n "${NINJA_TAKES_MINUTES:-}" ]; then
+      for step in '1/200] 2.0' '2/200] 11.0' '22/200] 15.5' '23/200] 16.0' '24/200] 75.9' \
+        '45/200] 84.0' '46/200] 86.0' '200/200] 300.1'; do echo "[$step Building"; done
+    else
+      echo '[1/4] 0.5 Building a'
+      echo '[4/4] 7.9 Linking b'
+    fi
     mkdir -p "$folder/chapters"
     { echo '#!/bin/sh'; echo 'echo "tour: $*"; exit ${TOUR_STATUS:-0}'; } >"$folder/chapters/tumble_tour"
     chmod +x "$folder/chapters/tumble_tour" ;;
@@ -272,6 +277,13 @@ expect_no configuring
 TOUR_STATUS=1 run tour --no-install
 expect 1 'tour: '
 expect_no '--no-install'
+what='a long build in a log: a line now and then'
+NINJA_TAKES_MINUTES=yes run tour
+expect 0 'tumble: building the tour, 200 steps' 'tumble: building the tour [22/200], about 2 min left' \
+  'tumble: building the tour [24/200], about 9 min left' 'tumble: built the tour in 300 s'
+for count in 2 23 45; do expect_no "[$count/200]"; done # ten seconds and a tenth, or a minute
+expect 0 'tumble: building the tour [46/200], about 5 min left'
+what='building and running'
 NINJA_FAILS=yes run tour
 expect 2 'error: what is wrong' 'tumble: building the tour failed'
 expect_no 'the/command'

@@ -16,7 +16,7 @@ set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../../.." && pwd)
 steps='umbrella tour configure' compilers='gcc clang' preset=dev jobs=1 mirror='' stale=''
 packages='g++ clang cmake ninja-build git ca-certificates libeigen3-dev doctest-dev libcli11-dev
-  nlohmann-json3-dev libarchive-dev libseccomp-dev libc++-dev libc++abi-dev wasi-libc
+  nlohmann-json3-dev libarchive-dev libseccomp-dev libutf8proc-dev libc++-dev libc++abi-dev wasi-libc
   libc++-dev-wasm32'
 
 fail() { echo "chroots.sh: $*" >&2; exit 1; }

@@ -12,6 +12,7 @@
 #include "judge/sandbox/confined_process.hpp"
 #include "project/judge/class/archives.hpp"
 #include "project/judge/class/without_files.hpp"
+#include "support/text_file.hpp"
 
 using namespace tumble::judge;
 using tumble::test::Entry;
@@ -113,6 +114,25 @@ TEST_CASE("archives: a damaged one is refused as a whole") {
   CHECK(unpack(file).files.empty());
 }
 
+TEST_CASE("archives: a checksum that is wrong is damage, not an empty file") {
+  const WorkFolder folder;
+  const fs::path file = folder.path() / "a.zip";
+  write_archive(file, {{"a.cpp", "int a = 1;"}, {"b.cpp", "int b;"}});
+  std::string bytes = tumble::support::read_text(file);
+  const auto spoil = [&](const std::string& header, std::size_t at) {  // of the first file
+    if (const std::size_t found = bytes.find(header); found != std::string::npos)
+      bytes[found + at] = static_cast<char>(~bytes[found + at]);
+  };
+  spoil("PK\x03\x04", 14);  // its checksum, wherever it is written
+  spoil("PK\x07\x08", 4);
+  spoil("PK\x01\x02", 16);
+  std::ofstream(file, std::ios::binary) << bytes;
+  CHECK(unpack(file).refused.starts_with("cannot be unpacked: ZIP bad CRC"));
+  const std::vector<EntryLeftOut> left_out = unpack_class(file, folder.path() / "all");
+  REQUIRE(left_out.size() == 1);
+  CHECK(left_out[0].path == "a.cpp");
+}
+
 TEST_CASE("archives: all formats that are read, and sources however they are spelt") {
   for (const char* name :
        {"a.ZIP", "a.tar", "a.tar.gz", "a.tar.bz2", "a.tar.xz", "a.tar.zst", "a.7z"}) {
@@ -172,8 +192,10 @@ TEST_CASE("a class's download: what could be work is unpacked, of all else the n
                                             {"Cem_3_assignsubmission_file_/a.cpp", "x"},
                                             {"Cem_3_assignsubmission_file_/a.cpp/b.cpp", "x"}});
   const auto to = folder.path() / "all";
-  const std::vector<std::string> notes = unpack_class(folder.path() / "all.zip", to);
-  CHECK(notes.size() == 1);
+  const std::vector<EntryLeftOut> left_out = unpack_class(folder.path() / "all.zip", to);
+  REQUIRE(left_out.size() == 1);
+  CHECK(left_out[0].path == "Cem_3_assignsubmission_file_/a.cpp/b.cpp");
+  CHECK(left_out[0].is_work);
   CHECK(unpack(to / "Ben_2_assignsubmission_file_/i.zip").files.size() == 1);
   CHECK(std::filesystem::file_size(to / "Ann_1_assignsubmission_file_/a.cpp") == 6);
   CHECK(std::filesystem::file_size(to / "Ben_2_assignsubmission_file_/report.pdf") == 0);

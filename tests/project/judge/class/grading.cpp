@@ -73,6 +73,8 @@ TEST_CASE("grading: one at a time in a folder") {
   const CommandResult refused = two.grade();
   CHECK(refused.status == 2);
   CHECK_MESSAGE(tells(refused, "another grading is at work in grades"), refused.output);
+  CHECK(::dprintf(lock, "process 4711 on lab3") > 0);
+  CHECK(tells(two.grade(), "in grades, process 4711 on lab3: wait for its end"));
   ::close(lock);
   CHECK(two.grade().status == 0);
 }
@@ -234,11 +236,32 @@ TEST_CASE("roster: names, numbers, and who has not handed in") {
               "names nobody: it needs a column called name, email or id; it has: colour, size"));
 }
 
+TEST_CASE("roster: a folder that macOS has packed is its student's") {
+  const TwoStudents two;
+  const std::string as_listed = "Zo\u00eb", as_packed = "Zoe\u0308";
+  test::write_files(two.handed_in / as_packed, test::both());
+  test::write_file(two.work.path() / "class.csv", "name,id\nann,1\nben,2\n" + as_listed + ",3\n");
+  const CommandResult graded = two.grade_with(
+      R"({"overrides": {")" + as_listed + R"(": {"1.1": 0.5, "reason": "lost by us"}}})",
+      "--roster class.csv");
+  CHECK_MESSAGE(graded.status == 0, graded.output);
+  CHECK_FALSE(tells(graded, "not found on the roster"));
+  CHECK_FALSE(tells(graded, "names students who are not here"));
+  CHECK(two.table().rows.size() == 3);
+  CHECK(two.cell(as_listed, "id") == "3");
+  CHECK(two.cell(as_listed, "points") == "1.5");
+  CHECK(test::text_of(two.out / "feedback.zip").find(as_packed + "/feedback.html") !=
+        std::string::npos);  // as it came, so it goes back
+  CHECK(two.grade("--student " + as_packed).status == 0);
+  test::write_files(two.handed_in / as_listed, test::both());
+  CHECK(tells(two.grade(), "(an accent in them is written in two ways)"));
+}
+
 TEST_CASE("late work, extensions, overrides, extra credit") {
   const TwoStudents two;
   test::write_file(two.work.path() / "class.csv",
-                   "name,handed in\nann,2026-12-03T10:00:00Z\nben,2026-12-01T12:10:00Z\n");
-  const std::string due = R"("due": "2026-12-01T12:00:00Z", "late": {"grace": 15, "per_day": 10})";
+                   "name,handed in\nann,2025-12-03T10:00:00Z\nben,2025-12-01T12:10:00Z\n");
+  const std::string due = R"("due": "2025-12-01T12:00:00Z", "late": {"grace": 15, "per_day": 10})";
   const auto grade = [&](const std::string& more) {
     return two.grade_with("{" + due + more + "}", "--roster class.csv");
   };
@@ -246,7 +269,7 @@ TEST_CASE("late work, extensions, overrides, extra credit") {
   CHECK(two.cell("ann", "points") == "1.6");
   CHECK(two.cell("ann", "note") == "2 days late: −20 %");
   CHECK(two.cell("ben", "note") == "");  // ten minutes are within the grace
-  REQUIRE(grade(R"(, "extensions": {"ann": "2026-12-08T12:00:00Z"})").status == 0);
+  REQUIRE(grade(R"(, "extensions": {"ann": "2025-12-08T12:00:00Z"})").status == 0);
   CHECK(two.cell("ann", "points") == "2");
   REQUIRE(grade(R"(, "overrides": {"ben": {"1.2": 0.5, "reason": "lost by us"},
                                    "nan": {"points": 2, "reason": "x"}})")
@@ -261,6 +284,13 @@ TEST_CASE("late work, extensions, overrides, extra credit") {
   CHECK(tells(spoken,
               "we don't know when these students handed in, so their work counts as on time:\n  "
               "ann\n  ben\n"));
+  test::write_file(two.work.path() / "class.csv",
+                   "name,handed in\nann,\"Thursday, 1 January 1970, 1:00 AM\"\n"
+                   "ben,2999-01-01T00:00:00Z\n");
+  const CommandResult broken = grade("");  // a clock that is wrong makes nobody late
+  CHECK(tells(broken, "ann: \"Thursday, 1 January 1970, 1:00 AM\" is a clock that was never set"));
+  CHECK(tells(broken, "ben: \"2999-01-01T00:00:00Z\" is still to come"));
+  CHECK(two.cell("ben", "note") == "");
   test::write_file(two.work.path() / "class.csv", "name,handed in\nann,Dienstag\nzoe,\n");
   CHECK(tells(grade(""), "ann: \"Dienstag\" cannot be read"));
   REQUIRE(grade(R"(, "overrides": {"zoe": {"points": 1, "reason": "oral"}})").status == 0);

@@ -96,7 +96,7 @@ inline ExpectedRows hand_in_folders(const fs::path& to) {
           {"\x1b[2Jpia\nqux", {"2", ""}},
           {std::string(250, 'r'), {"2", ""}},
           {"sue", {"0", "has broken.zip in it, which cannot be unpacked"}},
-          {"uma", {"1", ""}}};
+          {"uma", {"1", "1.1 is refused: carry.cpp is a symbolic link, not a file"}}};
 }
 
 /// Moodle's "Download all submissions", unpacked.
@@ -162,11 +162,13 @@ inline ExpectedRows hand_in_gradescope(const fs::path& to) {
              "  :submitters:\n"
              "  - :name: Min Li\n"
              "    :email: min@example.edu\n");
-  return {{"jane@example.edu", {"2", ""}},
-          {"bob@example.edu", {"1", "handed in by 2 together"}},
-          {"sue@example.edu", {"1", "handed in by 2 together"}},
-          {"min@example.edu", {"0", "submission_1003 is not there"}},
-          {"submission_1009", {"2", ""}}};
+  return {
+      {"jane@example.edu", {"2", ""}},
+      {"bob@example.edu", {"1", "handed in by 2 together"}},
+      {"sue@example.edu", {"1", "handed in by 2 together"}},
+      {"min@example.edu",
+       {"0", "not judged: submission_1003 is named in submission_metadata.yml, but is not there"}},
+      {"submission_1009", {"2", ""}}};
 }
 
 /// Clones of the students' repositories.

@@ -7,7 +7,9 @@
 #include <fstream>
 
 #include "judge/build/work_folder.hpp"
+#include "judge/class/canonical_names.hpp"
 #include "judge/class/feedback.hpp"
+#include "judge/class/final_grade.hpp"
 #include "judge/class/gradescope_metadata.hpp"
 #include "judge/class/lms_grades.hpp"
 #include "judge/class/one_student_each.hpp"
@@ -193,4 +195,61 @@ TEST_CASE("feedback: what a student reads, and what not yet") {
   CHECK(feedback_text(settings, record).find("shown after the due date") != std::string::npos);
   settings.due = "1999-01-01T00:00:00Z";
   CHECK(feedback_text(settings, record).find("a < b") != std::string::npos);
+}
+
+namespace {
+
+const std::string composed = "Jos\u00e9 M\u00fcller", decomposed = "Jose\u0301 Mu\u0308ller";
+
+}  // namespace
+
+TEST_CASE("rosters: an accent is the same however it is written, in the roster or in a folder") {
+  REQUIRE(compares_canonically());
+  for (const std::string& listed : {composed, decomposed})
+    for (const std::string& named : {composed, decomposed}) {
+      const Roster roster = roster_in("name,id\n" + listed + ",7\nAnn,8\n");
+      std::vector<Submission> all = {{named, ""}, {"Ann", ""}};
+      const RosterMatch result = match(roster, all);
+      CHECK(result.missing.empty());
+      CHECK(result.strangers.empty());
+      CHECK(all[0].who.id == "7");
+    }
+}
+
+TEST_CASE("rosters: neither case nor punctuation of any script tells two students apart") {
+  const Roster roster = roster_in("name,id\nZo\u00eb O\u2019Brien,1\nJos\u00e9,2\nJose,3\n");
+  const MemberFinder members(roster);
+  const auto number_of = [&](const std::string& name) {
+    const Member* member = members.find({name, ""});
+    return member ? member->who.id : "";
+  };
+  CHECK(number_of("ZO\u00cb O'BRIEN") == "1");
+  CHECK(number_of("Zoe\u0308\u00a0O\u2019Brien\u200b") == "1");
+  CHECK(number_of("Jose\u0301") == "2");
+  CHECK(number_of("Jose") == "3");  // an accent does
+}
+
+TEST_CASE("course.json and --student: an accent is the same however it is written") {
+  StudentRecord record{composed, 1, 0, "", {}};
+  CHECK(is_called(record, decomposed));
+  record.student = "submission_1", record.who.name = decomposed;
+  CHECK(is_called(record, "JOS\u00c9 M\u00dcLLER"));
+  CHECK(!is_called(record, "Jose Muller"));
+}
+
+TEST_CASE("Canvas: the gradebook's column is found, however an accent in it is written") {
+  CourseSettings settings = homework();
+  settings.title = "\u00dcbung 1";
+  const Roster roster =
+      roster_in("Student,ID,SIS Login ID,Section,U\u0308bung 1 (98765)\n\"Doe, Jane\",12,j,A,\n");
+  const std::string csv =
+      lms_grades(Lms::canvas, settings, {graded("Doe, Jane", "12", true)}, &roster);
+  CHECK(csv.starts_with("Student,ID,SIS Login ID,Section,U\u0308bung 1 (98765)\n"));
+}
+
+TEST_CASE("names: what is not UTF-8 stays as it is") {
+  CHECK(canonical("M\xfcller") == "M\xfcller");
+  CHECK(folded("M\xfcller") == "m\xfcller");
+  CHECK(letters_of("M\xfcller, Jo") == "m\xfcllerjo");
+  CHECK(canonical(decomposed) == composed);
 }

@@ -100,6 +100,37 @@ TEST_CASE("shapes: Moodle's folders, and its zip as it is") {
   }
 }
 
+TEST_CASE("shapes: what cannot be taken out of a download is nobody's zero") {
+  const Place place;
+  const std::string file = "_assignsubmission_file_/";
+  std::vector<test::Entry> entries = test::both("H 1/Ann_1" + file);
+  const auto link = [](const std::string& path) { return test::Entry{path, "", AE_IFLNK, "/x"}; };
+  entries.push_back(link("H 1/Ben_2" + file + "carry.cpp"));
+  entries.push_back({"H 1/Ben_2" + file + "twice.cpp", test::twice()});
+  entries.push_back(link("./H 1/Cem_3" + file + "carry.cpp"));
+  entries.push_back({"H 1/Dan_4" + file + "../../carry.cpp", test::carry()});
+  entries.push_back(link("H 1/Eve_5" + file + "venv/bin/python"));
+  for (const test::Entry& each : test::both("H 1/Eve_5" + file)) entries.push_back(each);
+  entries.push_back({"H 1/Fay_6" + file + std::string(255, 'n') + ".cpp", test::carry()});
+  entries.push_back(link("H 1/Gus_7_assignsubmission_file_twice.cpp"));
+  entries.push_back({"/etc/x.cpp", "x"});
+  test::write_archive(place.work.path() / "all.zip", entries);
+  const CommandResult graded = place.grade(place.work.path() / "all.zip");
+  CHECK_MESSAGE(graded.status == 1, graded.output);
+  check_rows(place, {{"Ann_1", {"2", ""}},
+                     {"Ben_2", {"0", "not judged: carry.cpp in the download is a link"}},
+                     {"Cem_3", {"0", "not judged: carry.cpp in the download is a link"}},
+                     {"Dan_4", {"0", "not judged: ../../carry.cpp in the download leads out"}},
+                     {"Eve_5", {"2", "venv/bin/python in the download is a link"}},
+                     {"Fay_6", {"0", "not judged: nnn"}},
+                     {"Gus_7", {"0", "twice.cpp in the download is a link"}}});
+  CHECK(says(graded.output, "/etc/x.cpp: leads out of the archive"));
+  CHECK(says(graded.output, "not judged, and no point is lost"));
+  const judge::CsvTable moodle = place.table("moodle.csv");
+  CHECK(moodle.rows[0][3] == "2");
+  CHECK(moodle.rows[1][3] == "");  // no grade is given away
+}
+
 TEST_CASE("shapes: Canvas's flat files are one submission a student") {
   const Place place;
   const auto expected = test::hand_in_canvas(place.handed_in);
@@ -132,7 +163,7 @@ TEST_CASE("shapes: Gradescope's export knows its students") {
   const Place place;
   const auto expected = test::hand_in_gradescope(place.handed_in);
   const CommandResult graded = place.grade(place.handed_in);
-  CHECK_MESSAGE(graded.status == 0, graded.output);
+  CHECK_MESSAGE(graded.status == 1, graded.output);
   check_rows(place, expected);
   const judge::CsvTable table = place.table("gradescope.csv");
   REQUIRE(table.rows.size() == 5);
