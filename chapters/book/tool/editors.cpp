@@ -11,7 +11,9 @@ namespace tumble::book {
 namespace {
 
 const std::string box = R"(<div class="now-write" id="now-write-)";
-const std::string script = "<script type=\"module\" src=\"exercises/exercise.mjs\"></script>\n";
+/// A page that is opened from disk may load no module, and shows the commands alone.
+const std::string script =
+    "<script>if (location.protocol !== \"file:\") import(\"./exercises/exercise.mjs\");</script>\n";
 
 void demand(const fs::path& folder, const std::vector<std::string>& names) {
   std::string missing;
