@@ -148,7 +148,7 @@ class ObjReader {
 
   /// Refuses a line that cannot be passed over; one of bytes 0 alone only fills up the file.
   void refuse_keyword(std::string_view keyword) {
-    if (without_padding(keyword).empty() && without_padding(text_.rest_of_line()).empty()) return;
+    if (without_padding(keyword).empty() && without_padding(text_.next_name()).empty()) return;
     if (const char* const elsewhere = what_is_elsewhere(keyword))
       text_.refuse("'", keyword, "' ", elsewhere);
     const std::string_view like = obj_keyword_like(keyword);

@@ -22,11 +22,12 @@ inline bool is_keyword(std::string_view word, std::string_view keyword) {
                     [&](char a, char b) { return lower(a) == b; });
 }
 
-/// A text without what some programs fill it up with behind its end: bytes 0, blanks, and the mark
-/// with which DOS ended a text.
+/// A text without what some programs fill it up with behind its end: bytes 0, and the mark with
+/// which DOS ended a text; blanks may stand between these.
 inline std::string_view without_padding(std::string_view text) {
   const std::size_t last = text.find_last_not_of(std::string_view("\0\x1A \t\r\n", 6));
-  return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
+  const std::size_t end = last == std::string_view::npos ? 0 : last + 1;
+  return text.substr(0, text.find_first_of(std::string_view("\0\x1A", 2), end));
 }
 
 /// Lines end with \n, \r\n, or (on old machines) \r; words with a space, a tab or their line. A

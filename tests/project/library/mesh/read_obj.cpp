@@ -253,5 +253,6 @@ TEST_CASE("read_obj: a comment may follow a number without a blank") {
 TEST_CASE("read_obj: bytes 0 may fill up the end, and hide nothing") {
   CHECK(read(square + "f 1 2 3 4\n" + std::string(99, '\0')).face_count() == 1);
   CHECK(read(square + "f 1 2 3 4\n\x1A").face_count() == 1);
+  CHECK(read(square + "f 1 2 3 4\n" + std::string("\0 \0 \n\0", 6)).face_count() == 1);
   check_refused(square + "f 1 2 3 4\n" + std::string("\0 f 1 2 3", 9), "line 6: '\\x00'");
 }

@@ -138,6 +138,9 @@ TEST_CASE("parse_stl: bytes 0, blanks and the mark of DOS may fill up the end of
     CHECK(parse_mesh(one + padding, "x").face_count() == 1);
   }
   stl_refused(one + std::string(9, '\0') + one, "the header announces");
+  const std::string torn = one.substr(0, one.find("endsolid"));
+  for (const char* end : {"", "\x1A"})  // which leaves the lines as they were
+    stl_refused(torn + end, "test.stl, line 9: the text ends where 'endsolid' should be");
 }
 
 TEST_CASE("parse_stl: what some programs write for not-a-number is passed over in normals alone") {
