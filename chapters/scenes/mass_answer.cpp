@@ -161,8 +161,8 @@ void require_meaning(const MassCommand& command) {
 }
 
 MassAnswer mass_answer(const MassCommand& command, const std::string& file) {
-  const ReadMesh read(file, command.unit);
-  MassAnswer answer{.file = file, .findings = {}};
+  const ReadMesh read(file, command.unit, !command.is_shell());
+  MassAnswer answer{.file = file, .findings = {}, .welded = read.welded};
   detail::require_at(
       [&] {
         integrate_as_asked(command, read, answer);

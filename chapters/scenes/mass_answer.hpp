@@ -17,6 +17,7 @@ struct MassAnswer {
   std::vector<MeshDefect> findings;
   std::string refusal = {};  ///< why we could not answer: the file could not be read
   bool usable = true;
+  int welded = 0;  ///< how many vertices were taken for others at the same position
   BoundedMassProperties body = {};
   double volume = std::numeric_limits<double>::quiet_NaN();        ///< [m³], of a shell none
   double volume_bound = std::numeric_limits<double>::quiet_NaN();  ///< of its relative error

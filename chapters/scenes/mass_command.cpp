@@ -17,6 +17,7 @@ void print_all(const std::vector<MassAnswer>& all, const MassCommand& command) {
     std::cout << json_text(all.size() == 1 ? list[0] : list) << '\n';
   } else if (!command.block.empty()) {
     for (const MassAnswer& found : all) {
+      for (const std::string& sentence : sentences(found)) std::cerr << sentence << '\n';
       if (all.size() > 1) std::cout << "<!-- " << found.file << " -->\n";
       if (found.usable) std::cout << inertial_block(command.block, found.body);
     }
@@ -40,9 +41,6 @@ void require_one_if_needed(const std::vector<std::string>& files, const MassComm
 /// @return the exit status for it
 int complain(const MassAnswer& found, const MassCommand& command) {
   if (!found.refusal.empty()) return support::failed(found.refusal);
-  if (!command.block.empty())
-    for (const MeshDefect& finding : found.findings)
-      std::cerr << name_of(finding.kind) << ": " << finding.message << '\n';
   std::cerr << "tumble: " << found.file
             << (command.is_shell() ? ": faces of this shell count twice."
                                    : ": this is not the boundary of a body.")

@@ -65,6 +65,7 @@ Json answer_json(const MassAnswer& found, const MassCommand& command) {
   if (!found.refusal.empty()) json["error"] = found.refusal;
   if (!found.parts.empty()) json["density"] = nullptr;  // it is not the same everywhere
   for (const parts::PartMass& part : found.parts) json["parts"].push_back(part_json(part));
+  json["welded"] = found.welded;
   json["findings"] = Json::array();
   for (const MeshDefect& finding : found.findings)
     json["findings"].push_back(finding_json(finding, command.tolerance));

@@ -2,6 +2,7 @@
 /// @file
 /// What `./tumble mass` has found out, as JSON and as tables.
 
+#include <string>
 #include <vector>
 
 #include "scenes/json.hpp"
@@ -14,6 +15,9 @@ inline Vec3 point_of(const std::vector<double>& about) { return {about[0], about
 
 /// Everything, with all digits.
 Json answer_json(const MassAnswer& found, const MassCommand& command);
+
+/// What was found, a sentence each, and whether vertices were welded.
+std::vector<std::string> sentences(const MassAnswer& found);
 
 /// Prints one file: its findings, its parts if it has some, and all about the whole.
 void print(const MassAnswer& found, const MassCommand& command);

@@ -26,23 +26,23 @@ std::string bound_text(double relative, double size) {
   return std::isfinite(bound) ? support::error_number(bound) : "-";
 }
 
-void print_findings(const MassAnswer& found) {
-  for (const MeshDefect& finding : found.findings)
-    std::cout << support::fitted(std::string(name_of(finding.kind)) + ": " + finding.message)
-              << '\n';
-}
-
 void add_inertia(support::Table& table, const std::string& what, const Mat3& I,
                  const std::string& bound) {
   table.add({what + " xx, yy, zz", numbers({I(0, 0), I(1, 1), I(2, 2)}), "kg m²", bound});
   table.add({what + " xy, yz, zx", numbers({I(0, 1), I(1, 2), I(2, 0)}), "kg m²", bound});
 }
 
-/// The name of what spoils the integrals, or of anything that was found.
-std::string worst_of(const std::vector<MeshDefect>& findings) {
-  for (const MeshDefect& finding : findings)
+/// The name of what spoils the integrals, or of anything that was found; of a crossing that is a
+/// note, how much counts wrongly.
+std::string worst_of(const MassAnswer& found) {
+  if (found.findings.empty()) return found.welded > 0 ? "welded" : "";
+  for (const MeshDefect& finding : found.findings)
     if (spoils_integrals(finding)) return name_of(finding.kind);
-  return findings.empty() ? "" : name_of(findings.front().kind);
+  const MeshDefect& first = found.findings.front();
+  std::string text = name_of(first.kind);
+  if (first.kind == MeshDefectKind::self_crossing)
+    text += ": " + numbers({first.share}, 2) + " ± " + numbers({first.share_uncertainty}, 1);
+  return text;
 }
 
 using Cells = std::vector<std::string>;
@@ -74,8 +74,20 @@ void print_parts(const MassAnswer& found) {
 
 }  // namespace
 
+std::vector<std::string> sentences(const MassAnswer& found) {
+  std::vector<std::string> all;
+  if (found.welded > 0)
+    all.push_back("welded: we take " + std::to_string(found.welded) +
+                  " vertices for earlier ones at exactly the same place, so that faces that meet "
+                  "share their edges");
+  for (const MeshDefect& finding : found.findings)
+    all.push_back(std::string(name_of(finding.kind)) + ": " + finding.message);
+  return all;
+}
+
 void print(const MassAnswer& found, const MassCommand& command) {
-  print_findings(found);
+  for (const std::string& sentence : sentences(found))
+    std::cout << support::fitted(sentence) << '\n';
   if (!found.usable) return;
   print_parts(found);
   const BoundedMassProperties& body = found.body;
@@ -105,7 +117,7 @@ void print_table(const std::vector<MassAnswer>& all) {
   support::Table table({"file", "volume [m³]", "mass [kg]", "centre of mass [m]",
                         "inertia xx, yy, zz, xy, yz, zx [kg m²]", "found"});
   for (const MassAnswer& found : all) {
-    const std::string what = worst_of(found.findings);
+    const std::string what = worst_of(found);
     if (!found.usable) {
       table.add({found.file, "-", "-", "-", "-", what.empty() ? "refused" : "refused: " + what});
       continue;

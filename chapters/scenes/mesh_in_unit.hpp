@@ -12,6 +12,7 @@
 #include "tumble/mesh/labelled_mesh.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
 #include "tumble/mesh/read_mesh.hpp"
+#include "tumble/mesh/weld_if_open.hpp"
 
 namespace tumble::scenes {
 
@@ -19,10 +20,13 @@ namespace tumble::scenes {
 struct ReadMesh {
   LengthUnit unit;
   parts::LabelledMesh written;
+  int welded = 0;  ///< how many vertices were taken for others at the same position
   std::optional<parts::LabelledMesh> converted = {};  ///< if the unit is not the metre
 
-  ReadMesh(const std::string& file, const std::string& name)
+  /// @param solid whether the surface has to be closed
+  ReadMesh(const std::string& file, const std::string& name, bool solid)
       : unit(length_unit(name)), written(read_mesh(file)) {
+    if (solid) welded = detail::weld_if_open(written);
     if (name == "m") return;
     converted = written;
     for (Vec3& p : converted->vertices) p = unit.in_metres<Vec3>(p);

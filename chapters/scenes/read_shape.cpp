@@ -6,6 +6,7 @@
 #include "support/view.hpp"
 #include "tumble/collide/hull_points.hpp"
 #include "tumble/mesh/read_mesh.hpp"
+#include "tumble/mesh/weld_if_open.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -27,7 +28,8 @@ ReadShape round_shape(const std::string& kind, const Place& place) {
 }
 
 ReadShape mesh_shape(const std::string& path, const parts::Densities& densities) {
-  const parts::LabelledMesh mesh = read_mesh(path);
+  parts::LabelledMesh mesh = read_mesh(path);
+  detail::weld_if_open(mesh);
   if (densities.empty()) return {mesh, mesh_mass_properties(mesh, 1)};
   return {mesh, parts::mass_properties(mesh, densities)};
 }

@@ -10,6 +10,7 @@
 #include "support/view.hpp"
 #include "tour/tour.hpp"
 #include "tumble/mesh/read_mesh.hpp"
+#include "tumble/mesh/weld_if_open.hpp"
 #include "tumble/mesh/write_obj.hpp"
 
 namespace {
@@ -53,7 +54,8 @@ Subject load(const Options& options) {
                         options.density.value_or(object.density));
   }
   constexpr double water = 1000;
-  const PolygonMesh mesh = read_mesh(options.mesh);
+  PolygonMesh mesh = read_mesh(options.mesh);
+  detail::weld_if_open(mesh);
   return make_subject(std::filesystem::path(options.mesh).filename().string(), mesh,
                       support::coarsened(mesh, 22), options.density.value_or(water));
 }

@@ -160,21 +160,35 @@ inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
   return findings;
 }
 
-/// Whether a surface crosses itself by more than what may pass as rounding without a word.
+/// Whether a surface crosses itself by more than what may pass as rounding.
 inline bool counts_too_much(const std::vector<MeshDefect>& findings) {
   return std::any_of(findings.begin(), findings.end(),
-                     [](const MeshDefect& finding) { return finding.share > silent_share; });
+                     [](const MeshDefect& finding) { return finding.share > rounding_share; });
 }
 
-/// The same; what rounding of the file's last decimal may have done is no crossing, as long as it
-/// counts little. A body far away, or one that was written with few digits, may lose much by it.
+/// The crossings of a known share, as notes.
+inline std::vector<MeshDefect> as_rounding(const std::vector<MeshDefect>& findings) {
+  std::vector<MeshDefect> notes;
+  for (const MeshDefect& finding : findings) {
+    if (finding.kind != MeshDefectKind::self_crossing || std::isnan(finding.share)) continue;
+    notes.push_back(finding);
+    notes.back().may_be_rounding = true;
+    notes.back().message = "perhaps because the last digit is rounded, " + finding.message;
+  }
+  return notes;
+}
+
+/// The same; what rounding of the file's last decimal may have done is a note, as long as it counts
+/// little. A body far away, or one that was written with few digits, may lose much by it.
 inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
                                                 const TriangleMeetings& meetings) {
   const double blur = double_blur(of.box);
-  std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, blur);
+  const std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, blur);
   if (findings.empty() || counts_too_much(findings)) return findings;
   const double written = of.written();
-  return written > blur ? find_wrong_depth(of, meetings, written) : findings;
+  if (!(written > blur)) return findings;
+  const std::vector<MeshDefect> left = find_wrong_depth(of, meetings, written);
+  return left.empty() ? as_rounding(findings) : left;
 }
 
 }  // namespace tumble::detail

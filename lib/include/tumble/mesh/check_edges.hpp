@@ -9,19 +9,12 @@
 #include <vector>
 
 #include "tumble/mesh/edge_balance.hpp"
+#include "tumble/mesh/edge_use.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
+#include "tumble/mesh/t_junction.hpp"
 #include "tumble/mesh/weld.hpp"
 
 namespace tumble::detail {
-
-/// One use of an edge by a face.
-struct EdgeUse {
-  int low, high;  ///< its vertices, low < high
-  int face;
-  bool forward;  ///< the face goes from low to high
-
-  bool same_edge(const EdgeUse& other) const { return low == other.low && high == other.high; }
-};
 
 /// All uses of all edges, those of the same edge side by side.
 inline std::vector<EdgeUse> edge_uses(const PolygonMesh& mesh) {
@@ -82,12 +75,6 @@ inline std::vector<MeshDefect> find_duplicate_faces(const PolygonMesh& mesh) {
   return findings;
 }
 
-/// "edge #3–#7, from vertex #3 at (…) to vertex #7 at (…)".
-inline std::string describe_edge(const PolygonMesh& mesh, const EdgeUse& use) {
-  return "the edge from " + describe_vertex(mesh, use.low) + " to " +
-         describe_vertex(mesh, use.high);
-}
-
 /// "faces #1, #2 and #9".
 inline std::string describe_faces(std::span<const EdgeUse> uses) {
   std::string text = uses.size() == 1 ? "face #" : "faces #";
@@ -104,10 +91,13 @@ inline std::string describe_faces(std::span<const EdgeUse> uses) {
 /// @param mesh indices in range
 inline std::vector<MeshDefect> find_uneven_edges(const PolygonMesh& mesh) {
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  int open_count = 0;
-  for_each_uneven_edge(uses,
-                       [&](std::span<const EdgeUse> edge) { open_count += edge.size() == 1; });
-  const std::string cure = open_count > 0 && is_closed(weld(mesh))
+  std::vector<EdgeUse> all_open;
+  for_each_uneven_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() == 1) all_open.push_back(edge.front());
+  });
+  const bool finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                                  [](const Vec3& p) { return p.allFinite(); });
+  const std::string cure = !all_open.empty() && finite && is_closed(weld(mesh))
                                ? "; the surface is closed once vertices at equal positions are "
                                  "merged: call weld(), or save the mesh as STL"
                                : "";
@@ -119,7 +109,8 @@ inline std::vector<MeshDefect> find_uneven_edges(const PolygonMesh& mesh) {
       open.add(first.face, {first.low, first.high}, [&] {
         return describe_edge(mesh, first) + " has " + describe_faces(edge) +
                " on one side and nothing on the other (open edges in all: " +
-               std::to_string(open_count) + ")" + cure;
+               std::to_string(all_open.size()) + ")" +
+               (cure.empty() ? describe_t_junction(mesh, first, all_open) : cure);
       });
     else if (edge.size() == 2)
       turned.add(first.face, {first.low, first.high}, [&] {

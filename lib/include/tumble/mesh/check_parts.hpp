@@ -94,7 +94,7 @@ inline double excused_blur(const Components& surface, const std::vector<PartDept
     if (is_nested_wrongly(part, depths[i]) && is_rounding(part, blur))
       excused += depths[i].least_around * part.volume;
   }
-  return excused > silent_share * std::abs(all) ? 0 : blur;
+  return excused > rounding_share * std::abs(all) ? 0 : blur;
 }
 
 /// Says of each part whether it is inverted or nested wrongly, as `depths` tell.

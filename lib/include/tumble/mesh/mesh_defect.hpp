@@ -47,6 +47,9 @@ struct MeshDefect {
   /// 0. NaN: there is no volume to share, or the finding is another one.
   double share = std::numeric_limits<double>::quiet_NaN();
   double share_uncertainty = std::numeric_limits<double>::quiet_NaN();
+  /// Of a crossing: whether rounding of the file's last decimal may have made it, and it counts so
+  /// little that it is a note.
+  bool may_be_rounding = false;
 };
 
 /// The name of a kind, as in the code.
@@ -100,16 +103,17 @@ namespace detail {
 /// said.
 inline constexpr double crossing_tolerance = 1e-6;
 
-/// The share that may pass without a word, as what rounding of the file's last decimal has made.
-inline constexpr double silent_share = 5 * crossing_tolerance;
+/// The share that passes with a note, if rounding of the file's last decimal may have made it.
+inline constexpr double rounding_share = 5 * crossing_tolerance;
 
 }  // namespace detail
 
 /// Whether an integral over the mesh is wrong because of what was found. A crossing is a note as
-/// long as no larger share of the volume than `tolerance` counts wrongly.
+/// long as no larger share of the volume than `tolerance` counts wrongly, or as rounding may have
+/// made it.
 inline bool spoils_integrals(const MeshDefect& defect,
                              double tolerance = detail::crossing_tolerance) {
-  return spoils_integrals(defect.kind) && !(defect.share <= tolerance);
+  return spoils_integrals(defect.kind) && !(defect.share <= tolerance) && !defect.may_be_rounding;
 }
 
 /// Whether there is nothing that could be integrated over.

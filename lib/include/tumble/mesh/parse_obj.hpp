@@ -17,11 +17,13 @@
 #include "tumble/mesh/foreign_format.hpp"
 #include "tumble/mesh/labelled_mesh.hpp"
 #include "tumble/mesh/obj_elsewhere.hpp"
+#include "tumble/mesh/obj_keywords.hpp"
+#include "tumble/mesh/obj_text.hpp"
 #include "tumble/mesh/parse_number.hpp"
-#include "tumble/mesh/text_scanner.hpp"
 
 namespace tumble::detail {
-/// Reads line by line; lines that mean neither vertices nor faces nor their names are passed over.
+/// Reads line by line. Lines that mean neither vertices nor faces nor their names are passed over
+/// if the format has them, and refused if not: `V 1 2 3` would be a vertex that is missing.
 class ObjReader {
  public:
   /// @param text the file, or its beginning up to the end of a line
@@ -38,45 +40,20 @@ class ObjReader {
 
   /// @throws std::invalid_argument if there were no faces
   parts::LabelledMesh mesh() {
-    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)",
-            beginning_);
+    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)");
     return labels_.put_on(std::move(mesh_));
   }
 
  private:
   void read_lines() {
     for (; !text_.at_end(); text_.next_line()) {
-      text_.skip_blanks();
-      if (begins_with('v')) read_vertex();
-      if (begins_with('f')) read_face();
-      if (may_say_more()) read_keyword();
-    }
-  }
-
-  bool begins_with(char keyword) const {
-    return !text_.at_end() && *text_.at() == keyword && text_.ends_word(text_.at() + 1);
-  }
-
-  /// Whether the line may be one with a name, or bring in what is elsewhere.
-  bool may_say_more() const {
-    return !text_.at_end() &&
-           std::string_view("bcfgosu").find(*text_.at()) != std::string_view::npos;
-  }
-
-  /// Where there are no more words: at the end of the line, or at a comment.
-  bool at_last_word() const { return text_.at_line_end() || *text_.at() == '#'; }
-
-  /// Whether a line goes on in the next one here: at a backslash that is its last letter.
-  bool continues(const char* at) const {
-    return at != text_.end() && *at == '\\' && (at + 1 == text_.end() || is_newline(at[1]));
-  }
-  bool ends_word(const char* at) const { return text_.ends_word(at) || continues(at); }
-
-  /// Goes to the next word of the line, and of those that it goes on in.
-  void skip_blanks() {
-    for (text_.skip_blanks(); continues(text_.at()); text_.skip_blanks()) {
-      text_.move_to(text_.at() + 1);
-      text_.next_line();
+      text_.skip_to_next_word();
+      if (text_.begins_with('v'))
+        read_vertex();
+      else if (text_.begins_with('f'))
+        read_face();
+      else if (!text_.at_last_word())
+        read_keyword();
     }
   }
 
@@ -85,15 +62,16 @@ class ObjReader {
     text_.move_to(text_.at() + 1);
     Vec3 p;
     for (int k = 0; k < 3; ++k) {
-      skip_blanks();
+      text_.skip_to_next_word();
       const Parsed<double> x = parse_double(text_.at(), text_.end());
-      if (x.end == text_.at() || !ends_word(x.end) || !std::isfinite(x.value)) refuse_coordinate(k);
+      if (x.end == text_.at() || !text_.ends_number(x.end) || !std::isfinite(x.value))
+        refuse_coordinate(k);
       p[k] = x.value;
       text_.move_to(x.end);
     }
-    for (skip_blanks(); !at_last_word(); skip_blanks()) {
+    for (text_.skip_to_next_word(); !text_.at_last_word(); text_.skip_to_next_word()) {
       const Parsed<double> x = parse_double(text_.at(), text_.end());
-      if (x.end == text_.at() || !ends_word(x.end))
+      if (x.end == text_.at() || !text_.ends_number(x.end))
         text_.refuse("'", shown(text_.peek_word()), "' behind the coordinates of vertex #",
                      mesh_.vertices.size() + 1, " is not a number");
       text_.move_to(x.end);
@@ -102,17 +80,17 @@ class ObjReader {
   }
 
   [[noreturn]] void refuse_coordinate(int k) const {
-    if (at_last_word()) text_.refuse("a vertex has 3 coordinates, not ", k);
+    if (text_.at_last_word()) text_.refuse("a vertex has 3 coordinates, not ", k);
     text_.refuse("the coordinate '", shown(text_.peek_word()), "' of vertex #",
                  mesh_.vertices.size() + 1, " is not a finite number");
   }
 
   void read_face() {
     text_.move_to(text_.at() + 1);
-    skip_blanks();
+    text_.skip_to_next_word();
     if (text_.at_line_end()) return;  // a word without anything after it means nothing
     const std::size_t first = mesh_.corners.size();
-    for (; !at_last_word(); skip_blanks()) mesh_.corners.push_back(read_corner());
+    for (; !text_.at_last_word(); text_.skip_to_next_word()) mesh_.corners.push_back(read_corner());
     const std::size_t count = mesh_.corners.size() - first;
     if (count < 3) refuse_face("has ", count, " corners, and needs 3");
     if (mesh_.corners.size() > std::numeric_limits<int>::max())
@@ -124,7 +102,7 @@ class ObjReader {
   int read_corner() {
     const Parsed<std::int64_t> index = parse_integer(text_.at(), text_.end());
     const char* const end = end_of_corner(index.end);
-    if (index.end == text_.at() || !ends_word(end))
+    if (index.end == text_.at() || !text_.ends_number(end))
       refuse_face("has the vertex '", shown(text_.peek_word()), "', which is not an index");
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t v = index.value > 0 ? index.value - 1 : count + index.value;
@@ -152,21 +130,32 @@ class ObjReader {
                 ", or -1 to -", count);
   }
 
-  /// The name is what is left of the line: names have blanks in them, and number signs. What is
-  /// elsewhere may be a closed part of its own, so that nothing else would show that it is missing.
+  /// What is elsewhere may be a closed part of its own, so that nothing else would show that it is
+  /// missing.
   void read_keyword() {
     const std::string_view keyword = text_.next_word();
-    if (const char* const elsewhere = what_is_elsewhere(keyword))
-      text_.refuse("'", keyword, "' ", elsewhere);
     const auto what = keyword == "o"        ? &parts::Label::object
                       : keyword == "g"      ? &parts::Label::group
                       : keyword == "usemtl" ? &parts::Label::material
                                             : nullptr;
-    if (what == nullptr) return;
-    text_.skip_blanks();
-    std::string_view name = text_.rest_of_line();
-    while (!name.empty() && is_blank(name.back())) name.remove_suffix(1);
-    labels_.set(what, std::string(name), mesh_.face_count());
+    if (what != nullptr)
+      labels_.set(what, std::string(text_.next_name()), mesh_.face_count());
+    else if (is_passed_over(keyword))
+      text_.pass_over_line();
+    else
+      refuse_keyword(keyword);
+  }
+
+  /// Refuses a line that cannot be passed over; one of bytes 0 alone only fills up the file.
+  void refuse_keyword(std::string_view keyword) {
+    if (without_padding(keyword).empty() && without_padding(text_.next_name()).empty()) return;
+    if (const char* const elsewhere = what_is_elsewhere(keyword))
+      text_.refuse("'", keyword, "' ", elsewhere);
+    const std::string_view like = obj_keyword_like(keyword);
+    if (!like.empty())
+      text_.refuse("'", shown(keyword), "' is not a keyword of OBJ: did you mean '", like, "'?");
+    text_.refuse("'", shown(keyword), "' is not a keyword of OBJ",
+                 beginning_.empty() ? ": put a # before a line that means nothing" : beginning_);
   }
 
   template <class... Parts>
@@ -174,7 +163,7 @@ class ObjReader {
     text_.refuse("face #", mesh_.face_count() + 1, ' ', message...);
   }
 
-  TextScanner text_;
+  ObjText text_;
   std::string_view name_;
   std::string beginning_;
   PolygonMesh mesh_;
@@ -189,7 +178,7 @@ class ObjReader {
 /// @throws std::invalid_argument naming the line, and the face or vertex, for: a vertex before the
 ///         faces that is not there, an index 0, a face of fewer than 3 corners, a coordinate that
 ///         is missing or not a finite number, a line that brings in surfaces from elsewhere or
-///         curved ones, a text without faces
+///         curved ones, a keyword that OBJ does not have, a text without faces
 inline parts::LabelledMesh parse_obj(std::string_view text, std::string_view name) {
   return detail::ObjReader(text, name).mesh();
 }

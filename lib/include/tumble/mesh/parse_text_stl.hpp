@@ -6,7 +6,6 @@
 /// Fabrication (1993), section 6.5. Words are separated by any blanks and line ends; the name after
 /// `solid` and `endsolid` is the rest of the line. Files with several solids are one mesh.
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -19,14 +18,6 @@
 #include "tumble/mesh/vertex_welder.hpp"
 
 namespace tumble::detail {
-
-/// Whether a word is this keyword; capitals do not matter.
-inline bool is_keyword(std::string_view word, std::string_view keyword) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  if (word == keyword) return true;
-  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
-                    [&](char a, char b) { return lower(a) == b; });
-}
 
 class StlTextReader {
  public:

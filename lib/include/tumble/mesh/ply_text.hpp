@@ -58,7 +58,8 @@ class PlyText {
 
   void require_end() {
     text_.skip_to_word();
-    if (!text_.at_end()) text_.refuse("'", shown(text_.peek_word()), "' after the last element");
+    if (!without_padding({text_.at(), text_.bytes_left()}).empty())
+      text_.refuse("'", shown(text_.peek_word()), "' after the last element");
   }
 
   template <class... Parts>

@@ -2,6 +2,7 @@
 /// @file
 /// A text in memory, read word by word.
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,22 @@ namespace tumble::detail {
 
 inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
 inline bool is_newline(char c) { return c == '\n' || c == '\r'; }
+
+/// Whether a word is this keyword; capitals do not matter.
+inline bool is_keyword(std::string_view word, std::string_view keyword) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  if (word == keyword) return true;
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [&](char a, char b) { return lower(a) == b; });
+}
+
+/// A text without what some programs fill it up with behind its end: bytes 0, and the mark with
+/// which DOS ended a text; blanks may stand between these.
+inline std::string_view without_padding(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(std::string_view("\0\x1A \t\r\n", 6));
+  const std::size_t end = last == std::string_view::npos ? 0 : last + 1;
+  return text.substr(0, text.find_first_of(std::string_view("\0\x1A", 2), end));
+}
 
 /// Lines end with \n, \r\n, or (on old machines) \r; words with a space, a tab or their line. A
 /// byte order mark is passed over.
@@ -52,10 +69,13 @@ class TextScanner {
     return {begin, static_cast<std::size_t>(at_ - begin)};
   }
 
-  /// Goes to the beginning of the next line.
-  void next_line() {
+  void skip_to_line_end() {
     // Of what is less than \r, only \n ends a line; the rest is rare.
     while (!at_line_end()) at_ = find_below(at_ + 1, end_, '\r' + 1);
+  }
+  /// Goes to the beginning of the next line.
+  void next_line() {
+    skip_to_line_end();
     if (at_ == end_) return;
     const bool carriage_return = *at_++ == '\r';
     if (carriage_return && at_ != end_ && *at_ == '\n') ++at_;

@@ -11,6 +11,31 @@
 
 namespace tumble {
 
+namespace detail {
+
+/// For each vertex the first one at exactly the same position: itself, if there is none before it.
+/// @param mesh positions finite
+inline std::vector<int> first_at_same_position(const PolygonMesh& mesh) {
+  std::vector<int> by_position(mesh.vertices.size()), first(mesh.vertices.size());
+  std::iota(by_position.begin(), by_position.end(), 0);
+  std::sort(by_position.begin(), by_position.end(), [&](int i, int j) {
+    const Vec3 &a = mesh.vertex(i), &b = mesh.vertex(j);
+    for (int k = 0; k < 3; ++k)
+      if (a[k] != b[k]) return a[k] < b[k];
+    return i < j;
+  });
+  // The first of each run of equal positions speaks for the run.
+  int speaker = 0;
+  for (std::size_t k = 0; k < by_position.size(); ++k) {
+    const int i = by_position[k];
+    if (k == 0 || mesh.vertex(speaker) != mesh.vertex(i)) speaker = i;
+    first[static_cast<std::size_t>(i)] = speaker;
+  }
+  return first;
+}
+
+}  // namespace detail
+
 /// @addtogroup mesh
 /// @{
 
@@ -18,29 +43,13 @@ namespace tumble {
 /// their order, the first of equal ones stays; faces keep their order and their corners.
 /// @param mesh indices in range, positions finite
 inline PolygonMesh weld(const PolygonMesh& mesh) {
-  const std::size_t n = mesh.vertices.size();
-  std::vector<std::size_t> by_position(n);
-  std::iota(by_position.begin(), by_position.end(), std::size_t{0});
-  const auto less = [&](std::size_t i, std::size_t j) {
-    const Vec3 &a = mesh.vertices[i], &b = mesh.vertices[j];
-    for (int k = 0; k < 3; ++k)
-      if (a[k] != b[k]) return a[k] < b[k];
-    return i < j;
-  };
-  std::sort(by_position.begin(), by_position.end(), less);
-  // The first of each run of equal positions speaks for the run.
-  std::vector<std::size_t> speaker(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t i = by_position[k];
-    const bool same = k > 0 && mesh.vertices[by_position[k - 1]] == mesh.vertices[i];
-    speaker[i] = same ? speaker[by_position[k - 1]] : i;
-  }
+  const std::vector<int> first = detail::first_at_same_position(mesh);
   PolygonMesh welded;
-  std::vector<int> new_index(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (speaker[i] == i) welded.vertices.push_back(mesh.vertices[i]);
-    new_index[i] =
-        speaker[i] == i ? static_cast<int>(welded.vertices.size()) - 1 : new_index[speaker[i]];
+  std::vector<int> new_index(first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const auto speaker = static_cast<std::size_t>(first[i]);
+    if (speaker == i) welded.vertices.push_back(mesh.vertices[i]);
+    new_index[i] = speaker == i ? static_cast<int>(welded.vertices.size()) - 1 : new_index[speaker];
   }
   welded.first_corner = mesh.first_corner;
   welded.corners.reserve(mesh.corners.size());

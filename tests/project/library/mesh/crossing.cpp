@@ -168,6 +168,18 @@ TEST_CASE("a crossing: parts that touch, written with few digits, pass if their 
   CHECK(right > 5);
 }
 
+TEST_CASE("a crossing: what the last decimal may have done is a note, with its share") {
+  // 1e-5 is two halves of the last decimal; a share of 2e-6 is more than the tolerance.
+  const std::vector<MeshDefect> found = diagnose(two_boxes({0.99999, 0, 0}, {1.99999, 0.5, 0.5}));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].kind == MeshDefectKind::self_crossing);
+  CHECK(found[0].share == doctest::Approx(2e-6).epsilon(0.01));
+  CHECK(found[0].may_be_rounding);
+  CHECK_FALSE(spoils_integrals(found[0]));
+  CHECK(found[0].message.starts_with("perhaps because the last digit is rounded, the surface"));
+  CHECK(found[0].message.ends_with("of the volume count wrongly"));
+}
+
 TEST_CASE("a crossing: decimals of a body far away may hide no part of it") {
   // Half a unit is 5e-4, a seven-digit number; the boxes are 0.1 long, and 1e-3 of them overlaps.
   const PolygonMesh mesh =

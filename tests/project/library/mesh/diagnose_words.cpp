@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "project/harness/refusal.hpp"
 #include "project/library/mesh/shapes.hpp"
 #include "tumble/mesh/diagnose.hpp"
@@ -36,6 +38,37 @@ TEST_CASE("diagnose: fields are indices from 0, sentences count from #1") {
 TEST_CASE("diagnose: says that welding would close the surface, only when it would") {
   CHECK(text(test::soup(test::cube())).find("call weld()") != std::string::npos);
   CHECK(text(test::soup(test::without_face(test::cube(), 0))).find("weld") == std::string::npos);
+}
+
+TEST_CASE("diagnose: names a T-junction, the vertex and the edge, and only where there is one") {
+  PolygonMesh mesh = test::cube();
+  mesh.vertices.emplace_back(0.5, 0, 0);
+  const PolygonMesh whole = mesh;
+  mesh = test::without_face(whole, 0);
+  mesh.add_face({0, 2, 3, 1, 8});  // face 1 of the cube, with a corner more
+  const std::string both = text(mesh);
+  const std::string vertex = "vertex #9 at (0.5, 0, 0) lies in the middle of ";
+  const std::string cure = ", and face #2 has no corner there (a T-junction): give it one";
+  CHECK_MESSAGE(
+      both.find("(open edges in all: 3); " + vertex + "this edge" + cure) != std::string::npos,
+      both);
+  CHECK_MESSAGE(both.find("; " + vertex +
+                          "the edge from vertex #1 at (0, 0, 0) to vertex #2 at "
+                          "(1, 0, 0)" +
+                          cure) != std::string::npos,
+                both);
+  CHECK(text(test::without_face(whole, 0)).find("T-junction") == std::string::npos);
+  mesh.vertices.back().y() = 1e-8;  // as in single precision
+  CHECK(text(mesh).find("T-junction") != std::string::npos);
+  mesh.vertices.back().y() = 1e-3;
+  CHECK(text(mesh).find("T-junction") == std::string::npos);
+}
+
+TEST_CASE("diagnose: an open mesh with vertices that are no numbers is not sorted by position") {
+  PolygonMesh mesh = test::soup(test::without_face(test::sphere(3), 0));
+  for (std::size_t i = 0; i < mesh.vertices.size(); i += 3)
+    mesh.vertices[i].x() = std::numeric_limits<double>::quiet_NaN();
+  CHECK(diagnose(mesh).front().kind == MeshDefectKind::not_finite);
 }
 
 TEST_CASE("diagnose: names both faces of an edge that they use in the same direction") {

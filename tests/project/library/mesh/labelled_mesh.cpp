@@ -61,11 +61,12 @@ TEST_CASE("labels: a name is the rest of its line, without the blanks around it"
   CHECK(names_in(labelled(corners + "\t usemtl caf\xC3\xA9\n" + a_face)) == Names{"||caf\xC3\xA9"});
 }
 
-TEST_CASE("labels: a keyword alone takes the name away, and longer words are something else") {
+TEST_CASE("labels: a keyword alone takes the name away, and other words set none") {
   CHECK(names_in(labelled(corners + "g a\no b\nusemtl c\n" + a_face + "g\no \nusemtl\n" +
                           a_face)) == Names{"b|a|c", "||"});
-  CHECK(names_in(labelled(corners + "group a\nobj b\nusemtlx c\nusemap d\nGa\nu\no" + "\n" +
-                          a_face)) == Names{"||"});
+  CHECK(names_in(labelled(corners + "usemap d\nmg a\no\n" + a_face)) == Names{"||"});
+  for (const char* line : {"group a", "obj b", "usemtlx c", "Ga", "u"})
+    CHECK_THROWS_AS(labelled(corners + line + "\n" + a_face), std::invalid_argument);
   CHECK(names_in(labelled(corners + a_face + "g late")) == Names{"||"});
 }
 

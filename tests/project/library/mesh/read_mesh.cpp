@@ -65,7 +65,7 @@ TEST_CASE("read_mesh: where the content says nothing, the name does") {
   mesh_refused(std::string("hel\0lo", 6), "x.STL",
                "x.STL: a binary STL file has a header of 84 bytes");
   mesh_refused("hello", "x.ply", "x.ply, line 1: 'hello' where 'ply' should be");
-  mesh_refused("hello", "x", "x: no faces (0 vertices)");
+  mesh_refused("hello", "x", "x, line 1: 'hello' is not a keyword of OBJ");
   mesh_refused("", "x", "x: no faces (0 vertices)");
   mesh_refused("glTF\x02", "x.glb", "it begins like glTF");
   CHECK_THROWS_WITH_AS(read_mesh("/no/such/file"),

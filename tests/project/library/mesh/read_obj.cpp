@@ -38,7 +38,7 @@ TEST_CASE("read_obj: texture, normals, colours, names, comments and materials ar
   const PolygonMesh mesh = read(
       "# a comment\nmtllib nowhere.mtl\no thing\ng group\ns off\nvt 0 0\nvn 0 0 1\n"
       "v 0 0 0 1 0.5 0.25\nv 1 0 0 # a corner\n  v\t1 1 0\nv +1.5 -.25 2.e-1\nusemtl none\n"
-      "f 1/1/1 2//1 3/1   4 # and a face\np 1\nl 1 2\nthis is nothing\n");
+      "f 1/1/1 2//1 3/1   4 # and a face\np 1\nl 1 2\n");
   CHECK(mesh.corners == std::vector<int>{0, 1, 2, 3});
   CHECK(mesh.vertex(3) == Vec3(1.5, -0.25, 0.2));
 }
@@ -99,8 +99,8 @@ TEST_CASE("read_obj: shows what is refused, and says what may help") {
   check_refused(square + "f # 1 2 3\n", "face #1 has 0 corners");
   for (const char* nothing : {"v \n", "v\n", "v"})
     check_refused(nothing, "a vertex has 3 coordinates, not 0");
-  check_refused("v 1 2 3#\n", "'3#'");
-  check_refused("solid x\n", "no faces (0 vertices): it begins like STL");
+  check_refused("v 1 2 #3\n", "a vertex has 3 coordinates, not 2");
+  check_refused("solid x\n", "line 1: 'solid' is not a keyword of OBJ: it begins like STL");
   check_refused("\x1F\x8B\x08", "gzip");
 }
 
@@ -112,7 +112,7 @@ TEST_CASE(
   check_refused(body + "surf 0 1 0 1 1 2 3 4\n", "'surf' is a curved surface");
   check_refused(square + "fo 1 2 3\n", "'fo' is an old name of 'f'");
   for (const char* line : {"cstype bezier", "s off", "s 1", "c_interp on", "usemtl call", "g surf",
-                           "# call handle.obj", "bevel on", "o fo", "call_me", "f"})
+                           "# call handle.obj", "bevel on", "o fo", "f"})
     CHECK_MESSAGE(read(body + line + "\n").face_count() == 1, line);
 }
 
@@ -171,7 +171,7 @@ TEST_CASE("read_obj: refuses a text without faces, whatever it is") {
     junk += static_cast<char>(byte);
   }
   check_refused(junk, "test.obj");
-  check_refused(std::string(1 << 20, 'f'), "no faces");
+  check_refused(std::string(1 << 20, 'f'), "is not a keyword of OBJ");
   check_refused("v " + std::string(1 << 20, '1') + " 0 0\n", "is not a finite number");
   CHECK_THROWS_WITH_AS(detail::read_obj("/no/such/file.obj"),
                        doctest::Contains("/no/such/file.obj: cannot be read"), std::runtime_error);
@@ -216,4 +216,43 @@ TEST_CASE("read_obj: a line goes on in the next one behind a backslash") {
     CHECK(mesh.corners == whole.corners);
     CHECK(mesh.vertices == whole.vertices);
   }
+}
+
+TEST_CASE("read_obj: refuses what is no keyword, and says which one was meant") {
+  const std::string body = square + "f 1 2 3 4\n";
+  check_refused("V 0 0 0\n" + body,
+                "test.obj, line 1: 'V' is not a keyword of OBJ: did you mean 'v'?");
+  check_refused(body + "F 1 2 3\n", "line 6: 'F' is not a keyword of OBJ: did you mean 'f'?");
+  check_refused(body + "UseMtl steel\n", "did you mean 'usemtl'?");
+  check_refused(body + "MTLLIB a.mtl\n", "did you mean 'mtllib'?");
+  for (const std::string word : {"vertex", "face", "call_me", "v:", "4", "//", "\\x"})
+    check_refused(body + word + " 1 2 3\n",
+                  ("line 6: '" + word + "' is not a keyword of OBJ: put a # before").c_str());
+}
+
+TEST_CASE(
+    "read_obj: passes over every other keyword of the format, and lines that these go on in") {
+  const std::string body = square + "f 1 2 3 4\n";
+  for (const std::string_view keyword : detail::obj_passed_over) {
+    CAPTURE(keyword);
+    CHECK(read(std::string(keyword) + " 1 2 \\\n 3 4 \\\r\n5\n" + body).face_count() == 1);
+    CHECK(read(body + std::string(keyword)).face_count() == 1);
+  }
+  CHECK(read("# C:\\\n" + body + "\\\nf 4 3 2\n").face_count() == 2);  // a comment ends
+}
+
+TEST_CASE("read_obj: a comment may follow a number without a blank") {
+  const PolygonMesh mesh =
+      read("v 0 0 0# c\nv 1 0 0#\nv 0 1 0 1 1 1# c\nf 1 2 3# c\nf 1/1/1 2 3/2#");
+  CHECK(mesh.vertices.size() == 3);
+  CHECK(mesh.corners == std::vector<int>{0, 1, 2, 0, 1, 2});
+  check_refused(square + "f 1 2 3x# c\n", "'3x#'");
+  check_refused(square + "f 1 2# 3 4\n", "has 2 corners");
+}
+
+TEST_CASE("read_obj: bytes 0 may fill up the end, and hide nothing") {
+  CHECK(read(square + "f 1 2 3 4\n" + std::string(99, '\0')).face_count() == 1);
+  CHECK(read(square + "f 1 2 3 4\n\x1A").face_count() == 1);
+  CHECK(read(square + "f 1 2 3 4\n" + std::string("\0 \0 \n\0", 6)).face_count() == 1);
+  check_refused(square + "f 1 2 3 4\n" + std::string("\0 f 1 2 3", 9), "line 6: '\\x00'");
 }

@@ -184,6 +184,12 @@ TEST_CASE("parse_ply: refuses values, and says which element and where") {
   body_refused(four_points, "face #1 has no value for 'vertex_indices'");
 }
 
+TEST_CASE("parse_ply: bytes 0 may fill up the end of a text") {
+  const std::string file = ascii_ply(ply_vertices + ply_faces, four_points + "3 0 1 2\n");
+  CHECK(parse_ply(file + std::string(99, '\0'), "x").face_count() == 1);
+  ply_refused(file + std::string("\0 1", 3), "'\\x00' after the last element");
+}
+
 TEST_CASE("parse_ply: counts that lie take no memory") {
   const std::string many = "element vertex 1000000000000000000\nproperty float x\n";
   ply_refused(ascii_ply(many, "0\n"),

@@ -6,6 +6,7 @@
 #include "project/library/mesh/mesh_files.hpp"
 #include "project/library/mesh/shapes.hpp"
 #include "tumble/mesh/diagnose.hpp"
+#include "tumble/mesh/parse_mesh.hpp"
 #include "tumble/mesh/parse_stl.hpp"
 
 using namespace tumble;
@@ -126,4 +127,27 @@ TEST_CASE("parse_stl: refuses a facet without three vertices, and words in the w
   stl_refused("version https://git-lfs.github.com/spec/v1\n" + std::string(99, 'x'),
               "not with 'version': it begins like a Git LFS pointer");
   stl_refused(solid_of(""), "no faces");
+}
+
+TEST_CASE("parse_stl: bytes 0, blanks and the mark of DOS may fill up the end of a text") {
+  const std::string one = solid_of(facet_begin + three_vertices + facet_end);
+  for (const std::string& padding :
+       {std::string(1, '\0'), std::string(600, '\0'), std::string("  \t\r\n"),
+        std::string("\n\x1A"), std::string("\x1A") + std::string(127, '\0')}) {
+    CHECK(parse_stl(one + padding, "x").face_count() == 1);
+    CHECK(parse_mesh(one + padding, "x").face_count() == 1);
+  }
+  stl_refused(one + std::string(9, '\0') + one, "the header announces");
+  const std::string torn = one.substr(0, one.find("endsolid"));
+  for (const char* end : {"", "\x1A"})  // which leaves the lines as they were
+    stl_refused(torn + end, "test.stl, line 9: the text ends where 'endsolid' should be");
+}
+
+TEST_CASE("parse_stl: what some programs write for not-a-number is passed over in normals alone") {
+  for (const std::string word : {"1.#QNAN", "-1.#IND", "-nan(ind)", "nan", "1.#INF"}) {
+    const std::string normal = "facet normal " + word + ' ' + word + ' ' + word + "\nouter loop\n";
+    CHECK(parse_stl(solid_of(normal + three_vertices + facet_end), "x").face_count() == 1);
+    stl_refused(solid_of(facet_begin + "vertex 0 " + word + " 0\n"),
+                ("line 4: facet #1 has the coordinate '" + word + "'").c_str());
+  }
 }

@@ -4,6 +4,7 @@
 
 #include "project/library/mesh/shapes.hpp"
 #include "tumble/mesh/edge_balance.hpp"
+#include "tumble/mesh/weld_if_open.hpp"
 
 using namespace tumble;
 using namespace tumble::detail;
@@ -36,4 +37,26 @@ TEST_CASE("weld: the first of equal vertices stays, and an ulp keeps two apart")
   CHECK(welded.vertices ==
         std::vector<Vec3>{Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(1 + 0x1p-52, 0, 0)});
   CHECK(welded.corners == std::vector<int>{2, 0, 1});
+}
+
+TEST_CASE("weld_if_open: faces share the first of equal vertices, which keep their numbers") {
+  PolygonMesh mesh = test::soup(test::cube());
+  const std::vector<Vec3> vertices = mesh.vertices;
+  CHECK(weld_if_open(mesh) == 16);  // of 24
+  CHECK(is_closed(mesh));
+  CHECK(mesh.vertices == vertices);
+  CHECK(weld_if_open(mesh) == 0);
+}
+
+TEST_CASE("weld_if_open: an open surface loses its seams, and what is closed stays as it is") {
+  PolygonMesh open = test::soup(test::without_face(test::cube(), 0));
+  CHECK(weld_if_open(open) == 12);  // of 20
+  CHECK_FALSE(is_closed(open));
+  PolygonMesh touching = test::together(test::cube(), test::moved(test::cube(), 1, Vec3(1, 0, 0)));
+  const std::vector<int> corners = touching.corners;
+  CHECK(weld_if_open(touching) == 0);
+  CHECK(touching.corners == corners);
+  touching.add_face({0, 1, 1});  // of no area, and no neighbour needs it
+  touching.add_face({0, 1, 0});
+  CHECK(weld_if_open(touching) == 0);
 }

@@ -1,0 +1,56 @@
+#pragma once
+/// @file
+/// T-junctions: a corner of one face that lies in the middle of another one's edge. Seen from both
+/// sides the surface has no gap there, and all the same each face has an edge of its own.
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "tumble/mesh/edge_use.hpp"
+#include "tumble/mesh/mesh_defect.hpp"
+
+namespace tumble::detail {
+
+/// A vertex in the middle of an edge that does not have it.
+struct TJunction {
+  int vertex;
+  EdgeUse edge;
+};
+
+/// Whether a vertex lies between the ends of an edge, and next to neither.
+inline bool lies_in_middle(const PolygonMesh& mesh, const EdgeUse& edge, int vertex) {
+  constexpr double rounding = 1e-6;  // of the length: more than single precision needs
+  const Vec3& a = mesh.vertex(edge.low);
+  const Vec3 along = mesh.vertex(edge.high) - a, p = mesh.vertex(vertex) - a;
+  const double t = p.dot(along) / along.squaredNorm();
+  return t > rounding && t < 1 - rounding && (p - t * along).norm() <= rounding * along.norm();
+}
+
+/// The T-junction that an open edge is at: with a vertex in its middle, or an end in the middle of
+/// another one.
+/// @param open all open edges
+inline std::optional<TJunction> t_junction_at(const PolygonMesh& mesh, const EdgeUse& edge,
+                                              std::span<const EdgeUse> open) {
+  for (const EdgeUse& other : open) {
+    for (const int v : {other.low, other.high})
+      if (lies_in_middle(mesh, edge, v)) return TJunction{v, edge};
+    for (const int v : {edge.low, edge.high})
+      if (lies_in_middle(mesh, other, v)) return TJunction{v, other};
+  }
+  return {};
+}
+
+/// "; vertex #9 at (…) lies in the middle of the edge from … to …", or nothing.
+inline std::string describe_t_junction(const PolygonMesh& mesh, const EdgeUse& edge,
+                                       std::span<const EdgeUse> open) {
+  const std::optional<TJunction> junction = t_junction_at(mesh, edge, open);
+  if (!junction) return "";
+  const EdgeUse& cut = junction->edge;
+  return "; " + describe_vertex(mesh, junction->vertex) + " lies in the middle of " +
+         (cut.same_edge(edge) ? "this edge" : describe_edge(mesh, cut)) + ", and face #" +
+         std::to_string(cut.face + 1) +
+         " has no corner there (a T-junction): give it one, or divide it there";
+}
+
+}  // namespace tumble::detail
