@@ -183,11 +183,11 @@ inline std::vector<MeshDefect> as_rounding(const std::vector<MeshDefect>& findin
 inline std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
                                                 const TriangleMeetings& meetings) {
   const double blur = double_blur(of.box);
-  const std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, blur);
+  std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, blur);
   if (findings.empty() || counts_too_much(findings)) return findings;
   const double written = of.written();
   if (!(written > blur)) return findings;
-  const std::vector<MeshDefect> left = find_wrong_depth(of, meetings, written);
+  std::vector<MeshDefect> left = find_wrong_depth(of, meetings, written);
   return left.empty() ? as_rounding(findings) : left;
 }
 
