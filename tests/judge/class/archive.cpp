@@ -94,9 +94,17 @@ fs::path harmless(const fs::path& path) {
   fs::path all;
   for (const fs::path& part : path) {
     if (part == ".." || part.is_absolute() || part.string().size() > longest_name) break;
-    if (part != ".") all /= part;
+    all /= part;
   }
   return all;
+}
+
+/// "a/b.cpp" for "./a/b.cpp"; what leads out of a folder goes on to do so.
+std::string without_dots(const fs::path& path) {
+  fs::path all;
+  for (const fs::path& part : path)
+    if (part != ".") all /= part;
+  return all.string();
 }
 
 void put_left_out(const EntryLeftOut& entry, const fs::path& to) {
@@ -111,8 +119,8 @@ void put_left_out(const EntryLeftOut& entry, const fs::path& to) {
 /// An entry of a class's download: a file with its text, or an empty one that has its name.
 void put(const nlohmann::json& entry, const fs::path& to, std::vector<EntryLeftOut>& left_out) {
   if (entry.contains("left_out")) {
-    left_out.push_back(
-        {bytes_in(entry.at("path")), bytes_in(entry.at("left_out")), entry.at("work")});
+    left_out.push_back({without_dots(bytes_in(entry.at("path"))), bytes_in(entry.at("left_out")),
+                        entry.at("work")});
     return put_left_out(left_out.back(), to);
   }
   const fs::path file = to / bytes_in(entry.at("path"));

@@ -258,19 +258,12 @@ std::string path_in(const Part& part, const std::string& path) {
   return path.starts_with(whole + "/") ? path.substr(whole.size() + 1) : "";
 }
 
-fs::path without_dots(const fs::path& path) {
-  fs::path all;
-  for (const fs::path& part : path)
-    if (part != ".") all /= part;
-  return all;
-}
-
 /// Says in whose submission these are missing. Work that we do not have is no zero: who has handed
 /// it in is not judged.
 /// @return whether it is anybody's
 bool noted_at(const EntryLeftOut& entry, const fs::path& unpacked, std::size_t first,
               ClassWork& all) {
-  const std::string path = (unpacked / without_dots(entry.path)).string();
+  const std::string path = (unpacked / entry.path).string();
   bool is_anybodys = false;
   for (std::size_t i = first; i < all.submissions.size(); ++i)
     for (const Part& part : parts_of(all.submissions[i]))

@@ -218,7 +218,7 @@ TEST_CASE("read_obj: a line goes on in the next one behind a backslash") {
   }
 }
 
-TEST_CASE("read_obj: refuses what is no keyword, and says which one was meant") {
+TEST_CASE("read_obj: refuses a word that OBJ does not have, and says which one was meant") {
   const std::string body = square + "f 1 2 3 4\n";
   check_refused("V 0 0 0\n" + body,
                 "test.obj, line 1: 'V' is not a keyword of OBJ: did you mean 'v'?");
