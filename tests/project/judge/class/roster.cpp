@@ -205,7 +205,7 @@ const std::string composed = "Jos\u00e9 M\u00fcller", decomposed = "Jose\u0301 M
 }  // namespace
 
 TEST_CASE("rosters: an accent is the same however it is written, in the roster or in a folder") {
-  if (!compares_canonically()) return test::skip("tumble was built without utf8proc");
+  if (!compares_canonically()) return tumble::test::skip("tumble was built without utf8proc");
   for (const std::string& listed : {composed, decomposed})
     for (const std::string& named : {composed, decomposed}) {
       const Roster roster = roster_in("name,id\n" + listed + ",7\nAnn,8\n");
@@ -219,7 +219,7 @@ TEST_CASE("rosters: an accent is the same however it is written, in the roster o
 }
 
 TEST_CASE("rosters: neither case nor punctuation of any script tells two students apart") {
-  if (!compares_canonically()) return test::skip("tumble was built without utf8proc");
+  if (!compares_canonically()) return tumble::test::skip("tumble was built without utf8proc");
   const Roster roster = roster_in("name,id\nZo\u00eb O\u2019Brien,1\nJos\u00e9,2\nJose,3\n");
   const MemberFinder members(roster);
   const auto number_of = [&](const std::string& name) {
@@ -233,7 +233,7 @@ TEST_CASE("rosters: neither case nor punctuation of any script tells two student
 }
 
 TEST_CASE("course.json and --student: an accent is the same however it is written") {
-  if (!compares_canonically()) return test::skip("tumble was built without utf8proc");
+  if (!compares_canonically()) return tumble::test::skip("tumble was built without utf8proc");
   StudentRecord record{composed, 1, 0, "", {}};
   CHECK(is_called(record, decomposed));
   record.student = "submission_1", record.who.name = decomposed;
@@ -242,7 +242,7 @@ TEST_CASE("course.json and --student: an accent is the same however it is writte
 }
 
 TEST_CASE("Canvas: the gradebook's column is found, however an accent in it is written") {
-  if (!compares_canonically()) return test::skip("tumble was built without utf8proc");
+  if (!compares_canonically()) return tumble::test::skip("tumble was built without utf8proc");
   CourseSettings settings = homework();
   settings.title = "\u00dcbung 1";
   const Roster roster =
