@@ -77,7 +77,7 @@ std::string dust_figure() {
   for (const double x : {-0.5, 0.5, 1.5})
     for (const double y : {0.5, 1.5})
       for (const double r : {0.1, 0.2, 0.3, 0.4, 0.47})
-        sketch.curve(streamline({x, y - r}, r < 0.45 ? 5 + 5 * r : 11), {"grid", 1.2});
+        sketch.curve(streamline({x, y - r}, r < 0.45 ? 5 + 5 * r : 11), {"faint", 1, 0.45});
   const std::vector<std::pair<double, std::string>> specks{
       {100e-6, "c1"}, {30e-6, "c3"}, {10e-6, "c2"}, {1e-6, "c0"}};
   double row = 50;  // of the names, right of the drawing [px]

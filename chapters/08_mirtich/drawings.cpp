@@ -52,7 +52,7 @@ void draw_from_the_side(Sketch& sketch) {
   sketch.curve({low, high}, {"c0", 1.8});
   sketch.curve({a, b}, {"c0", 5});
   sketch.curve({{a.x(), 0}, {b.x(), 0}}, {"c1", 5});
-  sketch.words((a + b) / 2, {16, 20}, "dA", "c0");
+  sketch.words((a + b) / 2, {30, 30}, "dA", "c0");
   sketch.words({(a.x() + b.x()) / 2, 0}, {0, 26}, "n_γ dA", "c1", "middle");
   const Vec2 tip = foot + 0.9 * n, up = foot + Vec2(0, 0.9 * n.y());
   sketch.curve({tip, up}, {"faint", 1});
@@ -94,7 +94,7 @@ std::string shadow_figure() {
   SpaceSketch space(sketch, support::view_from(-62 * degree, 24 * degree));
   draw_face_and_shadow(space);
   const Pen pen{"ink", 1.5};
-  space.axes(Vec3::Zero(), 2.1 * Mat3::Identity(), {"α", "β", "γ"}, {pen, pen, pen});
+  space.axes(Vec3::Zero(), Vec3(2.1, 0.6, 2.1).asDiagonal(), {"α", "β", "γ"}, {pen, pen, pen});
   sketch.look({515, 350, 140});
   draw_from_the_side(sketch);
   return sketch.svg();

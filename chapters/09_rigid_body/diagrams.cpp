@@ -73,7 +73,8 @@ std::string frames_figure() {
   const Vec3 p = point_position<double>(now, spring.p_body);
   const auto seen = [&view](const Vec3& point) -> Vec2 { return (view * point).head<2>(); };
   draw_mug(sketch, view, now, {"faint", 1.5});
-  draw_axes(sketch, view, Vec3::Zero(), 0.07 * Mat3::Identity(), {"x", "y", "z"}, "ink");
+  draw_axes(sketch, view, Vec3::Zero(), 0.07 * Mat3::Identity(), {"x_world", "y_world", "z_world"},
+            "ink");
   sketch.arrow({0, 0}, seen(now.x), {"c0", 2.4});
   sketch.words(seen(now.x / 2), {0, 24}, "x", "c0", "middle");
   sketch.arrow(seen(now.x), seen(p), {"c1", 2.4});
@@ -82,7 +83,6 @@ std::string frames_figure() {
   sketch.words(seen(0.56 * p), {-10, -10}, "p = x + R p_body", "c3", "end");
   draw_axes(sketch, view, now.x, 0.075 * now.R, {"x_body", "y_body", "z_body"}, "c2");
   sketch.dot(seen(p), "ink", 4);
-  sketch.words({0, 0}, {-14, 22}, "world", "ink", "middle");
   return sketch.svg();
 }
 

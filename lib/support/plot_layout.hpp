@@ -118,6 +118,7 @@ class LabelPlacer {
       if (i == which) continue;
       if (labels_[i].box.meets(label.box)) cost += 1e3;
       cost += 60 * crossings(label, labels_[i]) + 60 * crossings(labels_[i], label);
+      if (are_swapped(label, labels_[i])) cost += 40;
     }
     return cost;
   }
@@ -142,6 +143,14 @@ class LabelPlacer {
     for (const Pixel& p : leader_points(from))
       if (through.box.holds(p)) return 1;
     return 0;
+  }
+
+  /// Whether two names stand one above the other, and the ends of their curves the other way round.
+  static bool are_swapped(const Label& a, const Label& b) {
+    constexpr double beside = 30;  // pixels between ends that one takes for one above the other
+    const bool stacked = a.box.x < b.box.x + b.box.width && b.box.x < a.box.x + a.box.width;
+    const bool near = std::abs(a.anchor.x - b.anchor.x) < beside;
+    return stacked && near && (a.anchor.y - b.anchor.y) * (a.box.y - b.box.y) < 0;
   }
 
   const Plot& plot_;

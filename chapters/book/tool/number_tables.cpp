@@ -72,7 +72,7 @@ bool is_number_cell(const std::string& cell) {
   return digit < from + 6 && digit <= cell.find(' ', from);
 }
 
-/// A line that only goes on with the words above it belongs to their row.
+/// A line that only goes on with the words above it belongs to their row: "0, 0)" too.
 std::vector<Row> joined(const std::vector<Row>& lines) {
   std::vector<Row> rows;
   for (const Row& line : lines) {
@@ -80,9 +80,9 @@ std::vector<Row> joined(const std::vector<Row>& lines) {
                                     [](const std::string& cell) { return !cell.empty(); });
     const auto k = static_cast<std::size_t>(words - line.begin());
     const bool alone = std::count(line.begin(), line.end(), "") + 1 == std::ssize(line);
-    const bool goes_on =
-        rows.size() > 1 && k > 0 && alone && !is_number_cell(line[k]) && !rows.back()[k].empty();
-    if (goes_on)
+    const auto are_words = [k](const Row& row) { return !is_number_cell(row[k]); };
+    const bool may_go_on = rows.size() > 1 && k > 0 && alone && !rows.back()[k].empty();
+    if (may_go_on && (are_words(line) || are_words(rows.back())))
       rows.back()[k] += " " + line[k];
     else
       rows.push_back(line);
