@@ -126,6 +126,19 @@ TEST_CASE(
   CHECK(count(to_svg(plot), "stroke-width=\"0.8\"") > 0);
 }
 
+TEST_CASE("plot: names that stand one above the other are in the order of their curves' ends") {
+  Series falling{"one case: by w", {}, {}}, level{"four cases", {}, {}};
+  for (double x = 1e-8; x < 2; x *= 10) {
+    falling.x.push_back(x), falling.y.push_back(6e-16 / (x * x));
+    level.x.push_back(x), level.y.push_back(3e-16);
+  }
+  const Plot plot{"", {"x", Scale::log}, {"y", Scale::log}, {falling, level}};
+  const auto labels = plot_detail::layout(plot).labels;
+  REQUIRE(labels.size() == 2);
+  CHECK(labels[0].anchor.y < labels[1].anchor.y);
+  CHECK(labels[0].box.y < labels[1].box.y);
+}
+
 TEST_CASE("plot: a single dot has its name beside it") {
   const Plot plot{"", {"x"}, {"y"}, {{"a", {0}, {0}}, {"b", {4}, {4}}, {"c", {9}, {1}}}};
   for (const plot_detail::Label& label : plot_detail::layout(plot).labels)
