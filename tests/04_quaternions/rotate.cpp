@@ -134,7 +134,7 @@ const Misconceptions<decltype(quaternions::rotate)> misconceptions{
       }},
      {"right for unit quaternions only",
       "Your formula takes for granted that |q| = 1. q drifts: the square of its length belongs "
-      "into the formula, or q gets the length 1 first.",
+      "in the formula, or q gets the length 1 first.",
       "The inverse",
       [](const Quaternion& q, const Vec3& p) { return by_cross_products(q, q[0], p); }},
      {"w left out",

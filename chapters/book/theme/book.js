@@ -84,7 +84,7 @@ addEventListener("keydown", closeMenu);
 
 /** Browsers take the scripts of the exercises from a server only. */
 function sayWhereToWrite() {
-  if (location.protocol !== "file:" || !document.querySelector("script[src^='exercises/']")) return;
+  if (location.protocol !== "file:" || !document.querySelector("script.editors")) return;
   for (const box of text.querySelectorAll(".now-write")) {
     const note = document.createElement("p");
     note.className = "where-to-write";

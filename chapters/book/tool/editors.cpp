@@ -13,7 +13,8 @@ namespace {
 const std::string box = R"(<div class="now-write" id="now-write-)";
 /// A page that is opened from disk may load no module, and shows the commands alone.
 const std::string script =
-    "<script>if (location.protocol !== \"file:\") import(\"./exercises/exercise.mjs\");</script>\n";
+    "<script class=\"editors\">if (location.protocol !== \"file:\") "
+    "import(\"./exercises/exercise.mjs\");</script>\n";
 
 void demand(const fs::path& folder, const std::vector<std::string>& names) {
   std::string missing;

@@ -46,7 +46,8 @@ TEST_CASE("editors: pages with a box and the front page have the script, others 
   const Site site;
   site.add();
   const std::string script =
-      "<script>if (location.protocol !== \"file:\") import(\"./exercises/exercise.mjs\");</script>";
+      "<script class=\"editors\">if (location.protocol !== \"file:\") "
+      "import(\"./exercises/exercise.mjs\");</script>";
   for (const char* page : {"index.html", "chapters-04.html"})
     CHECK(mentions(site.text(page), script + "\n</body>"));
   for (const char* page : {"print.html", "terms.html"})

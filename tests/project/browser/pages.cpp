@@ -24,12 +24,12 @@ const char* const overflows = R"js((() => {
     .map((e) => e.tagName + "." + e.className + ": " + (e.textContent || "").slice(0, 60));
 })())js";
 
-/// What a page has loaded, below the site: but for the modules of figures, which come when a reader
-/// scrolls to them.
+/// What a page has loaded, below the site: but for what comes when a reader scrolls to it, which
+/// are the modules of figures and the editors.
 const char* const loaded = R"js(
   ["resource", "navigation"].flatMap((kind) => performance.getEntriesByType(kind))
     .map((entry) => new URL(entry.name).pathname.slice(1))
-    .filter((path) => !/^moving\/[^/]*\.[^/]*\.js$/.test(path)))js";
+    .filter((path) => !/^(moving\/[^/]*\.[^/]*\.js$|exercises\/)/.test(path)))js";
 
 /// What a server sends of a file [bytes]: fonts are packed already.
 long over_the_wire(const std::filesystem::path& file) {
