@@ -88,7 +88,7 @@ function sayWhereToWrite() {
   for (const box of text.querySelectorAll(".now-write")) {
     const note = document.createElement("p");
     note.className = "where-to-write";
-    note.innerHTML = "To write it here, in the page, open the site with <code>./tumble book --serve</code>: an editor takes a server.";
+    note.innerHTML = "To write it here, in the page, open the site with <code class='short'>./tumble book --serve</code>: an editor takes a server.";
     box.append(note);
   }
 }
