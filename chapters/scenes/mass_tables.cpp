@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "scenes/mass_output.hpp"
+#include "support/mesh_notes.hpp"
 #include "support/terminal.hpp"
 #include "tumble/mass/parallel_axis.hpp"
 #include "tumble/mass/principal_axes.hpp"
@@ -75,14 +76,7 @@ void print_parts(const MassAnswer& found) {
 }  // namespace
 
 std::vector<std::string> sentences(const MassAnswer& found) {
-  std::vector<std::string> all;
-  if (found.welded > 0)
-    all.push_back("welded: we take " + std::to_string(found.welded) +
-                  " vertices for earlier ones at exactly the same place, so that faces that meet "
-                  "share their edges");
-  for (const MeshDefect& finding : found.findings)
-    all.push_back(std::string(name_of(finding.kind)) + ": " + finding.message);
-  return all;
+  return support::mesh_notes(found.welded, found.findings);
 }
 
 void print(const MassAnswer& found, const MassCommand& command) {

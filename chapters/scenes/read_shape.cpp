@@ -1,7 +1,10 @@
 #include "scenes/read_shape.hpp"
 
+#include <iostream>
+
 #include "objects/shapes.hpp"
 #include "scenes/round_solids.hpp"
+#include "support/mesh_notes.hpp"
 #include "support/table.hpp"
 #include "support/view.hpp"
 #include "tumble/collide/hull_points.hpp"
@@ -27,11 +30,21 @@ ReadShape round_shape(const std::string& kind, const Place& place) {
   return closed_form(Capsule{radius, height});
 }
 
-ReadShape mesh_shape(const std::string& path, const parts::Densities& densities) {
-  parts::LabelledMesh mesh = read_mesh(path);
-  detail::weld_if_open(mesh);
-  if (densities.empty()) return {mesh, mesh_mass_properties(mesh, 1)};
-  return {mesh, parts::mass_properties(mesh, densities)};
+void print_notes(const Place& place, int welded, const std::vector<MeshDefect>& findings) {
+  for (const std::string& note : support::mesh_notes(welded, findings))
+    std::cerr << "tumble: note: " << place.name() << ": " << note << '\n';
+}
+
+ReadShape mesh_shape(const Place& place, const std::filesystem::path& folder,
+                     const parts::Densities& densities) {
+  parts::LabelledMesh mesh = read_mesh((folder / place.text()).string());
+  const int welded = detail::weld_if_open(mesh);
+  const auto noted = [&](const auto& body) {
+    print_notes(place, welded, body.findings);
+    return ReadShape{mesh, body};
+  };
+  if (densities.empty()) return noted(mesh_mass_properties(mesh, 1));
+  return noted(parts::mass_properties(mesh, densities));
 }
 
 PolygonMesh moved(PolygonMesh mesh, const Vec3& by) {
@@ -92,7 +105,7 @@ ReadShape read_shape(const Place& shape, const std::filesystem::path& folder,
       shape.only_key({"ball", "box", "cylinder", "cone", "capsule", "ellipsoid", "mesh"});
   const Place place = shape[kind.c_str()];
   return place.refused_here([&]() -> ReadShape {
-    if (kind == "mesh") return mesh_shape((folder / place.text()).string(), densities);
+    if (kind == "mesh") return mesh_shape(place, folder, densities);
     require(densities.empty(),
             "only a mesh has parts with densities of their own: give one density");
     if (kind == "ball") return closed_form(Ball{place.number()});

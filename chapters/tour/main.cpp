@@ -6,6 +6,7 @@
 
 #include "objects/objects.hpp"
 #include "support/command_line.hpp"
+#include "support/mesh_notes.hpp"
 #include "support/terminal.hpp"
 #include "support/view.hpp"
 #include "tour/tour.hpp"
@@ -38,13 +39,15 @@ const objects::Object& find_object(const std::string& name) {
 
 /// @throws std::invalid_argument naming the subject if the mesh does not bound a body
 Subject make_subject(const std::string& name, const PolygonMesh& mesh, const PolygonMesh& drawing,
-                     double density) {
-  try {
-    require_body(mesh);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(name + ": " + error.what());
-  }
-  return {name, mesh, drawing, density, unchecked_mass_properties(mesh, density)};
+                     double density, int welded = 0) {
+  const std::vector<MeshDefect> findings = diagnose(mesh);
+  detail::require_at([&] { require_body(findings); }, name, ": ");
+  return {name,
+          mesh,
+          drawing,
+          density,
+          unchecked_mass_properties(mesh, density),
+          support::mesh_notes(welded, findings)};
 }
 
 Subject load(const Options& options) {
@@ -55,9 +58,9 @@ Subject load(const Options& options) {
   }
   constexpr double water = 1000;
   PolygonMesh mesh = read_mesh(options.mesh);
-  detail::weld_if_open(mesh);
+  const int welded = detail::weld_if_open(mesh);
   return make_subject(std::filesystem::path(options.mesh).filename().string(), mesh,
-                      support::coarsened(mesh, 22), options.density.value_or(water));
+                      support::coarsened(mesh, 22), options.density.value_or(water), welded);
 }
 
 std::string three_numbers(const Vec3& v, int digits) {
@@ -70,6 +73,7 @@ void introduce(const Subject& subject) {
   const Vec3 size = bounds(subject.mesh).sizes(), moments = principal_axes(body.inertia).moments;
   std::cout << subject.name << ": a closed mesh of " << subject.mesh.face_count() << " faces and "
             << subject.mesh.vertices.size() << " vertices\n\n";
+  for (const std::string& note : subject.notes) std::cout << support::fitted(note) << "\n\n";
   support::Table table({"quantity", "value", "unit"});
   table.add({"size", three_numbers(size, 6), "m"});
   table.add({"mass at " + support::number(subject.density, 6) + " kg/m³",

@@ -17,9 +17,10 @@ namespace tumble::tour {
 struct Subject {
   std::string name;
   PolygonMesh mesh;
-  PolygonMesh drawing;   ///< the same with fewer faces, for pictures
-  double density;        ///< [kg/m³]
-  MassProperties exact;  ///< each number the true one, rounded
+  PolygonMesh drawing;             ///< the same with fewer faces, for pictures
+  double density;                  ///< [kg/m³]
+  MassProperties exact;            ///< each number the true one, rounded
+  std::vector<std::string> notes;  ///< on the mesh
 };
 
 /// A tumbling start: the body spins about its middle axis, a little off it, on the side from which

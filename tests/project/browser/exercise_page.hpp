@@ -29,6 +29,9 @@ export class Judge {
     return { unit, number: "4.1", passed: how === "passed", summary: how, seed, laws: 5, laws_that_hold: 4,
       explanation: said[how], judge_failure: "", cases: [] };
   }
+  async buildAhead(unit, source) {
+    globalThis.ahead = [...(globalThis.ahead ?? []), source];
+  }
   /** A body that stays as it is. */
   async answerFigure(digits, topic, numbers, files) {
     globalThis.asked = { digits, topic, count: numbers.length, files };

@@ -105,6 +105,57 @@ TEST_CASE("exercises in the page: what runs too long is stopped, and there is no
   CHECK(page.says("box.querySelector('.verdict').classList.contains('of-before')") == false);
 }
 
+TEST_CASE("exercises in the page: who pauses finds their text built, once they have agreed") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.says("editor().focus(), write('unasked')");
+  page.says("new Promise((resolve) => setTimeout(resolve, 1500))");
+  CHECK(page.says("globalThis.ahead") == Json());
+  REQUIRE(page.says("check('wrong')") == true);
+  page.says("write('thought over')");
+  CHECK(page.says("until(() => globalThis.ahead?.at(-1) === 'thought over')") == true);
+  page.open();
+  page.says("editor().focus()");
+  CHECK(page.says("until(() => globalThis.ahead?.at(-1) === 'thought over')") == true);
+}
+
+TEST_CASE("exercises in the page: a text is built once, and only the last one ahead") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.says(R"js((async () => {
+    globalThis.asked = [];
+    globalThis.Worker = class { // compiles and judges anything
+      postMessage({ id, source, built }) {
+        asked.push(`${built ? "judge" : "build"} ${source}`);
+        setTimeout(() => this.onmessage({ data: { id, built: { ok: true }, ...(built && { verdict: "{}" }) } }), 20);
+      }
+    };
+    const { Judge } = await import(new URL("exercises/true_client.mjs", location));
+    const judge = new Judge(), check = (text) => judge.check("04_quaternions/product", text, { seed: 1 });
+    await Promise.all(["a", "b", "c"].map((text) => judge.buildAhead("04_quaternions/product", text)));
+    await check("c");
+    await check("c");
+    await check("d");
+    globalThis.done = true;
+  })())js");
+  REQUIRE(page.says("until(() => globalThis.done)") == true);
+  CHECK(page.says("asked") == Json{"build c", "judge c", "judge c", "build d", "judge d"});
+}
+
+TEST_CASE("exercises in the page: Stop ends the wait for a text that is built ahead") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.says(R"js((async () => {
+    globalThis.Worker = class { postMessage() {} }; // never answers
+    const { Judge } = await import(new URL("exercises/true_client.mjs", location));
+    const judge = new Judge(), stop = new AbortController();
+    judge.buildAhead("04_quaternions/product", "slow");
+    judge.check("04_quaternions/product", "other", { seed: 1, signal: stop.signal }).catch(({ name }) => (globalThis.ended = name));
+    setTimeout(() => stop.abort(), 100);
+  })())js");
+  CHECK(page.says("until(() => globalThis.ended === 'AbortError')") == true);
+}
+
 TEST_CASE("exercises in the page: what has passed says where to go on") {
   if (!can_try()) return;
   ExercisePage page;

@@ -33,7 +33,7 @@ class ServedSite {
     server_.emplace(folder_.path() / "site");
   }
 
-  /// With a stand-in for both, which gives the verdicts.
+  /// With a stand-in for both, which gives the verdicts; client.mjs itself is true_client.mjs.
   /// @param client the text of client.mjs
   explicit ServedSite(const std::string& client) {
     namespace fs = std::filesystem;
@@ -41,6 +41,7 @@ class ServedSite {
     copy_site();
     fs::copy(root / "tests/judge/page/site", made, fs::copy_options::recursive);
     fs::copy(editor(), made / "codemirror");
+    fs::rename(made / "client.mjs", made / "true_client.mjs");
     folder_.write("made/client.mjs", client);
     folder_.write("made/units.json", units(root).dump());
     folder_.write("made/manifest.json",

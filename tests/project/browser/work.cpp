@@ -90,3 +90,17 @@ TEST_CASE(
   CHECK(page.says("work.workIn(new Uint8Array(100).buffer).catch((error) => error.message)") ==
         "it is not a zip file");
 }
+
+TEST_CASE("exercises in the page: what was reset after passing is not in the zip, which is said") {
+  if (!can_try()) return;
+  ExercisePage page;
+  REQUIRE(page.says("check('passed')") == true);
+  page.says("button('Reset').click()");
+  CHECK(page.says("until(() => button('Put this back'))") == true);
+  page.open_at("index.html");
+  REQUIRE(page.says("until(() => document.querySelector('.exercise-progress button'))") == true);
+  page.says("globalThis.box = document.querySelector('.exercise-progress')");
+  page.says("button('Download my work').click()");
+  CHECK(page.says("until(() => box.querySelector('[role=status]').textContent.startsWith("
+                  "'Nothing to download. Not in it: 4.1, reset after passing.'))") == true);
+}

@@ -8,6 +8,7 @@ import { solutionOf } from "./course.mjs";
 
 const hintNames = ["a nudge", "an idea", "almost the code"];
 const patience = 400; // [ms] from the last key to writing
+const pause = 1000; // [ms] from the last key to building: by then a reader reads over what is there
 
 class Box {
   constructor(place, unit) {
@@ -75,7 +76,7 @@ class Box {
   async edit() {
     this.editor = await makeEditor(this.parts.code, {
       text: this.draft, label: `C++ of exercise ${this.unit.number}, ${this.unit.name}`,
-      describedBy: this.parts.help.id, check: () => this.judging.check(), changed: () => this.changed(),
+      describedBy: this.parts.help.id, check: () => this.judging.check(), changed: () => this.changed(), focused: () => this.buildAhead(),
     });
     this.parts.code.style.minHeight = "";
     this.judging.markAgain();
@@ -91,6 +92,13 @@ class Box {
     clearTimeout(this.timer);
     this.dirty = true;
     this.timer = setTimeout(() => this.write(), patience);
+    clearTimeout(this.builder);
+    this.builder = setTimeout(() => this.buildAhead(), pause);
+  }
+
+  buildAhead() {
+    clearTimeout(this.builder);
+    this.judging.buildAhead(this.now());
   }
 
   async write() {

@@ -3,6 +3,7 @@ import { units } from "./course.mjs";
 
 const patience = 2000; // [ms] for one answer, as natively
 const patienceWithCompiler = 30000; // [ms] for one file: a hundred times what an exercise takes
+const patienceAhead = 10000; // [ms] for a file that nobody waits for
 
 /** One worker, and what is being asked of it. */
 class Asked {
@@ -55,10 +56,16 @@ class TooExpensive extends Error {
   }
 }
 
+/** Rejects when the signal does. */
+function brokenOff(signal) {
+  return new Promise((_, reject) => signal?.addEventListener("abort", () => reject(signal.reason), { once: true }));
+}
+
 export class Judge {
   constructor(base = new URL("./", import.meta.url)) {
     this.base = base;
     this.queue = Promise.resolve();
+    this.last = {};
   }
 
   /**
@@ -72,7 +79,20 @@ export class Judge {
    * @param signal     ends it: an AbortSignal
    */
   check(unit, source, { seed, onProgress = () => {}, onCompiling = () => {}, onHung = () => {}, signal }) {
-    return this.#inTurn(() => this.#check(unit, source, seed, { onProgress, onCompiling, onHung, signal }));
+    this.ahead = null; // what has not begun gives way
+    const verdict = this.#inTurn(() => this.#check(unit, source, seed, { onProgress, onCompiling, onHung, signal }));
+    return Promise.race([verdict, brokenOff(signal)]); // also while it waits for its turn
+  }
+
+  /**
+   * Builds a file while its reader reads it over: a check of the same text has less to wait for. Only
+   * the last text that was given is built; one that keeps the compiler busy is left to the check.
+   */
+  async buildAhead(unit, source) {
+    const ahead = (this.ahead = { unit, source });
+    await this.#inTurn(async () => {
+      if (this.ahead === ahead) await this.#kept("unit", ahead, () => this.#build(ahead, {}, patienceAhead));
+    }).catch(() => {}); // the check says what is wrong
   }
 
   #inTurn(work) {
@@ -104,28 +124,26 @@ export class Judge {
     }
   }
 
-  /** The last one, if it was built of the same. */
-  async #engineOf(engine, listeners) {
-    const key = JSON.stringify(engine);
-    if (this.engine?.key !== key) {
-      const patience = patienceWithCompiler * (engine.files.length + 1);
-      const { built } = await this.#build({ engine }, listeners, patience).catch((failure) => {
-        if (failure instanceof TooExpensive) return failure;
-        throw failure;
-      });
-      this.engine = { key, built };
-    }
-    return this.engine.built;
+  #engineOf(engine, listeners) {
+    const patience = patienceWithCompiler * (engine.files.length + 1);
+    return this.#kept("engine", engine, () => this.#build({ engine }, listeners, patience).catch((failure) => {
+      if (failure instanceof TooExpensive) return failure;
+      throw failure;
+    }));
   }
 
-  /** Downloads what a chapter needs, without judging. */
-  async prepare(onProgress = () => {}) {
-    await this.#build({}, { onProgress });
+  /** The last one of its kind, if it was built of the same; else what is built now. */
+  async #kept(kind, what, build) {
+    const key = JSON.stringify(what);
+    if (this.last[kind]?.key !== key) this.last[kind] = { key, built: (await build()).built };
+    return this.last[kind].built;
   }
 
   async #check(unit, source, seed, listeners) {
     const began = performance.now();
-    const { built } = await this.#buildUnit(unit, source, listeners);
+    const built = await this.#kept("unit", { unit, source }, () => this.#buildUnit(unit, source, listeners));
+    if (built.step === "limit") this.last.unit = null; // the computer may have more time or memory later
+    listeners.onCompiling(); // it may have been built before
     const hung = [];
     for (;;) {
       try {
@@ -144,7 +162,7 @@ export class Judge {
     const compiler = (this.compiler ??= new Asked(new URL("compiler.mjs", this.base)));
     let clock;
     const hear = ({ progress, compiling }) => {
-      if (progress) onProgress(progress);
+      if (progress) onProgress?.(progress);
       if (!compiling) return;
       clock = setTimeout(() => compiler.fail(new TooExpensive(patience)), patience);
       onCompiling?.();

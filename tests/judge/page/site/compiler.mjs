@@ -41,10 +41,9 @@ async function load(hear) {
 let tools;
 let listener = () => {};
 
-/** What is asked for: a unit's module, an engine of several files, or only that all is loaded. */
+/** What is asked for: a unit's module, or an engine of several files. */
 function build({ toolchain, engines }, { unit, source, engine }) {
-  if (unit) return toolchain.build(unit, source);
-  return engine ? engines.build(engine.topic, engine.files) : null;
+  return unit ? toolchain.build(unit, source) : engines.build(engine.topic, engine.files);
 }
 
 onmessage = async ({ data: { id, ...request } }) => {
@@ -55,7 +54,7 @@ onmessage = async ({ data: { id, ...request } }) => {
     postMessage({ id, compiling: true }); // from now on the page counts
     const began = performance.now();
     const built = await build(loaded, request);
-    postMessage({ id, built: built && { ...built, seconds: (performance.now() - began) / 1000 } });
+    postMessage({ id, built: { ...built, seconds: (performance.now() - began) / 1000 } });
   } catch (failure) {
     tools = undefined; // a download that was broken off begins again
     postMessage({ id, failure: String(failure.message ?? failure) });

@@ -61,10 +61,10 @@ function markLine(editor, { line, column, kind, text }) {
 
 /**
  * @param place where it goes
- * @param options {text, label, describedBy, check, changed}: what it holds; its name for a screen
- *   reader, and the id of its help; what Ctrl-Enter and a change call
+ * @param options {text, label, describedBy, check, changed, focused}: what it holds; its name for a
+ *   screen reader, and the id of its help; what Ctrl-Enter, a change and coming to it call
  */
-export async function makeEditor(place, { text, label, describedBy, check, changed }) {
+export async function makeEditor(place, { text, label, describedBy, check, changed, focused }) {
   await loadCodeMirror();
   place.replaceChildren();
   const touch = matchMedia("(pointer: coarse)").matches;
@@ -77,6 +77,7 @@ export async function makeEditor(place, { text, label, describedBy, check, chang
   nameForReaders(editor, label, describedBy);
   const indentAgain = () => editor.setOption("extraKeys", indents);
   editor.on("focus", () => (cameByTab ? leave(editor) : indentAgain()));
+  editor.on("focus", focused);
   let marks = [];
   const unmark = () => marks.splice(0).forEach((clear) => clear());
   editor.on("changes", (_, changes) => {

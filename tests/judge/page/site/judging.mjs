@@ -37,6 +37,11 @@ export class Judging {
     this.setBusy(false);
   }
 
+  /** Has the compiler at work before the reader asks, where it is there already. */
+  async buildAhead(text) {
+    if (!this.busy && (await hasAgreed())) await (await theJudge()).buildAhead(this.unit.id, text);
+  }
+
   /** The button: checks, or ends what runs too long for a reader. */
   press() {
     if (this.running) this.running.abort();

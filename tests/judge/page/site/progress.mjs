@@ -2,7 +2,7 @@
 import { addressOf, units, unitsByChapter } from "./course.mjs";
 import { element } from "./element.mjs";
 import { allWork, onWorkOfOthers } from "./store.mjs";
-import { takeOver, workAsZip, workIn, written } from "./work.mjs";
+import { resetSince, takeOver, workAsZip, workIn, written } from "./work.mjs";
 
 const isDone = (work) => work?.last?.passed && work.checked === work.text;
 
@@ -44,18 +44,25 @@ async function draw(list, count) {
 
 async function download(say) {
   const work = await written(), count = work.length;
-  if (count === 0) return say("Nothing is written yet.");
+  if (count === 0) return say(`Nothing to download.${await warning(work)}`);
   const address = URL.createObjectURL(await workAsZip());
   element("a", { href: address, download: "tumble-exercises.zip" }).click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
   say(`${count} ${count === 1 ? "exercise" : "exercises"} in tumble-exercises.zip. You can hand it in, or open it in another browser.${await warning(work)}`);
 }
 
-/** Of what is in the file, but has not passed as it is. */
+const numbersOf = async (work) => {
+  const ids = new Set(work.map(({ id }) => id));
+  return (await units()).filter(({ id }) => ids.has(id)).map(({ number }) => number);
+};
+
+/** Of what is in the file but has not passed as it is, and of what is not in it but has passed. */
 async function warning(work) {
-  const open = new Set(work.filter((each) => !isDone(each)).map(({ id }) => id));
-  const numbers = (await units()).filter(({ id }) => open.has(id)).map(({ number }) => number);
-  return numbers.length === 0 ? "" : ` Not passed as ${numbers.length === 1 ? "it is" : "they are"} now: ${numbers.join(", ")}.`;
+  const open = await numbersOf(work.filter((each) => !isDone(each)));
+  const reset = await numbersOf(await resetSince());
+  const ofOpen = open.length === 0 ? "" : ` Not passed as ${open.length === 1 ? "it is" : "they are"} now: ${open.join(", ")}.`;
+  const ofReset = reset.length === 0 ? "" : ` Not in it: ${reset.join(", ")}, reset after passing. The text that passed is in the box, under “Earlier texts of yours”.`;
+  return ofOpen + ofReset;
 }
 
 async function open(file, say) {

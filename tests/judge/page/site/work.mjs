@@ -6,10 +6,22 @@ import { units } from "./course.mjs";
 
 const suffix = ".cpp";
 
+/** Work by whether its text is the stub: {written, untouched}. */
+async function sorted() {
+  const stubs = new Map((await units()).map((unit) => [unit.id, unit.stub]));
+  const isWritten = ({ id, text }) => text !== null && text !== stubs.get(id);
+  const all = await allWork();
+  return { written: all.filter(isWritten), untouched: all.filter((each) => !isWritten(each)) };
+}
+
 /** What was written: units whose text is not the stub. */
 export async function written() {
-  const stubs = new Map((await units()).map((unit) => [unit.id, unit.stub]));
-  return (await allWork()).filter(({ id, text }) => text !== null && text !== stubs.get(id));
+  return (await sorted()).written;
+}
+
+/** What has passed once, and is the stub again. */
+export async function resetSince() {
+  return (await sorted()).untouched.filter(({ right }) => right);
 }
 
 export async function workAsZip() {

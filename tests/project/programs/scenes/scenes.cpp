@@ -465,7 +465,8 @@ TEST_CASE("mass: a crossing is refused above a tolerance, and is a note below") 
   }
 }
 
-TEST_CASE("mass: a crossing below the tolerance is a note in each output, with its share") {
+TEST_CASE(
+    "mass, simulate: a crossing below the tolerance is a note in each output, with its share") {
   const std::string second = "v 0.999 0.999 0.999\nv 2 1 1\nv 1 2 1\nv 1 1 2\n";
   write("small_crossing.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
@@ -480,6 +481,9 @@ TEST_CASE("mass: a crossing below the tolerance is a note in each output, with i
   write("tetrahedron.obj", tetrahedron);
   CHECK(
       mentions(scenes("mass small_crossing.obj tetrahedron.obj").output, "self_crossing: 8.6e-10"));
+  const json body = {{"shape", {{"mesh", "small_crossing.obj"}}}, {"mass", 3}};
+  write("scene.json", json({{"bodies", {body}}, {"duration", 1}}).dump());
+  CHECK(mentions(scenes("simulate scene.json").output, "shape.mesh: self_crossing:"));
 }
 
 TEST_CASE("mass, simulate: faces with vertices of their own are joined where these are equal") {
@@ -497,7 +501,10 @@ TEST_CASE("mass, simulate: faces with vertices of their own are joined where the
   write("tetrahedron.obj", tetrahedron);
   CHECK(json::parse(scenes("mass tetrahedron.obj --json").output)["welded"] == 0);
   const json body = {{"shape", {{"mesh", "soup.obj"}}}, {"mass", 3}, {"velocity", {0, 0, 1}}};
-  CHECK(simulated({{"bodies", {body}}, {"duration", 1}})["end"].is_object());
+  write("scene.json", json({{"bodies", {body}}, {"duration", 1}}).dump());
+  const CommandResult moved = scenes("simulate scene.json");
+  CHECK(moved.status == 0);
+  CHECK(mentions(moved.output, "shape.mesh: welded: we take 8 vertices", "until t = 1 s"));
   // What is still open is told by the vertices' numbers in the file.
   write("open_soup.obj", soup);
   const CommandResult open = scenes("mass open_soup.obj");

@@ -73,6 +73,13 @@ TEST_CASE("tour: takes a user's mesh") {
   check_complete(tour("--mesh " + mesh_file(open_tetrahedron + "f 1 4 3\n")));
 }
 
+TEST_CASE("tour: says that it has welded a mesh") {
+  const std::string last = "v 0 0 0\nv 0 0 1\nv 0 1 0\nf 5 6 7\n";
+  const CommandResult result = tour("--mesh " + mesh_file(open_tetrahedron + last));
+  CHECK(result.status == 0);
+  CHECK(mentions(result.output, "welded: we take 3 vertices"));
+}
+
 TEST_CASE("tour: refuses a mesh that does not bound a body, naming file and edge") {
   const CommandResult result = tour("--mesh " + mesh_file(open_tetrahedron));
   CAPTURE(result.output);
