@@ -25,8 +25,8 @@ std::string text_about(const std::vector<std::string>& undefined) {
          (of_eigen
               ? "(An exercise has Eigen/Core alone. cross(), inverse() and determinant() are in\n"
                 "other headers of Eigen: write out what you need of them. For a × b you have 3.2:\n"
-                "skew(a) * b in chapter 3, rotation_matrices::skew(a) * b from chapter 5 on. Chapter 4\n"
-                "has no skew: there you write the three components out.)\n"
+                "skew(a) * b in chapter 3, rotation_matrices::skew(a) * b from chapter 5 on.\n"
+                "Chapter 4 has no skew: there you write the three components out.)\n"
               : "(A later exercise? A helper that is declared, but not defined?)\n");
 }
 
