@@ -457,10 +457,10 @@ const Misconceptions<decltype(when_bodies_meet::bounce)> misconceptions{
      {"spin stays",
       "Friction changes your ball's velocity, but not its spin. The impulse has an arm of one "
       "radius.",
-      "How a point responds to an impulse", as({.torque = 0})},
+      "From contact to contact", as({.torque = 0})},
      {"spun the wrong way",
       "Friction spins your ball the wrong way round: a ball that slides starts to roll forwards.",
-      "How a point responds to an impulse", as({.torque = -1})},
+      "From contact to contact", as({.torque = -1})},
      {"hollow ball",
       "You took the moment of inertia of a hollow ball. This one is solid: 2/5 m r².",
       "From contact to contact", as({.inertia = 2. / 3, .answer = 2.5})},
