@@ -8,6 +8,7 @@
 #include "judge/commands/matrix.hpp"
 #include "judge/commands/misconceptions_page.hpp"
 #include "judge/course/contract.hpp"
+#include "judge/course/derivation.hpp"
 #include "judge/course/hints.hpp"
 #include "judge/verdict/judge_all.hpp"
 #include "support/text_file.hpp"
@@ -40,6 +41,8 @@ int stubs(const Course& course) {
   for (const Unit& unit : course.units) {
     if (!is_stub(course, unit)) complain(unit, "is not the stub that its contract gives");
     read_hints(course, unit);
+    if (fs::exists(course.page(unit)) && derivation_of(course, unit).empty())
+      complain(unit, "is not written anywhere in " + course.page(unit).string());
   }
   const std::unique_ptr<const ObjectCache> earlier = objects_of_earlier(course);
   Judgement judgement;

@@ -11,6 +11,7 @@
 
 #include "judge/conversation/endings.hpp"
 #include "judge/course/contract.hpp"
+#include "judge/course/derivation.hpp"
 #include "judge/spec/demand.hpp"
 #include "judge/verdict/number_text.hpp"
 #include "judge/verdict/typed_text.hpp"
@@ -185,6 +186,8 @@ class Printer {
            << paint(one_line(finding.place), Colour::bold) << "\n";
     for (const Misconception& misconception : finding.misconceptions)
       explain_misconception(misconception);
+    if (finding.outcome == Outcome::wrong && !names_section(finding))
+      print_section(derivation_of(course_, result_.unit));
     if (const std::string printed = printed_by_student(finding); !printed.empty())
       out_ << "\n      It printed:\n" << indented(printed, "        | ", 12);
     out_ << "\n      To run only this case:  "
@@ -320,7 +323,9 @@ class Printer {
       case Outcome::hung:
         return "      Your code did not answer: " + detail + ". A loop that never ends?";
       case Outcome::out_of_memory:
-        return "      Your code asked for too much memory: " + detail + " is not allowed.";
+        return "      Your code asked for too much memory: " + detail +
+               " is not allowed.\n      A loop that "
+               "never ends, and keeps more and more?";
       case Outcome::flooded:
         return "      Your code prints without end: " + detail + ".";
       case Outcome::exited:
@@ -348,9 +353,18 @@ class Printer {
   void explain_misconception(const Misconception& misconception) {
     out_ << "\n      " << paint("It looks like “" + misconception.name + "”.", Colour::yellow)
          << "\n      " << wrapped(misconception.sentence, 6) << "\n";
+    print_section(misconception.section);
+  }
+
+  static bool names_section(const Finding& finding) {
+    return std::any_of(finding.misconceptions.begin(), finding.misconceptions.end(),
+                       [](const Misconception& each) { return !each.section.empty(); });
+  }
+
+  void print_section(const std::string& section) {
     const fs::path page = course_.page(result_.unit);
-    if (!misconception.section.empty() && fs::exists(page))
-      out_ << "      Read " << relative(page) << ", “" << misconception.section << "”.\n";
+    if (!section.empty() && fs::exists(page))
+      out_ << "      Read " << relative(page) << ", “" << section << "”.\n";
   }
 
   void print_luck() {

@@ -16,7 +16,7 @@ const said = {
     "      It looks like “operands swapped”.\n      This is b a.\n" +
     "      Read chapters/04_quaternions/README.md, “The product”.\n\n" +
     "      To run only this case:  ./tumble check 4.1.1 --seed 7\n\n  ✓ another law\n",
-  compile: "✗ 4.1 product  does not compile  (0.01 s)\n\n  The compiler does not accept product.cpp:\n\n" +
+  compile: "✗ 4.1 product  does not compile  (0.01 s)\n\n  The compiler does not accept exercises/04_quaternions/product.cpp:\n\n" +
     "    product.cpp:2:8: error: what is wrong\n",
 };
 export class Judge {

@@ -85,6 +85,8 @@ TEST_CASE("exercises in the page: what the compiler says is shown in its line") 
   REQUIRE(page.says("check('compile')") == true);
   CHECK(page.says("box.querySelector('.compiler-note').textContent") == "error: what is wrong");
   CHECK(page.says("editor().lineInfo(1).bgClass") == "compiler-line-error");
+  CHECK(page.says("box.querySelector('.verdict').textContent.includes('does not accept your text:')") ==
+        true);
   REQUIRE(page.says("check('wrong')") == true);
   CHECK(page.says("box.querySelector('.compiler-note')") == Json());
 }
@@ -117,6 +119,14 @@ TEST_CASE("exercises in the page: who pauses finds their text built, once they h
   page.open();
   page.says("editor().focus()");
   CHECK(page.says("until(() => globalThis.ahead?.at(-1) === 'thought over')") == true);
+}
+
+TEST_CASE("exercises in the page: a brace is closed by who writes, another bracket by the editor") {
+  if (!can_try()) return;
+  ExercisePage page;
+  page.says("write(''), editor().focus()");
+  page.browser.type("f(x[1] {}");
+  CHECK(page.says("editor().getValue()") == "f(x[1] {})");
 }
 
 TEST_CASE("exercises in the page: a text is built once, and only the last one ahead") {

@@ -226,6 +226,14 @@ void Chromium::press(const std::string& key, int number) {
          {{"type", type}, {"key", key}, {"code", key}, {"windowsVirtualKeyCode", number}});
 }
 
+void Chromium::type(const std::string& text) {
+  for (const char c : text) {
+    const std::string key(1, c);
+    call("Input.dispatchKeyEvent", {{"type", "keyDown"}, {"key", key}, {"text", key}});
+    call("Input.dispatchKeyEvent", {{"type", "keyUp"}, {"key", key}});
+  }
+}
+
 void Chromium::screenshot(const fs::path& file) {
   const Json answer = call("Page.captureScreenshot", {{"format", "png"}});
   std::ofstream(file, std::ios::binary) << decoded(answer["data"]);

@@ -39,6 +39,8 @@ class Chromium {
   void drag(double x, double y, double to_x, double to_y);
   /// Presses a key, by its name and the number that browsers have for it: ("Tab", 9).
   void press(const std::string& key, int number);
+  /// Presses the keys of a text of ASCII characters.
+  void type(const std::string& text);
   /// A picture of the window, as PNG.
   void screenshot(const std::filesystem::path& file);
 

@@ -147,8 +147,9 @@ export class Judge {
     const hung = [];
     for (;;) {
       try {
-        const { verdict } = await this.#judge({ unit, source, built, seed, hung }, listeners);
-        return { ...JSON.parse(verdict), json: verdict, seconds: (performance.now() - began) / 1000 };
+        const waited = { ...built, seconds: (performance.now() - began) / 1000 }; // for all of it, as a reader does
+        const { verdict } = await this.#judge({ unit, source, built: waited, seed, hung }, listeners);
+        return { ...JSON.parse(verdict), json: verdict };
       } catch (failure) {
         if (!(failure instanceof Hung)) throw failure;
         hung.push(failure.at); // the same again, and this question has no answer

@@ -22,6 +22,8 @@ function loadCodeMirror() {
   return loaded;
 }
 
+const pairs = '()[]""'; // not braces: who types both would have one too many
+
 let cameByTab = false; // whether the last thing that a reader did was to press Tab
 document.addEventListener("keydown", ({ key }) => (cameByTab = key === "Tab"), true);
 document.addEventListener("pointerdown", () => (cameByTab = false), true);
@@ -71,7 +73,7 @@ export async function makeEditor(place, { text, label, describedBy, check, chang
   const { indents, leave } = keys(check);
   const editor = globalThis.CodeMirror(place, {
     value: text, mode: "text/x-c++src", theme: "tumble", indentUnit: 2, tabSize: 2, lineNumbers: true,
-    lineWrapping: true, matchBrackets: true, autoCloseBrackets: !touch, viewportMargin: Infinity, extraKeys: indents,
+    lineWrapping: true, matchBrackets: true, autoCloseBrackets: !touch && pairs, viewportMargin: Infinity, extraKeys: indents,
     inputStyle: touch ? "contenteditable" : "textarea",
   });
   nameForReaders(editor, label, describedBy);

@@ -20,6 +20,12 @@ function headingOf(section) {
   return named?.querySelector("a.anchor[id]")?.id ?? named?.id;
 }
 
+/** The file that is judged is the text in the editor, except where a message names a line of it. */
+function withoutFile(text, unit) {
+  const file = `exercises/${unit}\\.cpp(?!:\\d)`;
+  return text.replace(new RegExp(`^(\\s*)${file}`, "gm"), "$1Your text").replace(new RegExp(file, "g"), "your text");
+}
+
 /** Lines that name a command or a file of the course: what they are in a page. */
 function rewritings(actions) {
   return [
@@ -71,7 +77,7 @@ function reflowed(lines, rules) {
 
 /** Its first line, and the others as the terminal has them. */
 export function partsOf(verdict) {
-  const [first, ...rest] = verdict.explanation.trimEnd().split("\n");
+  const [first, ...rest] = withoutFile(verdict.explanation, verdict.unit).trimEnd().split("\n");
   while (rest[0]?.trim() === "") rest.shift();
   return { first, rest };
 }

@@ -122,6 +122,23 @@ TEST_CASE("check: what was asked, what came back, the misconception, and how to 
   CHECK(contains(judge("check 1.2.9").output, "has no test case number 9"));
 }
 
+TEST_CASE("check: where nobody knows the mistake, the section that derives the function is named") {
+  const FreshCourse fresh;
+  const fs::path page = course / "chapters/01_crossing/README.md";
+  fs::create_directories(page.parent_path());
+  write(page,
+        "# Crossing\n## A step\n<!-- exercise: 1.1 -->\n## Two steps\n<!-- exercise: 1.2 -->\n"
+        "## What we have now\n");
+  write(twice,
+        "#include \"contract.hpp\"\nnamespace crossing {\n"
+        "Eigen::VectorXd twice(const Rhs&, double, const Eigen::VectorXd& y, double) {\n"
+        "  return 0.7 * y.array() + 3;\n}\n}\n");
+  const std::string output = judge("check 1.2").output;
+  fs::remove_all(course / "chapters");
+  CHECK_MESSAGE(contains(output, "Read chapters/01_crossing/README.md, “Two steps”."), output);
+  CHECK_FALSE(contains(judge("check 1.2").output, "Read chapters"));
+}
+
 TEST_CASE("check --json: complete after each unit, for other programs") {
   const FreshCourse fresh;
   const fs::path file = fs::temp_directory_path() / "tumble-results-test.json";
