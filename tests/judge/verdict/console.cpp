@@ -187,7 +187,8 @@ class Printer {
     for (const Misconception& misconception : finding.misconceptions)
       explain_misconception(misconception);
     if (finding.outcome == Outcome::wrong && !names_section(finding))
-      print_section(derivation_of(course_, result_.unit));
+      out_ << (finding.misconceptions.empty() ? "\n" : "")
+           << where_to_read(derivation_of(course_, result_.unit));
     if (const std::string printed = printed_by_student(finding); !printed.empty())
       out_ << "\n      It printed:\n" << indented(printed, "        | ", 12);
     out_ << "\n      To run only this case:  "
@@ -324,8 +325,8 @@ class Printer {
         return "      Your code did not answer: " + detail + ". A loop that never ends?";
       case Outcome::out_of_memory:
         return "      Your code asked for too much memory: " + detail +
-               " is not allowed.\n      A loop that "
-               "never ends, and keeps more and more?";
+               " is not allowed."
+               "\n      A loop that never ends, and keeps more and more?";
       case Outcome::flooded:
         return "      Your code prints without end: " + detail + ".";
       case Outcome::exited:
@@ -353,7 +354,7 @@ class Printer {
   void explain_misconception(const Misconception& misconception) {
     out_ << "\n      " << paint("It looks like “" + misconception.name + "”.", Colour::yellow)
          << "\n      " << wrapped(misconception.sentence, 6) << "\n";
-    print_section(misconception.section);
+    out_ << where_to_read(misconception.section);
   }
 
   static bool names_section(const Finding& finding) {
@@ -361,10 +362,10 @@ class Printer {
                        [](const Misconception& each) { return !each.section.empty(); });
   }
 
-  void print_section(const std::string& section) {
+  std::string where_to_read(const std::string& section) const {
     const fs::path page = course_.page(result_.unit);
-    if (!section.empty() && fs::exists(page))
-      out_ << "      Read " << relative(page) << ", “" << section << "”.\n";
+    if (section.empty() || !fs::exists(page)) return {};
+    return "      Read " + relative(page) + ", “" + section + "”.\n";
   }
 
   void print_luck() {
