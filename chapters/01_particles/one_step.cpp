@@ -48,13 +48,19 @@ std::vector<Vec2> exact_curve() {
 }
 
 /// A place, the way to it from the start of the step, and the slope that is found there.
-void draw_slope(support::Sketch& sketch, const Vec2& place, const std::string& name) {
+void draw_slope(support::Sketch& sketch, const Vec2& place) {
   const Vec2 at = drawn(place.x(), place.y());
   const Vec2 along = drawn(1, logistic(0, Scalar(place.y()))[0]).normalized() * 0.08;
   sketch.curve({drawn(0, logistic_start), at}, {"c3", 1, 0.5});
   sketch.curve({at - along, at + along}, {"c3", 3});
   sketch.dot(at, "c3", 3);
-  sketch.words(at, name == "k₃" ? Vec2(-24, -7) : Vec2(7, 21), name, "c3");
+}
+
+/// The names of the slopes, above all that is drawn.
+void name_slopes(support::Sketch& sketch, const std::vector<Vec2>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    sketch.words(drawn(places[i].x(), places[i].y()), i == 2 ? Vec2(-24, -7) : Vec2(7, 21),
+                 "k" + std::string(subscripts[i]), "c3");
 }
 
 /// The axis of time, with the three moments at which a method may look.
@@ -75,10 +81,10 @@ void draw_step(support::Sketch& sketch, const std::string& name) {
   draw_time(sketch);
   sketch.curve(exact_curve(), {"faint", 2.2});
   sketch.curve({drawn(0, logistic_start), arrival}, {colour_of(name), 1.6});
-  std::size_t slope = 0;
-  for (const Vec2& place : places_of<Method>())
-    draw_slope(sketch, place, "k" + std::string(subscripts[slope++]));
+  const std::vector<Vec2> places = places_of<Method>();
+  for (const Vec2& place : places) draw_slope(sketch, place);
   sketch.dot(arrival, colour_of(name), 4.5);
+  name_slopes(sketch, places);
   sketch.words({0, 1.08}, {0, 0}, name, colour_of(name));
 }
 

@@ -58,10 +58,11 @@ void draw_sides(Sketch& sketch, const std::array<Vec2, 3>& v, const Vec2& p) {
     const bool left = turn_of(a, b, p) > 0;
     const std::string colour = left ? "c0" : "c1";
     sketch.curve({a, b, p, a}, {colour, 1, 1, 0.2});
-    sketch.words((a + b + p) / 3, {-6, 6}, left ? "+" : "−", colour);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2 &a = v[i], &b = v[(i + 1) % 3];
+    const bool left = turn_of(a, b, p) > 0;
+    sketch.words((a + b + p) / 3, {-6, 6}, left ? "+" : "−", left ? "c0" : "c1");
     sketch.curve({a, b}, {"ink", 2.2});
     sketch.arrow(a, a + 0.56 * (b - a), {"ink", 2.2});
     sketch.words(a, beside[i], names[i]);

@@ -6,7 +6,7 @@
 #include "mug_drawing.hpp"
 #include "parts.hpp"
 #include "support/flow_sketch.hpp"
-#include "support/sphere_curves.hpp"
+#include "support/space_sketch.hpp"
 
 namespace rigid_body_chapter {
 
@@ -50,16 +50,6 @@ namespace {
 /// From a little above, x to the right, y to the left and back, z up.
 Mat3 view_from_the_front() { return support::view_from(-112 * degree, 20 * degree); }
 
-/// Three arrows from a point, with the names of the axes at their tips.
-void draw_axes(Sketch& sketch, const Mat3& view, const Vec3& origin, const Mat3& axes,
-               const std::array<std::string, 3>& names, const std::string& colour) {
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    const Vec2 from = (view * origin).head<2>(), to = (view * (origin + axes.col(i))).head<2>();
-    sketch.arrow(from, to, {colour, 1.8});
-    sketch.words_on_lines(to, {6, -4}, names[static_cast<std::size_t>(i)], colour);
-  }
-}
-
 }  // namespace
 
 std::string frames_figure() {
@@ -73,15 +63,17 @@ std::string frames_figure() {
   const Vec3 p = point_position<double>(now, spring.p_body);
   const auto seen = [&view](const Vec3& point) -> Vec2 { return (view * point).head<2>(); };
   draw_mug(sketch, view, now, {"faint", 1.5});
-  draw_axes(sketch, view, Vec3::Zero(), 0.07 * Mat3::Identity(), {"x_world", "y_world", "z_world"},
-            "ink");
   sketch.arrow({0, 0}, seen(now.x), {"c0", 2.4});
   sketch.words(seen(now.x / 2), {0, 24}, "x", "c0", "middle");
   sketch.arrow(seen(now.x), seen(p), {"c1", 2.4});
   sketch.words(seen((now.x + p) / 2), {4, 30}, "R p_body", "c1", "start");
   sketch.arrow({0, 0}, seen(p), {"c3", 2.4});
   sketch.words(seen(0.56 * p), {-10, -10}, "p = x + R p_body", "c3", "end");
-  draw_axes(sketch, view, now.x, 0.075 * now.R, {"x_body", "y_body", "z_body"}, "c2");
+  support::SpaceSketch space(sketch, view);
+  const support::Pen ink{"ink", 1.8}, green{"c2", 1.8};
+  space.axes(Vec3::Zero(), 0.07 * Mat3::Identity(), {"x_world", "y_world", "z_world"},
+             {ink, ink, ink});
+  space.axes(now.x, 0.075 * now.R, {"x_body", "y_body", "z_body"}, {green, green, green});
   sketch.dot(seen(p), "ink", 4);
   return sketch.svg();
 }

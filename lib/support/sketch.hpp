@@ -98,34 +98,22 @@ class Sketch {
   /// What has been drawn elsewhere, in pixels, such as a mesh.
   void drawing(const std::string& svg) { svg_ += svg; }
 
-  /// Words beside a point.
+  /// Words beside a point, with a rim of paper that parts them from the lines below.
   /// @param offset [px] right and down of the point
   /// @param anchor "start", "middle" or "end": which part of the words is there
   void words(const Vec2& point, const Vec2& offset, const std::string& text,
              const std::string& colour = "ink", const std::string& anchor = "start") {
-    write(point, offset, text, fill_of(colour), anchor);
-  }
-
-  /// The same where lines pass: with a rim of paper, which they don't cross.
-  void words_on_lines(const Vec2& point, const Vec2& offset, const std::string& text,
-                      const std::string& colour, const std::string& anchor = "start") {
-    write(point, offset, text,
-          fill_of(colour) + " " + stroke_of("paper") + " stroke-width=\"4\" paint-order=\"stroke\"",
-          anchor);
+    const Vec2 p = pixels(point) + offset;
+    svg_ += "<text x=\"" + svg_number(p.x()) + "\" y=\"" + svg_number(p.y()) + "\" " +
+            fill_of(colour) + " " + stroke_of("paper") +
+            " stroke-width=\"4\" paint-order=\"stroke\" font-size=\"" + svg_number(text_size_) +
+            "\" text-anchor=\"" + anchor + "\">" + svg_words(text) + "</text>\n";
   }
 
   /// The drawing as a complete SVG document.
   std::string svg() const { return svg_ + "</svg>\n"; }
 
  private:
-  void write(const Vec2& point, const Vec2& offset, const std::string& text,
-             const std::string& look, const std::string& anchor) {
-    const Vec2 p = pixels(point) + offset;
-    svg_ += "<text x=\"" + svg_number(p.x()) + "\" y=\"" + svg_number(p.y()) + "\" " + look +
-            " font-size=\"" + svg_number(text_size_) + "\" text-anchor=\"" + anchor + "\">" +
-            svg_words(text) + "</text>\n";
-  }
-
   Vec2 pixels(const Vec2& point) const {
     return {window_.x + window_.scale * point.x(), window_.y - window_.scale * point.y()};
   }

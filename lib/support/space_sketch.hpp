@@ -44,9 +44,12 @@ class SpaceSketch {
   /// Three arrows from a point, the columns of a matrix, with names at their tips.
   void axes(const Vec3& origin, const Mat3& columns, const std::array<std::string, 3>& names,
             const std::array<Pen, 3>& pens) {
+    const auto tip_of = [&](std::size_t i) -> Vec3 {
+      return origin + columns.col(static_cast<Eigen::Index>(i));
+    };
+    for (std::size_t i = 0; i < 3; ++i) arrow(origin, tip_of(i), pens[i]);
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 tip = origin + columns.col(static_cast<Eigen::Index>(i));
-      arrow(origin, tip, pens[i]);
+      const Vec3 tip = tip_of(i);
       const Vec2 along = (seen(tip) - seen(origin)).normalized();
       words(tip, {14 * along.x(), 5 - 14 * along.y()}, names[i], pens[i].colour);
     }

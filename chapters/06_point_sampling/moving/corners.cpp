@@ -103,7 +103,7 @@ void draw_ray(Sketch& sketch, const Vec2& p, const Crossings& met) {
     last = x;
     const std::string colour = sign > 0 ? "c0" : "c1";
     sketch.dot({x, p.y()}, colour, 5);
-    sketch.words({x, p.y()}, {4 + 15. * here, -8}, sign > 0 ? "+" : "−", colour);
+    sketch.words({x, p.y()}, {13 + 15. * here, -10}, sign > 0 ? "+" : "−", colour);
   }
   sketch.dot(p, "ink", 7);
 }
