@@ -9,8 +9,9 @@
 /// the lengths |M v| for all v of length 1, divided by the smallest of them. A rounding is the eps
 /// of a double, 2.2e-16.
 ///
-/// You may use the standard library, Eigen/Core and the functions of earlier exercises. Other parts
-/// of Eigen are not there: no cross(), inverse(), determinant() or decomposition, no rotations.
+/// You may use the standard library, Eigen/Core and the functions of earlier exercises. The judge
+/// brings right ones along, whatever yours do. Other parts of Eigen are not there: no cross(),
+/// inverse(), determinant() or decomposition, no rotations.
 
 #include <Eigen/Core>
 #include <array>

@@ -173,7 +173,7 @@ const Misconceptions<decltype(quaternions::slerp)> misconceptions{
      {"straight line too early",
       "Where a and b are near each other, you replace the arc by a straight line, and they are not "
       "near enough for that: the difference is far above rounding.",
-      "Slerp",
+      "What breaks",
       [](const Quaternion& a, const Quaternion& b, double t) -> Quaternion {
         constexpr double near = 0.9995;
         if (std::abs(a.dot(b)) > near) return line(a, nearer(a, b), t).normalized();
@@ -182,14 +182,14 @@ const Misconceptions<decltype(quaternions::slerp)> misconceptions{
      {"zero over zero",
       "Where a and b are the same rotation, the angle between them and its sine are 0, and you "
       "divide by it.",
-      "Slerp",
+      "What breaks",
       [](const Quaternion& a, const Quaternion& b, double t) -> Quaternion {
         return arc(a, nearer(a, b), std::acos(std::abs(a.dot(b))), t);
       }},
      {"stuck where b is close to a",
       "Where the cosine between a and b is rounded to 1, you return a. They may still be 1e-8 rad "
       "apart: the small step towards b is missing.",
-      "Slerp",
+      "What breaks",
       [](const Quaternion& a, const Quaternion& b, double t) {
         return std::abs(a.dot(b)) >= 1 ? a : reference::slerp(a, b, t);
       }},

@@ -51,6 +51,13 @@ void mark_this_page(std::string& text, const std::string& name) {
                  R"(<a aria-current="page" href=")" + name + "\"");
 }
 
+/// In a list of tabs or bookmarks, the front page says what it is about.
+void name_front_page(std::string& text) {
+  const std::string twice = "<title>tumble – tumble</title>";
+  if (const auto at = text.find(twice); at != std::string::npos)
+    text.replace(at, twice.size(), "<title>tumble: rigid-body dynamics by building it</title>");
+}
+
 void make_headings(std::string& text) {
   const std::string title = "<div class=\"title\">";
   const auto at = text.find(title);
@@ -128,6 +135,7 @@ void finish_site(const fs::path& root, const fs::path& folder) {
     if (entry.path().extension() != ".html") continue;
     std::string text = with_drawings(root, text_of(entry.path()));
     mark_this_page(text, entry.path().filename().string());
+    name_front_page(text);
     make_headings(text);
     drop_summary(text);
     lower_sections(text);

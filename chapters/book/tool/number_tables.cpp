@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "book/tool/page.hpp"
+#include "book/tool/wording.hpp"
 #include "support/svg.hpp"
 
 namespace tumble::book {
@@ -140,8 +141,10 @@ std::string number_table_html(const std::string& text) {
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.empty(); })) return {};
   rows = joined(rows);
   for (std::size_t k = 0; k < columns.size(); ++k) columns[k].holds_text = holds_text(k, rows);
+  Row head;
+  for (const std::string& cell : rows[0]) head.push_back(with_whole_formulas(cell));
   std::string html = R"(<div class="scroll" tabindex="0"><table class="numbers"><thead>)" +
-                     row_html(rows[0], columns, "th") + "</thead><tbody>";
+                     row_html(head, columns, "th") + "</thead><tbody>";
   for (std::size_t i = 1; i < rows.size(); ++i) html += row_html(rows[i], columns, "td");
   return html + "</tbody></table></div>";
 }

@@ -12,16 +12,26 @@ namespace {
 /// A blank at which a line doesn't break.
 constexpr const char* unbroken = "\u00a0";
 
-/// Words between code and formulas, with numbers that stay with what they count.
+/// The text with unbroken blanks at all places of this kind: $1 and $2 stay together.
+std::string joined(std::string text, const std::regex& pair) {
+  for (std::string before; before != text;) {
+    before = text;
+    text = std::regex_replace(before, pair, std::string("$1") + unbroken + "$2");
+  }
+  return text;
+}
+
+/// Words between code and formulas, with numbers that stay with what they count, with the others of
+/// a vector, and with what they are equal to.
 std::string with_units(const std::string& words) {
   static const std::string unit =
       "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])";
   static const std::regex number("([0-9]) (" + unit + ")"),
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
-      counted("(Figure|Table|chapter|Chapter|order|DP) ([0-9])");
+      counted("(Figure|Table|chapter|Chapter|order|DP|=) ((?:−)?[0-9])"),
+      vector("(\\((?:(?:−)?[0-9.]+,(?: |\u00a0))*(?:−)?[0-9.]+,) ((?:−)?[0-9.]+[,)])");
   std::string text = words;
-  for (const std::regex& pair : {number, product, counted})
-    text = std::regex_replace(text, pair, std::string("$1") + unbroken + "$2");
+  for (const std::regex& pair : {number, product, counted, vector}) text = joined(text, pair);
   return text;
 }
 
@@ -40,6 +50,14 @@ std::string with_round_quotes(const std::string& words, char before) {
 }
 
 }  // namespace
+
+std::string with_whole_formulas(const std::string& words) {
+  static const std::regex behind("(−|\\+|×|·|=|/|±) ([^ ])"), ahead("([^ ]) (−|\\+|×|·|=|/|±)"),
+      bracketed("(\\[[^\\]]*|\\([^)]*) ([^\\])]*[\\])])");
+  std::string text = with_units(words);
+  for (const std::regex& pair : {behind, ahead, bracketed}) text = joined(text, pair);
+  return text;
+}
 
 std::string on_the_site(const std::string& text) {
   const bool has_tags = text.find('<') != std::string::npos;  // with quotes of their own

@@ -6,7 +6,11 @@
 
 namespace tumble::book {
 
-/// A line of a page as the site shows it: a number stays with its unit, and "…" is “…”, because
+/// The head of a column, which breaks between words, and not in a formula, a bracket or a unit.
+std::string with_whole_formulas(const std::string& words);
+
+/// A line of a page as the site shows it: a number stays with its unit, a vector in
+/// one line, and "…" is “…”, because
 /// Doxygen leaves formulas between straight quotes alone. Code and formulas stay as they are.
 std::string on_the_site(const std::string& text);
 

@@ -69,6 +69,26 @@ std::string words_of(const std::string& line) {
   return line.substr(line.find(error_mark) + error_mark.size());
 }
 
+/// What an error in a student's own line says, where the compiler's words are about templates or
+/// leave out what to do; empty if they are good.
+std::string plain_words_of(const std::string& line) {
+  const bool has_number = has(line, "'int'") || has(line, "'double'");
+  const bool has_matrix = has(line, "Matrix") || has(line, "Eigen::") || has(line, "Cwise");
+  if (has_number && has_matrix &&
+      (has(line, "no match for 'operator") || has(line, "invalid operands to binary expression")))
+    return "a number can't be added to a matrix, or divided by one: the 1 of a formula for "
+           "matrices "
+           "is Eigen::Matrix3d::Identity()";
+  if (has(line, "'this' argument") &&
+      (has(line, "discards qualifiers") || has(line, "not marked const")))
+    return "this function changes the object that it is called on, and yours is const: copy it, or "
+           "call what returns a new one, as v.normalized() does";
+  for (const std::string name : {"cout", "cerr", "endl"})
+    if (has(line, "no member named '" + name + "' in namespace 'std'"))
+      return "std::" + name + " needs #include <iostream>";
+  return {};
+}
+
 struct SourcePlace {
   std::size_t line = 0, column = 0;
 };
@@ -103,17 +123,18 @@ class Rewriting {
  private:
   std::string rewritten(std::size_t i) {
     const std::string& line = output_[i];
-    const bool is_here = place_at(line, source_).has_value();
-    if (is_here && leads_to_header(line)) {
+    const std::optional<SourcePlace> here = place_at(line, source_);
+    if (here && leads_to_header(line)) {
       is_dropped_ = true;  // and the lines that it points at
       return {};
     }
     is_dropped_ = is_dropped_ && line.starts_with(' ');
-    const std::optional<SourcePlace> place =
-        has(line, error_mark) && !is_here ? place_of_error(i) : std::optional<SourcePlace>();
-    if (!place) return is_dropped_ ? "" : line + "\n";
+    if (!has(line, error_mark)) return is_dropped_ ? "" : line + "\n";
+    const std::string plain = here ? plain_words_of(line) : words_of(line);
+    const std::optional<SourcePlace> place = here ? here : place_of_error(i);
+    if (!place || plain.empty()) return line + "\n";
     is_dropped_ = true;
-    return told_.insert(place->line).second ? error_at(*place, words_of(line)) : "";
+    return told_.insert(place->line).second ? error_at(*place, plain) : "";
   }
 
   /// The place in the source that led to the error in line i.

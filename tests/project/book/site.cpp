@@ -9,6 +9,7 @@
 #include "book/tool/converter.hpp"
 #include "book/tool/finish.hpp"
 #include "book/tool/html.hpp"
+#include "book/tool/wording.hpp"
 #include "project/harness/refusal.hpp"
 #include "project/harness/temporary_folder.hpp"
 
@@ -142,6 +143,21 @@ TEST_CASE("what touches a formula stays in its line") {
   CHECK(project.converted("| $x$, | ($y$) |\n") == "| \\f$x\\f$, | (\\f$y\\f$) |\n");
 }
 
+TEST_CASE("a vector, and what a sum is equal to, stay in one line") {
+  const Project project;
+  CHECK(
+      project.converted("At (3, −4, 0.5) N, (1, 2), f(x, 3) and 2 + 3 = 5, or so = −1 (a, b).\n") ==
+      "At (3,\u00a0−4,\u00a00.5) N, (1,\u00a02), f(x, 3) and 2 + 3 =\u00a05, or so =\u00a0−1 "
+      "(a, b).\n");
+}
+
+TEST_CASE("the head of a column breaks between words, and not in a formula") {
+  CHECK(with_whole_formulas("‖RᵀR − 1‖ at most") == "‖RᵀR\u00a0−\u00a01‖ at most");
+  CHECK(with_whole_formulas("inertia [kg m²]") == "inertia [kg\u00a0m²]");
+  CHECK(with_whole_formulas("DP 5(4), x and z") == "DP\u00a05(4), x and z");
+  CHECK(with_whole_formulas("v + ω × (R p_body)") == "v\u00a0+\u00a0ω\u00a0×\u00a0(R\u00a0p_body)");
+}
+
 TEST_CASE("a number stays with its unit") {
   const Project project;
   CHECK(project.converted("By 8 N s. End.\n") == "By 8\u00a0N\u00a0s. End.\n");
@@ -233,6 +249,14 @@ TEST_CASE("a finished page has a heading, its own link marked, and tables in fra
         "<nav id=\"sidebar\"><a href=\"b.html\">B</a><a aria-current=\"page\" href=\"a.html\">A</a>"
         "</nav><h1 class=\"title\">A </h1><p>A.</p><div class=\"scroll\" tabindex=\"0\"><table "
         "class=\"markdownTable\"></table></div>");
+}
+
+TEST_CASE("the front page has a name that tells it from the others") {
+  const Project project;
+  project.write("html/index.html", "<title>tumble – tumble</title>");
+  finish_site(project.path(), project.path() / "html");
+  CHECK(text_of(project.path() / "html/index.html") ==
+        "<title>tumble: rigid-body dynamics by building it</title>");
 }
 
 TEST_CASE("the signature of an exercise leads nowhere, other code leads to the library") {

@@ -80,7 +80,8 @@ export class Judge {
    */
   check(unit, source, { seed, onProgress = () => {}, onCompiling = () => {}, onHung = () => {}, signal }) {
     this.ahead = null; // what has not begun gives way
-    const verdict = this.#inTurn(() => this.#check(unit, source, seed, { onProgress, onCompiling, onHung, signal }));
+    const began = performance.now(); // a reader waits for the turn, too
+    const verdict = this.#inTurn(() => this.#check(unit, source, seed, began, { onProgress, onCompiling, onHung, signal }));
     return Promise.race([verdict, brokenOff(signal)]); // also while it waits for its turn
   }
 
@@ -139,8 +140,7 @@ export class Judge {
     return this.last[kind].built;
   }
 
-  async #check(unit, source, seed, listeners) {
-    const began = performance.now();
+  async #check(unit, source, seed, began, listeners) {
     const built = await this.#kept("unit", { unit, source }, () => this.#buildUnit(unit, source, listeners));
     if (built.step === "limit") this.last.unit = null; // the computer may have more time or memory later
     listeners.onCompiling(); // it may have been built before

@@ -53,6 +53,7 @@ export class Judging {
     const text = await box.text();
     const bar = progressBar(parts.progress);
     this.say("Starting the compiler …");
+    parts.next.hidden = true;
     this.reveal();
     this.setRunning(new AbortController());
     try {

@@ -50,6 +50,29 @@ TEST_CASE("clang tells of it in a note behind its error") {
             "/tmp/w/a.cpp:3:1: error: expected ';'\n");
 }
 
+TEST_CASE("an error in the student's own line is told in plain words where these are clearer") {
+  const std::string place = "/tmp/w/a.cpp:2:12: error: ";
+  const std::string quote = "    2 |   return v * v;\n      |            ^\n";
+  const auto words_for = [&](const std::string& words) {
+    return seen(place + words + "\n  return v * v;\n           ^\n");
+  };
+  for (const char* sum :
+       {"no match for 'operator+' (operand types are 'int' and 'Eigen::Matrix3d')",
+        "invalid operands to binary expression ('int' and 'const CwiseBinaryOp<>')"})
+    CHECK(words_for(sum) ==
+          place +
+              "a number can't be added to a matrix, or divided by one: the 1 of a formula for "
+              "matrices is Eigen::Matrix3d::Identity()\n" +
+              quote);
+  CHECK(words_for("no member named 'cout' in namespace 'std'") ==
+        place + "std::cout needs #include <iostream>\n" + quote);
+  for (const char* kept : {"expected ';'", "invalid operands to binary expression ('A' and 'int')",
+                           "no member named 'clamp' in namespace 'std'"})
+    CHECK(words_for(kept) == place + kept + "\n  return v * v;\n           ^\n");
+  CHECK(words_for("passing 'const V' as 'this' argument discards qualifiers [-fpermissive]")
+            .starts_with(place + "this function changes the object that it is called on"));
+}
+
 TEST_CASE("the first error of a line in a header is told there, what follows from it is not") {
   CHECK(
       seen("/tmp/w/a.cpp:2:12:   required from here\n"
