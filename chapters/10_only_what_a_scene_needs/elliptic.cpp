@@ -36,8 +36,8 @@ support::Series elliptic_sine(const std::string& name, double kc2) {
 
 std::string sn_figure() {
   support::Plot plot{"one period of sn", {"u / 4K"}, {"sn u"}, {}};
-  plot.series = {elliptic_sine("k² = 0: a sine", 1), elliptic_sine("0.9", 0.1),
-                 elliptic_sine("0.9999", 1e-4), elliptic_sine("1 − 10⁻¹²", 1e-12)};
+  plot.series = {elliptic_sine("k² = 0: a sine", 1), elliptic_sine("k² = 0.9", 0.1),
+                 elliptic_sine("k² = 0.9999", 1e-4), elliptic_sine("k² = 1 − 10⁻¹²", 1e-12)};
   return support::to_svg(plot);
 }
 

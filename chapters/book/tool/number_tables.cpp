@@ -102,7 +102,8 @@ bool holds_text(std::size_t k, const std::vector<Row>& rows) {
 /// A cell as HTML. A symbol's index stands below: v_z, K_zz, ω_y.
 std::string cell_html(const std::string& cell) {
   static const std::regex index("(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4}|γ)(?![A-Za-z0-9_])");
-  return std::regex_replace(support::svg_minus_signs(cell), index, "$1$2<sub>$3</sub>");
+  return std::regex_replace(with_whole_formulas(support::svg_minus_signs(cell)), index,
+                            "$1$2<sub>$3</sub>");
 }
 
 /// The class of a cell: whole sentences take more than one line.
@@ -141,10 +142,8 @@ std::string number_table_html(const std::string& text) {
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.empty(); })) return {};
   rows = joined(rows);
   for (std::size_t k = 0; k < columns.size(); ++k) columns[k].holds_text = holds_text(k, rows);
-  Row head;
-  for (const std::string& cell : rows[0]) head.push_back(with_whole_formulas(cell));
   std::string html = R"(<div class="scroll" tabindex="0"><table class="numbers"><thead>)" +
-                     row_html(head, columns, "th") + "</thead><tbody>";
+                     row_html(rows[0], columns, "th") + "</thead><tbody>";
   for (std::size_t i = 1; i < rows.size(); ++i) html += row_html(rows[i], columns, "td");
   return html + "</tbody></table></div>";
 }

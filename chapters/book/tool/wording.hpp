@@ -6,7 +6,8 @@
 
 namespace tumble::book {
 
-/// The head of a column, which breaks between words, and not in a formula, a bracket or a unit.
+/// What a cell of a table says: it breaks between words, and not in a formula, a short bracket or a
+/// unit.
 std::string with_whole_formulas(const std::string& words);
 
 /// A line of a page as the site shows it: a number stays with its unit, a vector in

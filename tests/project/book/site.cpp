@@ -127,9 +127,10 @@ TEST_CASE("output in columns becomes a table: numbers flush right, words flush l
   const std::string wrapped = project.converted(
       "<!-- output: 01_one#a -->\n```text\n  method   what is said\n  ──────   ────────────\n"
       "  RK4      it goes on\n           (0, 1,\n           0)\n  Euler    no\n```\nEnd.\n");
-  CHECK(mentions(wrapped,
-                 "<td class=\"words\">RK4</td><td class=\"words\">it goes on (0, 1, 0)</td>",
-                 "<td class=\"words\">Euler</td><td class=\"words\">no</td>"));
+  CHECK(mentions(
+      wrapped,
+      "<td class=\"words\">RK4</td><td class=\"words\">it goes on (0,\u00a01,\u00a00)</td>",
+      "<td class=\"words\">Euler</td><td class=\"words\">no</td>"));
   CHECK(mentions(project.converted("<!-- output: 01_one#a -->\n```text\nno table\n```\n"),
                  "```text\nno table\n```"));
 }

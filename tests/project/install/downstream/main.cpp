@@ -12,8 +12,8 @@ RigidBodyState<> after_a_second() {
   const Box bar{{0.1, 0.2, 0.05}};                     // [m]
   const RigidBody<> body(mass_properties(bar, 2700));  // of aluminium [kg/m³]
   const RigidBodyRhs dydt(body, Weight{});             // and what pushes it
-  RigidBodyState<> start;                              // at rest in the origin
-  start.L = spin;
+  RigidBodyState<> start;                              // at rest at the origin,
+  start.L = spin;                                      // but spinning [kg m²/s]
   const auto y0 = pack(start);
   const auto end = integrate_adaptive<Dop853>(dydt, y0, 0.0, 1.0, {1e-9, 1e-9});
   return unpack<double>(end.y);
