@@ -53,7 +53,7 @@ std::string with_round_quotes(const std::string& words, char before) {
 
 std::string with_whole_formulas(const std::string& words) {
   static const std::regex behind("(−|\\+|×|·|=|/|±) ([^ ])"), ahead("([^ ]) (−|\\+|×|·|=|/|±)"),
-      bracketed("(\\[[^\\]]{0,20}|\\([^)]{0,20}) ([^\\])]{0,20}[\\])])");
+      bracketed(R"((\[[^\]]{0,20}|\([^)]{0,20}) ([^\])]{0,20}[\])]))");
   std::string text = with_units(words);
   for (const std::regex& pair : {behind, ahead, bracketed}) text = joined(text, pair);
   return text;

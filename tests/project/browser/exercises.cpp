@@ -85,7 +85,8 @@ TEST_CASE("exercises in the page: what the compiler says is shown in its line") 
   REQUIRE(page.says("check('compile')") == true);
   CHECK(page.says("box.querySelector('.compiler-note').textContent") == "error: what is wrong");
   CHECK(page.says("editor().lineInfo(1).bgClass") == "compiler-line-error");
-  CHECK(page.says("box.querySelector('.verdict').textContent.includes('does not accept your text:')") ==
+  CHECK(page.says(
+            "box.querySelector('.verdict').textContent.includes('does not accept your text:')") ==
         true);
   REQUIRE(page.says("check('wrong')") == true);
   CHECK(page.says("box.querySelector('.compiler-note')") == Json());
