@@ -34,7 +34,7 @@ for (const anchor of text.querySelectorAll(":is(h1, h2, h3, h4) > a.anchor[id]")
 
 // Who reads this is in the site already; on paper and in the repository the whole sentence stands.
 for (const paragraph of text.querySelectorAll(".try-it p, figcaption"))
-  paragraph.innerHTML = paragraph.innerHTML.replace(/In the site that <code>\.\/tumble book<\/code> opens, (.)/, (all, first) => first.toUpperCase());
+  paragraph.innerHTML = paragraph.innerHTML.replace(/On the site that <code>\.\/tumble book<\/code> opens, (.)/, (all, first) => first.toUpperCase());
 
 // A short piece of code stays in its line: an option would break behind its first hyphen.
 for (const code of text.querySelectorAll(":is(p, li) > code")) code.classList.toggle("short", code.textContent.length < 40);

@@ -94,7 +94,7 @@ TEST_CASE("the site: a box says that its figure moves, not where you find one th
     browser.open(address_of(page));
     const std::string words = browser.evaluate(boxes);
     CHECK_MESSAGE(words.find("This figure moves") != std::string::npos, page);
-    CHECK_MESSAGE(words.find("In the site") == std::string::npos, page);
+    CHECK_MESSAGE(words.find("On the site that") == std::string::npos, page);
   }
 }
 
