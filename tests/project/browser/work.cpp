@@ -54,6 +54,8 @@ TEST_CASE("exercises in the page: the front page has a mark for each, and the co
                   ".map((a) => a.textContent)") == Json{"4.1✓", "4.2·"});
   CHECK(page.says("document.querySelector('.exercise-progress .marks a').href") ==
         page.site.address("chapters-04_quaternions.html#now-write-4.1"));
+  CHECK(page.says("document.querySelector('#text p a[href=\"#your-exercises\"]').textContent") ==
+        "You can write the exercises in these pages.");
   page.open();
   page.says(
       "write('other\\n'), until(async () => (await (await import('./exercises/store.mjs'))"

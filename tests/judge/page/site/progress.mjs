@@ -110,6 +110,6 @@ export async function showProgress() {
 
 /** Where a newcomer begins to read. */
 function sayAtTheStart() {
-  const start = [...document.querySelectorAll("#text strong")].find(({ textContent }) => textContent.startsWith("Start reading"));
+  const start = [...document.querySelectorAll("#text :is(b, strong)")].find(({ textContent }) => textContent.startsWith("Start reading"));
   start?.after(" ", element("a", { href: "#your-exercises" }, "You can write the exercises in these pages."));
 }
