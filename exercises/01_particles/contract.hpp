@@ -7,8 +7,8 @@
 /// All numbers are in SI units.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, which are
-/// declared here. The judge brings right ones along, whatever yours do. Other parts of Eigen are
-/// not there: no cross(), inverse(), determinant() or decomposition.
+/// declared here. The judge supplies correct ones, even where yours don't pass yet. Other parts of
+/// Eigen are not there: no cross(), inverse(), determinant() or decomposition.
 
 #include <Eigen/Core>
 #include <functional>

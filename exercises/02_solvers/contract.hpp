@@ -7,8 +7,9 @@
 /// see whether a method keeps what it promises.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, those of
-/// chapter 1 as well. The judge brings right ones along, whatever yours do. Of Eigen there is no
-/// other part, so no inverse() and no decomposition: for linear equations you have solve(), below.
+/// chapter 1 as well. The judge supplies correct ones, even where yours don't pass yet. Of Eigen
+/// there is no other part, so no inverse() and no decomposition: for linear equations you have
+/// solve(), below.
 
 #include <Eigen/Core>
 #include <cmath>

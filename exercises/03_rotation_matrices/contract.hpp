@@ -10,8 +10,8 @@
 /// of a double, 2.2e-16.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises. The judge
-/// brings right ones along, whatever yours do. Other parts of Eigen are not there: no cross(),
-/// inverse(), determinant() or decomposition, no rotations.
+/// supplies correct ones, even where yours don't pass yet. Other parts of Eigen are not there: no
+/// cross(), inverse(), determinant() or decomposition, no rotations.
 
 #include <Eigen/Core>
 #include <array>

@@ -8,8 +8,8 @@
 /// by more.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises of this
-/// chapter. The judge brings right ones along, whatever yours do. Other parts of Eigen are not
-/// there: no cross(), no Eigen::Quaternion, no AngleAxis.
+/// chapter. The judge supplies correct ones, even where yours don't pass yet. Other parts of Eigen
+/// are not there: no cross(), no Eigen::Quaternion, no AngleAxis.
 
 #include <Eigen/Core>
 

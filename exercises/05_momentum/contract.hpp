@@ -8,8 +8,8 @@
 /// moves. Everything else is in world axes.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises. The judge
-/// brings right ones along, whatever yours do. Other parts of Eigen are not there, so no
-/// `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, from 3.2, which this header
+/// supplies correct ones, even where yours don't pass yet. Other parts of Eigen are not there, so
+/// no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, from 3.2, which this header
 /// includes, or write the three components out.
 ///
 /// "To rounding" means: your result may be off by some roundings of a double, not by more.

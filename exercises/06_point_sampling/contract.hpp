@@ -8,9 +8,9 @@
 /// of the places" means: as if each coordinate were off by some roundings of the largest one.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
-/// those of chapter 5 and `rotation_matrices::skew(a) * b` for a × b. The judge brings right ones
-/// along, whatever yours do. Other parts of Eigen are not there: no cross(), inverse(),
-/// determinant() or decomposition.
+/// those of chapter 5 and `rotation_matrices::skew(a) * b` for a × b. The judge supplies correct
+/// ones, even where yours don't pass yet. Other parts of Eigen are not there: no cross(),
+/// inverse(), determinant() or decomposition.
 
 #include <Eigen/Core>
 #include <array>

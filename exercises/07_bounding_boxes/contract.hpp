@@ -7,8 +7,9 @@
 /// each coordinate were off by some roundings of the largest one.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
-/// those of chapter 6. The judge brings right ones along, whatever yours do. Other parts of Eigen
-/// are not there, so no eigenvectors: principal_axes(), below, computes the axes that you need.
+/// those of chapter 6. The judge supplies correct ones, even where yours don't pass yet. Other
+/// parts of Eigen are not there, so no eigenvectors: principal_axes(), below, computes the axes
+/// that you need.
 
 #include <Eigen/Core>
 #include <cmath>

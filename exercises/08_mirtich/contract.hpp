@@ -11,8 +11,8 @@
 /// go up. The shadow of a point has its coordinates α and β; we drop its γ.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises. The judge
-/// brings right ones along, whatever yours do. Other parts of Eigen are not there, so no
-/// `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, your 3.2, or write the three
+/// supplies correct ones, even where yours don't pass yet. Other parts of Eigen are not there, so
+/// no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, your 3.2, or write the three
 /// components out. This header includes the one of chapter 3 already.
 ///
 /// "To rounding" means: off by some roundings of a double, not more.

@@ -7,10 +7,10 @@
 /// chapter 5, and the solver of 1.5 moves it.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
-/// those of chapters 1, 4 and 5, which this header includes. The judge brings right ones along,
-/// whatever yours do. You may want `particles::rk4_step` (1.5), `quaternions::to_matrix` (4.5) and
-/// `quaternion_dot` (4.8), and `momentum::angular_velocity` (5.5). Other parts of Eigen are not
-/// there, so no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`.
+/// those of chapters 1, 4 and 5, which this header includes. The judge supplies correct ones, even
+/// where yours don't pass yet. You may want `particles::rk4_step` (1.5), `quaternions::to_matrix`
+/// (4.5) and `quaternion_dot` (4.8), and `momentum::angular_velocity` (5.5). Other parts of Eigen
+/// are not there, so no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`.
 ///
 /// x, P, L, v, ω, forces and torques are in world axes. R and q map body → world, and we write q as
 /// (w, x, y, z). A name with `_body` is in body axes, where it stays the same while the body moves.

@@ -10,8 +10,8 @@
 /// roundings of a double, not more.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
-/// those of chapters 4, 5 and 9. The judge brings right ones along, whatever yours do. You may want
-/// `quaternions::product` (4.1), `rotate` (4.3) and `from_axis_angle` (4.4), and
+/// those of chapters 4, 5 and 9. The judge supplies correct ones, even where yours don't pass yet.
+/// You may want `quaternions::product` (4.1), `rotate` (4.3) and `from_axis_angle` (4.4), and
 /// `rigid_body::derived` (9.3), which gives v and ω. Other parts of Eigen are not there, so no
 /// `.cross()`: for a × b call `rotation_matrices::skew(a) * b`.
 

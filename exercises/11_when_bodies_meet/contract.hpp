@@ -8,8 +8,8 @@
 /// Places, velocities, forces and impulses are in world axes. A normal n has length 1 to rounding.
 /// Bodies and states are those of chapter 9: a `Body` has `mass`, `I_body` and `I_body_inv`, a
 /// `State` has `x`, `q`, `P` and `L`. A `Box` is that of chapter 7, with `centre`, `R` and `size`.
-/// You may call your functions of all earlier chapters, and use all of Eigen/Core. The judge brings
-/// right ones along, whatever yours do. `.cross()` is not in it: for a × b call
+/// You may call your functions of all earlier chapters, and use all of Eigen/Core. The judge
+/// supplies correct ones, even where yours don't pass yet. `.cross()` is not in it: for a × b call
 /// `rotation_matrices::skew(a) * b`. "To rounding" means: off by some roundings of a double, not by
 /// more.
 

@@ -122,7 +122,7 @@ TEST_CASE("exercises in the page: who pauses finds their text built, once they h
   CHECK(page.says("until(() => globalThis.ahead?.at(-1) === 'thought over')") == true);
 }
 
-TEST_CASE("exercises in the page: a brace is closed by who writes, another bracket by the editor") {
+TEST_CASE("exercises in the page: you close a brace, the editor closes any other bracket") {
   if (!can_try()) return;
   ExercisePage page;
   page.says("write(''), editor().focus()");

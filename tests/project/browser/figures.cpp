@@ -1,5 +1,5 @@
 /// @file
-/// The figures of the chapters, as Chromium draws them: whoever reads a word reads it whole.
+/// The figures of the chapters, as Chromium draws them: you can read every word.
 #include <doctest/doctest.h>
 
 #include <filesystem>

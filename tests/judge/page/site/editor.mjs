@@ -22,7 +22,7 @@ function loadCodeMirror() {
   return loaded;
 }
 
-const pairs = '()[]""'; // not braces: who types both would have one too many
+const pairs = '()[]""'; // no braces: if you type both, there would be one too many
 
 let cameByTab = false; // whether the last thing that a reader did was to press Tab
 document.addEventListener("keydown", ({ key }) => (cameByTab = key === "Tab"), true);
