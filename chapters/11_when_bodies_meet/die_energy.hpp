@@ -39,7 +39,7 @@ inline std::vector<Energies> energies_of(const Throw& thrown) {
   return all;
 }
 
-constexpr double strip_left = 60, strip_bottom = 575, per_second = 640, per_millijoule = 21;
+constexpr double strip_left = 80, strip_bottom = 575, per_second = 640, per_millijoule = 21;
 
 /// What lies between two of the curves.
 inline void draw_band(support::Sketch& sketch, const std::vector<Energies>& all,
@@ -65,6 +65,10 @@ inline void draw_energy(support::Sketch& sketch, const Throw& thrown, double lon
   for (const contact::ImpactEvent& impact : thrown.run.impacts)
     marks.push_back({{per_second * impact.t, -9}, {per_second * impact.t, 0}});
   sketch.curves(marks, {"c6", 1.2});
+  for (const double tick : {0.2, 0.4, 0.6, 0.8, 1.0})
+    sketch.words({per_second * tick * longest, 0}, {0, 27},
+                 support::svg_number(tick * longest, 1) + (tick < 1 ? "" : " s"), "faint",
+                 "middle");
   sketch.curve({{per_second * t, -12}, {per_second * t, 150}}, {"ink", 1.2});
   sketch.words({0, per_millijoule * all[0].all}, {-6, 6},
                support::svg_number(all[0].all, 1) + " mJ", "ink", "end");

@@ -26,14 +26,15 @@ inline std::string of(const Control& control) {
 
 }  // namespace declaration_detail
 
-/// A figure: name, plays, drags, topic (what it asks a reader's functions, or ""), and the controls
-/// with name, label, unit, choices, least, most, step, start.
+/// A figure: name, plays, pace, drags, topic (what it asks a reader's functions, or ""), and the
+/// controls with name, label, unit, choices, least, most, step, start.
 inline std::string declaration_of(const MovingFigure& figure) {
   using namespace declaration_detail;
   std::string controls;
   for (const Control& control : figure.controls)
     controls += (controls.empty() ? "" : ",") + of(control);
   return "{\"name\":" + quoted(figure.name) + ",\"plays\":" + std::to_string(figure.plays) +
+         ",\"pace\":" + svg_number(figure.pace, 6) +
          ",\"drags\":" + (figure.drag ? "true" : "false") +
          ",\"topic\":" + quoted(figure.reader ? figure.reader->topic : "") + ",\"controls\":[" +
          controls + "]}";

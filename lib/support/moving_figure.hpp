@@ -50,8 +50,9 @@ struct MovingFigure {
   std::string (*draw)(Settings);      ///< a complete SVG document
   /// Changes settings as the reader drags; nullptr if nothing can be dragged.
   void (*drag)(std::span<double>, const Drag&) = nullptr;
-  int plays = -1;  ///< the control that goes on by itself, by 1 per second; -1 if none does
+  int plays = -1;                         ///< the control that goes on by itself; -1 if none does
   const ReadersAnswer* reader = nullptr;  ///< nullptr: it asks nobody
+  double pace = 1;                        ///< by how much it goes on per second
 };
 
 /// The nearest value that a control can have.

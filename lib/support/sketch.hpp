@@ -86,13 +86,14 @@ class Sketch {
   }
 
   /// Where a reader takes hold of a figure that moves: unseen, around one point or along a line.
+  /// It lies above all that is drawn, or a press on the arrow itself would miss it.
   /// @param reach [px] to each side: a finger is wide
   void grip(const std::vector<Vec2>& line, double reach = 24) {
     SvgPath path;
     add(path, line);
-    svg_ += "<path class=\"grip\" d=\"" + path.text() + (line.size() == 1 ? "h0" : "") +
-            "\" fill=\"none\" stroke=\"transparent\" stroke-width=\"" + svg_number(2 * reach) +
-            "\" stroke-linecap=\"round\"/>\n";
+    grips_ += "<path class=\"grip\" d=\"" + path.text() + (line.size() == 1 ? "h0" : "") +
+              "\" fill=\"none\" stroke=\"transparent\" stroke-width=\"" + svg_number(2 * reach) +
+              "\" stroke-linecap=\"round\"/>\n";
   }
 
   /// What has been drawn elsewhere, in pixels, such as a mesh.
@@ -111,7 +112,7 @@ class Sketch {
   }
 
   /// The drawing as a complete SVG document.
-  std::string svg() const { return svg_ + "</svg>\n"; }
+  std::string svg() const { return svg_ + grips_ + "</svg>\n"; }
 
  private:
   Vec2 pixels(const Vec2& point) const {
@@ -148,7 +149,7 @@ class Sketch {
            "\"" + (pen.opacity < 1 ? " opacity=\"" + svg_number(pen.opacity, 2) + "\"" : "");
   }
 
-  std::string svg_;
+  std::string svg_, grips_;
   double text_size_;
   Window window_{0, 0, 1};
 };

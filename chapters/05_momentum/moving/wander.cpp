@@ -108,11 +108,12 @@ void draw_in_space(support::Sketch& sketch, const Motion& motion, std::size_t no
 /// A strip with one number over time, between `least` and `most`.
 struct Strip {
   double bottom, least, most;
+  std::string low_name, high_name;  ///< of least and most
   std::string words, colour;
   double (*of)(const Sample& now, const Sample& start);
 };
 
-constexpr double left = 450, width = 290, height = 95;
+constexpr double left = 490, width = 250, height = 95;
 
 double lost_L(const Sample& now, const Sample& start) {
   return (now.L - start.L).norm() / start.L.norm();
@@ -126,6 +127,12 @@ double apart(const Sample& now, const Sample&) {
   return std::atan2(now.L.cross(now.omega).norm(), now.L.dot(now.omega));
 }
 
+void draw_scale(support::Sketch& sketch, const Strip& strip, const Vec2& low, const Vec2& high) {
+  sketch.words(low, {-7, 4}, strip.low_name, "faint", "end");
+  sketch.words({low.x(), high.y()}, {-7, 8}, strip.high_name, "faint", "end");
+  sketch.frame(low, high, {"grid", 1});
+}
+
 void draw_strip(support::Sketch& sketch, const Strip& strip, const std::vector<Sample>& samples,
                 std::size_t now) {
   const auto at = [&](double i, double value) -> Vec2 {
@@ -134,7 +141,7 @@ void draw_strip(support::Sketch& sketch, const Strip& strip, const std::vector<S
     return {left + width * i * spacing / film, part * height - strip.bottom};
   };
   sketch.look({0, 0, 1});
-  sketch.frame(at(0, strip.least), at(film / spacing, strip.most), {"grid", 1});
+  draw_scale(sketch, strip, at(0, strip.least), at(film / spacing, strip.most));
   if (strip.least < 0) sketch.curve({at(0, 0), at(film / spacing, 0)}, {"faint", 1});
   std::vector<Vec2> curve;
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -154,18 +161,23 @@ void draw_over_time(support::Sketch& sketch, const Motion& motion, std::size_t i
   const Sample &now = samples[i], &start = samples[0];
   const auto angle = [](double radians) { return support::svg_number(radians / degree, 1) + "°"; };
   const double most = 80 * degree;
-  draw_strip(sketch, {140, 0, 1, "L is off by " + percent(lost_L(now, start)), "c0", lost_L},
+  draw_strip(sketch,
+             {140, 0, 1, "0", "100 %", "|L − L₀| is " + percent(lost_L(now, start)) + " of L₀",
+              "c0", lost_L},
+             samples, i);
+  draw_strip(sketch,
+             {300, -0.5, 0.5, "−50 %", "50 %",
+              "energy is off by " + percent(lost_energy(now, start)), "c2", lost_energy},
              samples, i);
   draw_strip(
       sketch,
-      {300, -0.5, 0.5, "energy is off by " + percent(lost_energy(now, start)), "c2", lost_energy},
+      {460, 0, most, "0", "80°", "L and ω are " + angle(apart(now, start)) + " apart", "c1", apart},
       samples, i);
-  draw_strip(sketch,
-             {460, 0, most, "L and ω are " + angle(apart(now, start)) + " apart", "c1", apart},
-             samples, i);
   const double bound = -460 + height * motion.bound / most;
   sketch.curve({{left, bound}, {left + width, bound}}, {"ink", 1.2, 0.7});
-  sketch.words({left, -460}, {0, 24}, "line: their bound, " + angle(motion.bound));
+  sketch.words({left + width, bound}, {-6, -6}, "bound " + angle(motion.bound), "ink", "end");
+  sketch.words({left, -460}, {0, 22}, "0 s", "faint", "middle");
+  sketch.words({left + width, -460}, {0, 22}, "12 s", "faint", "end");
 }
 
 std::string draw(Settings now) {
@@ -177,8 +189,9 @@ std::string draw(Settings now) {
   return sketch.svg();
 }
 
-/// Aims ω.
+/// Aims ω at the start, so it shows the start.
 void drag(std::span<double> settings, const Drag& pointer) {
+  settings[time] = 0;
   constexpr double per_pixel = 0.5;  // [°]
   settings[aim] = allowed(controls[aim], settings[aim] + per_pixel * (pointer.dx - pointer.dy));
 }

@@ -24,12 +24,13 @@ using support::Settings;
 constexpr double degree = pi / 180;
 
 enum Which { time, aim, law, around, above };
-constexpr std::array<Control, 5> controls{{{"t", "time", "s", 0, longest, spacing, 1.2},
-                                           {"aim", "aimed to 10⁻ᵏ rad, k", "", 0.5, 6, 0.1, 2},
-                                           {"law", "law of motion", "", 0, 2, 1, 0,
-                                            "the right one|gyroscopic term left out|put in twice"},
-                                           {"around", "you stand at", "°", -180, 180, 1, 30},
-                                           {"above", "above the floor by", "°", -80, 80, 1, 20}}};
+constexpr std::array<Control, 5> controls{
+    {{"t", "time", "s", 0, longest, spacing, 1.2},
+     {"aim", "aim is off by 10⁻ᵏ rad, k =", "", 0.5, 6, 0.1, 2},
+     {"law", "law of motion", "", 0, 2, 1, 0,
+      "the right one|gyroscopic term left out|put in twice"},
+     {"around", "you stand at", "°", -180, 180, 1, 30},
+     {"above", "and look down by", "°", -80, 80, 1, 20}}};
 /// The laws of the control, among all.
 constexpr std::array<std::size_t, 3> offered{0, 2, 3};
 
@@ -53,15 +54,20 @@ const std::vector<Sample>& motion_of(Settings now) {
   return all;
 }
 
-void draw_in_the_world(support::Sketch& sketch, const Sample& now, const Mat3& view) {
+void draw_in_the_world(support::Sketch& sketch, const Sample& now, const Sample& start,
+                       const Mat3& view) {
   constexpr double x = 190, y = 190, scale = 1750;
   sketch.drawing(support::draw_mesh(the_handle().mesh, view * to_matrix(now.q), {x, y, scale}));
   sketch.look({x, y, 150});
-  support::SpaceSketch space(sketch, view);
-  const Vec3 L = now.L.normalized();
-  space.arrow(Vec3::Zero(), L, {"ink", 2});
-  space.words(L, {0, -8}, "L");
   sketch.grip({{0, 0}}, 130);
+  support::SpaceSketch space(sketch, view);
+  const Vec3 L = now.L.normalized(), L_at_start = start.L.normalized();
+  space.arrow(Vec3::Zero(), L_at_start, {"faint", 1.2});
+  space.arrow(Vec3::Zero(), L, {"ink", 2});
+  if ((L - L_at_start).norm() < 0.1) return;
+  const bool left = space.seen(L).x() > space.seen(L_at_start).x();
+  space.words(L_at_start, {left ? -8. : 8., 4}, "at the start", "faint", left ? "end" : "start");
+  space.words(L, {0, -8}, "L");
 }
 
 /// The tip of L in the body, as a part of its length at the start.
@@ -72,7 +78,7 @@ Vec3 tip_of(const Sample& now, const Sample& start) {
 void draw_on_the_sphere(support::Sketch& sketch, const std::vector<Sample>& all, std::size_t i) {
   constexpr std::size_t trail = 150;
   sketch.look({570, 190, 172});
-  draw_sphere(sketch, the_handle().axes.moments, "the tip of L in the body");
+  draw_sphere(sketch, the_handle().axes.moments, "L in the body; dots: axes of the moments");
   Way way{{}, {"ink", 2.6}};
   for (std::size_t k = i < trail ? 0 : i - trail; k <= i; ++k)
     way.points.push_back(tip_of(all[k], all[0]));
@@ -83,12 +89,16 @@ void draw_on_the_sphere(support::Sketch& sketch, const std::vector<Sample>& all,
 }
 
 void draw_spins(support::Sketch& sketch, const std::vector<Sample>& all, std::size_t i) {
-  constexpr double left = 20, middle = 510, width = 640, height = 62;
+  constexpr double left = 40, middle = 510, width = 630, height = 62;
   const auto at = [&](std::size_t k, double omega) -> Vec2 {
     return {static_cast<double>(k) * width / samples, omega / (2 * pi) * height};
   };
   sketch.look({left, middle, 1});
   sketch.curve({at(0, 0), at(samples, 0)}, {"faint", 1});
+  for (const int turns : {-1, 0, 1})
+    sketch.words(at(0, 2 * pi * turns), {-9, 6},
+                 (turns < 0 ? "−" : "") + std::to_string(std::abs(turns)), "faint", "end");
+  sketch.words(at(samples, -8), {0, 18}, "20 s", "faint", "end");
   const std::array<std::string, 3> names{"least", "middle", "largest"}, colours{"c0", "c1", "c2"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<Vec2> curve;
@@ -99,14 +109,15 @@ void draw_spins(support::Sketch& sketch, const std::vector<Sample>& all, std::si
                  colours[axis]);
   }
   sketch.curve({at(i, -8), at(i, 8)}, {"ink", 1.2});
-  sketch.words({0, -96}, {0, 0}, "turns per second about its own axes, for 20 seconds");
+  sketch.words({0, -96}, {0, 0}, "turns per second about the axes of its three moments of inertia");
 }
 
 std::string draw(Settings now) {
   const std::vector<Sample>& all = motion_of(now);
   const auto i = static_cast<std::size_t>(std::lround(now[time] / spacing));
   support::Sketch sketch(760, 620, "A T-handle that turns over, and the tip of L in it", 17);
-  draw_in_the_world(sketch, all[i], support::view_from(now[around] * degree, now[above] * degree));
+  draw_in_the_world(sketch, all[i], all[0],
+                    support::view_from(now[around] * degree, now[above] * degree));
   draw_on_the_sphere(sketch, all, i);
   draw_spins(sketch, all, i);
   return sketch.svg();

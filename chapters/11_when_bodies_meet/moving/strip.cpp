@@ -26,7 +26,7 @@ using support::Settings;
 using support::Sketch;
 using support::svg_number;
 
-constexpr double longest = 1, slower = 10;  // of what is shown [s], than it is
+constexpr double longest = 1, slower = 10;  // of what is shown [s]; than it is
 constexpr double mu = 0.4;
 
 enum Which { along, up, spin, restitution, time };
@@ -35,7 +35,7 @@ constexpr std::array<Control, 5> controls{
      {"up", "and upwards", "m/s", -0.6, 0.6, 0.05, 0.4},
      {"spin", "spin forwards", "turns/s", -15, 15, 0.5, 3},
      {"e", "restitution e", "", 0.1, 0.7, 0.05, 0.6},
-     {"t", "film, slowed 10×", "s", 0, slower* longest, 0.05, 6}}};
+     {"t", "time, ten times slower", "s", 0, longest, 0.005, 0.6}}};
 
 // ── The throw ──
 
@@ -76,8 +76,8 @@ constexpr support::ReadersAnswer by_reader{"die", question, take};
 // ── Where it is drawn ──
 
 /// Where the origin is drawn, and how large the world [px], [px/m].
-const support::Window sheet{150, 315, 1900};
-Mat3 view() { return support::view_from(-76 * degree, 14 * degree); }
+const support::Window sheet{110, 305, 1300};
+Mat3 view() { return support::view_from(-80 * degree, 38 * degree); }
 
 // ── The throw, drawn ──
 
@@ -105,6 +105,18 @@ void draw_throw(Sketch& sketch, const Throw& thrown, const std::string& colour, 
   draw_die(sketch, sheet, view(), thrown.at(t));
 }
 
+/// A part of the floor, with a line every 2 cm.
+void draw_floor(Sketch& sketch) {
+  constexpr double left = -0.06, right = 0.5, front = -0.06, back = 0.16, mesh = 0.02;
+  support::SpaceSketch space(sketch, view());
+  space.curve({{left, front, 0}, {right, front, 0}, {right, back, 0}, {left, back, 0}},
+              {"faint", 0, 1, 0.1});
+  for (double y = front; y < back + mesh / 2; y += mesh)
+    space.curve({{left, y, 0}, {right, y, 0}}, {"faint", 1, 0.35});
+  for (double x = left; x < right + mesh / 2; x += mesh)
+    space.curve({{x, front, 0}, {x, back, 0}}, {"faint", 1, 0.35});
+}
+
 void draw_hand(Sketch& sketch, Settings now) {
   support::SpaceSketch space(sketch, view());
   const Vec3 hand = scene_of(now).body(0).start.x,
@@ -118,8 +130,7 @@ void draw_hand(Sketch& sketch, Settings now) {
 void draw_all(Sketch& sketch, const Throw& thrown, Settings now, double t) {
   sketch.look(sheet);
   support::SpaceSketch space(sketch, view());
-  for (const double y : {-0.025, -0.01, 0.005, 0.02})
-    space.curve({{-0.07, y, 0}, {0.31, y, 0}}, {"faint", 1});
+  draw_floor(sketch);
   if (readers_throw()) {
     const Throw& other = throw_with_friction(now);
     draw_path(space, other, std::min(t, other.end()), "c1");
@@ -145,8 +156,8 @@ std::string caption_of(const Throw& thrown, double t) {
 
 std::string draw(Settings now) {
   const Throw& thrown = readers_throw() ? *readers_throw() : throw_with_friction(now);
-  const double t = now[time] / slower;
-  Sketch sketch(760, 600, "A thrown die at equal times, and where its energy goes");
+  const double t = now[time];
+  Sketch sketch(760, 610, "A thrown die at equal times, and where its energy goes");
   draw_all(sketch, thrown, now, t);
   draw_energy(sketch, thrown, longest, t);
   sketch.look({0, 0, 1});
@@ -177,4 +188,5 @@ const tumble::support::MovingFigure tumble::figures::strip{
     contact_chapter::strip_figure::draw,
     contact_chapter::strip_figure::drag,
     contact_chapter::strip_figure::time,
-    &contact_chapter::strip_figure::by_reader};
+    &contact_chapter::strip_figure::by_reader,
+    1 / contact_chapter::strip_figure::slower};

@@ -83,6 +83,7 @@ const tumbleMoving = (function () {
       this.fields = this.controls.map((control, k) => field(control, (value) => this.set(k, value)));
       this.fields.forEach(({ show }, k) => show(this.controls[k].start));
       (place.closest(".scroll") ?? place).after((this.panel = this.makePanel())); // it stays where a wide picture scrolls
+      place.classList.add("moves");
       if (this.declared.drags) this.listen();
     }
 
@@ -167,9 +168,9 @@ const tumbleMoving = (function () {
     }
 
     advance(seconds) {
-      const { least, most } = this.controls[this.declared.plays];
-      const next = this.settings()[this.declared.plays] + seconds;
-      this.set(this.declared.plays, next > most ? least : next);
+      const { plays, pace } = this.declared, { least, most } = this.controls[plays];
+      const next = this.settings()[plays] + pace * seconds;
+      this.set(plays, next > most ? least : next);
     }
 
     // A pointer's place in the picture's own pixels.

@@ -76,6 +76,19 @@ std::string place_of(bool grip) {
          (grip ? "true" : "false") + "; }); })()";
 }
 
+/// What a press on the beginning, middle or end of a grip meets instead of the grip. There a figure
+/// shows what can be dragged.
+constexpr const char* what_covers_grips = R"js((() => {
+  const met = [];
+  for (const grip of figure.place.querySelectorAll(".grip"))
+    for (const part of [0, 0.5, 1]) {
+      const at = grip.getPointAtLength(part * grip.getTotalLength()).matrixTransform(grip.getScreenCTM());
+      const element = document.elementFromPoint(at.x, at.y);
+      if (!element?.closest(".grip")) met.push(element?.outerHTML.slice(0, 100) ?? "nothing");
+    }
+  return met;
+})())js";
+
 /// Empty if two pictures are the same; else what each has at the first place where they differ.
 std::string difference(const std::string& page, const std::string& program) {
   if (page == program) return "";
@@ -157,7 +170,8 @@ TEST_CASE("moving figures: controls, keys and the pointer change them, and a lin
         const double x = at[0], y = at[1];
         browser.drag(x, y, x - 45, y - 35);
       };
-      drag_from(free);  // as one does who scrolls
+      CHECK(browser.evaluate(what_covers_grips) == Json::array());
+      drag_from(free);  // as one does to scroll
       CHECK(picture() == still);
       drag_from(grip);
       CHECK(picture() != still);

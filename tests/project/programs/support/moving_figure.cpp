@@ -43,6 +43,7 @@ TEST_CASE("moving figure: what a page has to know of it is JSON") {
   const auto json = nlohmann::json::parse(declaration_of(figure));
   CHECK(json["name"] == "thing");
   CHECK(json["plays"] == -1);
+  CHECK(json["pace"] == 1);
   CHECK(json["drags"] == false);
   REQUIRE(json["controls"].size() == 2);
   CHECK(json["controls"][0]["unit"] == "s");
