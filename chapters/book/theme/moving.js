@@ -83,7 +83,6 @@ const tumbleMoving = (function () {
       this.fields = this.controls.map((control, k) => field(control, (value) => this.set(k, value)));
       this.fields.forEach(({ show }, k) => show(this.controls[k].start));
       (place.closest(".scroll") ?? place).after((this.panel = this.makePanel())); // it stays where a wide picture scrolls
-      place.classList.add("moves");
       if (this.declared.drags) this.listen();
     }
 
@@ -99,10 +98,8 @@ const tumbleMoving = (function () {
         buttons.append(this.playButton, button("Step", () => this.advance(1 / 30)));
       }
       buttons.append(button("Reset", () => this.reset()));
-      const panel = made("div", { className: "moving-panel" }, buttons, ...this.fields.map((each) => each.row));
-      panel.setAttribute("role", "group");
-      panel.setAttribute("aria-label", "Controls of the figure");
-      return panel;
+      const properties = { className: "moving-panel", role: "group", ariaLabel: "Controls of the figure" };
+      return made("div", properties, buttons, ...this.fields.map((each) => each.row));
     }
 
     set(k, value) {
@@ -201,7 +198,7 @@ const tumbleMoving = (function () {
 
   // ── The page ──
 
-  function start(place, chapter, name) {
+  function start(place, chapter, name, words) {
     return load(chapter + "." + name)
       .then((module) => {
         const figure = new Figure(place, chapter, name, module);
@@ -212,6 +209,7 @@ const tumbleMoving = (function () {
         // It replaces another picture, as on the front page.
         if (!place.dataset.figure.endsWith("/" + name + ".svg")) {
           figure.draw();
+          place.closest("figure")?.querySelector("figcaption")?.append(" " + words);
           if (!still && !linked) figure.play(true);
         }
         return figure;
@@ -227,7 +225,7 @@ const tumbleMoving = (function () {
       this.act = act;
       for (const figure of this.figures) figure.then(act);
     },
-    /// figures: file of the picture → [chapter, name]
+    /// figures: file of the picture → [chapter, name, what the caption says besides of another picture]
     page(figures) {
       // The page's first picture holds the style of all, and may be one that is drawn anew.
       const style = document.querySelector("[data-figure] style")?.textContent ?? "";
