@@ -64,10 +64,10 @@ void draw_in_the_world(support::Sketch& sketch, const Sample& now, const Sample&
   const Vec3 L = now.L.normalized(), L_at_start = start.L.normalized();
   space.arrow(Vec3::Zero(), L_at_start, {"faint", 1.2});
   space.arrow(Vec3::Zero(), L, {"ink", 2});
+  space.words(L, {0, -8}, "L");
   if ((L - L_at_start).norm() < 0.1) return;
   const bool left = space.seen(L).x() > space.seen(L_at_start).x();
   space.words(L_at_start, {left ? -8. : 8., 4}, "at the start", "faint", left ? "end" : "start");
-  space.words(L, {0, -8}, "L");
 }
 
 /// The tip of L in the body, as a part of its length at the start.
