@@ -74,12 +74,12 @@ void draw_axes(support::Sketch& sketch) {
   std::vector<Path> ticks{{{-8, 0}, {8, 0}}, {{0, -6.5}, {0, 6.5}}};
   for (double tick = -6; tick <= 6; tick += 2) {
     ticks.push_back({{tick, -6.5}, {tick, -6.35}});
-    ticks.push_back({{-8, tick}, {-7.85, tick}});
+    ticks.push_back({{0, tick}, {0.15, tick}});
   }
   sketch.curves(ticks, {"faint", 1});
   for (const int tick : {-6, -4, -2, 0, 2, 4, 6}) {
     sketch.words({tick, -6.5}, {0, 19}, tick_name(tick), "faint", "middle");
-    sketch.words({-7.8, tick}, {2, 6}, tick == 0 ? "0" : tick_name(tick) + "i", "faint");
+    sketch.words({-8, tick}, {6, 6}, tick == 0 ? "0" : tick_name(tick) + "i", "faint");
   }
 }
 
