@@ -11,6 +11,8 @@ namespace {
 
 /// A blank at which a line doesn't break.
 constexpr const char* unbroken = "\u00a0";
+/// Nothing to see, but a line doesn't break here.
+constexpr const char* joiner = "\u2060";
 
 /// The text with unbroken blanks at all places of this kind: $1 and $2 stay together.
 std::string joined(std::string text, const std::regex& pair) {
@@ -22,16 +24,19 @@ std::string joined(std::string text, const std::regex& pair) {
 }
 
 /// Words between code and formulas, with numbers that stay with what they count, with the others of
-/// a vector, and with what they are equal to.
+/// a vector, with what they are equal to, and with their exponents.
 std::string with_units(const std::string& words) {
   static const std::string unit =
       "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])";
   static const std::regex number("([0-9]) (" + unit + ")"),
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
       counted("(Figure|Table|chapter|Chapter|order|DP|=) ((?:−)?[0-9])"),
+      behind_a_formula("^() (= )"),
       vector("(\\((?:(?:−)?[0-9.]+,(?: |\u00a0))*(?:−)?[0-9.]+,) ((?:−)?[0-9.]+[,)])");
-  std::string text = words;
-  for (const std::regex& pair : {number, product, counted, vector}) text = joined(text, pair);
+  static const std::regex exponent("([0-9]e-)([0-9])");
+  std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner + "$2");
+  for (const std::regex& pair : {number, product, counted, behind_a_formula, vector})
+    text = joined(text, pair);
   return text;
 }
 

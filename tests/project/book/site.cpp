@@ -114,16 +114,17 @@ TEST_CASE("output in columns becomes a table: numbers flush right, words flush l
       "<!-- output: 01_one#a -->\n```text\n  method   h [s]    error\n  ──────   ─────   ──────\n"
       "  a < b      0.1   1.5e-3\n  Euler        –        2\n```\nEnd.\n");
   CHECK(mentions(table, "<th class=\"words\">method</th><th>h [s]</th><th>error</th>",
-                 "<td class=\"words\">a &lt; b</td><td>0.1</td><td>1.5e-3</td>",
+                 "<td class=\"words\">a &lt; b</td><td>0.1</td><td>1.5e-\u20603</td>",
                  "<td class=\"words\">Euler</td><td>–</td><td>2</td>"));
   CHECK(std::count(table.begin(), table.end(), '\n') == 8);
   const std::string odd = project.converted(
       "<!-- output: 01_one#a -->\n```text\n  what          error    iterations\n"
       "  ───────────   ──────   ──────────\n  v_z [m/s]     < 1e-9            1\n"
       "  a word_list   exact            20\n  ω_y             2e-7        never\n```\nEnd.\n");
-  CHECK(mentions(odd, "<td class=\"words\">v<sub>z</sub> [m/s]</td><td>&lt; 1e-9</td><td>1</td>",
+  CHECK(mentions(odd,
+                 "<td class=\"words\">v<sub>z</sub> [m/s]</td><td>&lt; 1e-\u20609</td><td>1</td>",
                  "<td class=\"words\">a word_list</td><td>exact</td><td>20</td>",
-                 "<td class=\"words\">ω<sub>y</sub></td><td>2e-7</td><td>never</td>"));
+                 "<td class=\"words\">ω<sub>y</sub></td><td>2e-\u20607</td><td>never</td>"));
   const std::string wrapped = project.converted(
       "<!-- output: 01_one#a -->\n```text\n  method   what is said\n  ──────   ────────────\n"
       "  RK4      it goes on\n           (0, 1,\n           0)\n  Euler    no\n```\nEnd.\n");
@@ -150,6 +151,8 @@ TEST_CASE("a vector, and what a sum is equal to, stay in one line") {
       project.converted("At (3, −4, 0.5) N, (1, 2), f(x, 3) and 2 + 3 = 5, or so = −1 (a, b).\n") ==
       "At (3,\u00a0−4,\u00a00.5) N, (1,\u00a02), f(x, 3) and 2 + 3 =\u00a05, or so =\u00a0−1 "
       "(a, b).\n");
+  CHECK(project.converted("With $x$ = 8, or 1.5e-12.\n") ==
+        "With \\f$x\\f$\u00a0=\u00a08, or 1.5e-\u206012.\n");
 }
 
 TEST_CASE("the head of a column breaks between words, and not in a formula") {
