@@ -92,7 +92,7 @@ template <class T>
 constexpr std::array<Storage<T>, 4> storages{
     Storage<T>{"L", "0", rate_of_L<T>, angular_momentum<T>, angular_velocity<T>},
     {"ω", "−I⁻¹ (ω × I ω)", rate_of_omega<T>, same<T>, same<T>},
-    {"ω_body", "−I⁻¹ (ω × I ω)", rate_of_omega_body<T>, into_body<T>, into_world<T>},
+    {"ω_body", "the same, in the body", rate_of_omega_body<T>, into_body<T>, into_world<T>},
     {"ω", "0: wrong", rate_of_constant_omega<T>, same<T>, same<T>}};
 
 }  // namespace momentum_chapter

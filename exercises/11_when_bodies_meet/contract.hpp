@@ -118,12 +118,12 @@ Separation separation(const Box& a, const Box& b);
 /// Conservative advancement: two bodies that are d apart and come together with `speed` at most
 /// can't touch before the time d/speed from now. So go there, and look again.
 /// @param gap       between them; the largest change per second is `speed`. Each evaluation is
-///                  expensive: don't evaluate it twice at the same time, and don't make more than
-///                  twice as many steps as jumps of d/speed take, which may be thousands
+///                  expensive: don't evaluate it twice at the same time, and at most twice as often
+///                  as jumps of d/speed need, which may be thousands of times
 /// @param speed     bound on |d gap/dt| [m/s], positive
 /// @param t0, t1    from when to when you look [s], t0 ≤ t1
-/// @param tolerance a gap that is not larger counts as touching [m]: positive, and so large that
-///                  the gap changes by less when t is rounded
+/// @param tolerance a gap that is not larger counts as touching [m]: positive, and larger than
+///                  the change of the gap when t is rounded
 /// @return the first of the times that you looked at where gap(t) ≤ tolerance; `found` is false if
 ///         there is none up to t1. Between t0 and the answer the gap is nowhere below 0, however
 ///         fast they are. A gap ≤ tolerance at t0 is a contact at t0

@@ -202,10 +202,14 @@ std::string draw(Settings now) {
   return sketch.svg();
 }
 
+/// A pointer near an axis means the axis.
+double caught_by_axis(double value) { return std::abs(value) < 0.07 ? 0 : value; }
+
 void drag(std::span<double> settings, const Drag& pointer) {
   const support::Window window = plane.window();
-  settings[0] = allowed(controls[0], (pointer.x - window.x) / window.scale);
-  settings[1] = allowed(controls[1], (window.y - pointer.y) / window.scale);
+  const Complex z((pointer.x - window.x) / window.scale, (window.y - pointer.y) / window.scale);
+  settings[0] = allowed(controls[0], caught_by_axis(z.real()));
+  settings[1] = allowed(controls[1], caught_by_axis(z.imag()));
 }
 
 }  // namespace

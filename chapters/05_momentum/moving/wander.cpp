@@ -148,7 +148,10 @@ void draw_strip(support::Sketch& sketch, const Strip& strip, const std::vector<S
     curve.push_back(at(static_cast<double>(i), strip.of(samples[i], samples[0])));
   sketch.curve(curve, {strip.colour, 2});
   sketch.dot(curve[now], strip.colour, 5);
+  const double value = strip.of(samples[now], samples[0]);
+  const bool shown = strip.least <= value && value <= strip.most;
   sketch.words(at(0, strip.most), {0, -9}, strip.words, strip.colour);
+  if (!shown) sketch.words(at(film / spacing, strip.most), {-6, 18}, "off scale", "faint", "end");
 }
 
 std::string percent(double part) {

@@ -76,7 +76,7 @@ constexpr support::ReadersAnswer by_reader{"die", question, take};
 // ── Where it is drawn ──
 
 /// Where the origin is drawn, and how large the world [px], [px/m].
-const support::Window sheet{110, 305, 1300};
+const support::Window sheet{165, 262, 1150};
 Mat3 view() { return support::view_from(-80 * degree, 38 * degree); }
 
 // ── The throw, drawn ──
@@ -107,7 +107,7 @@ void draw_throw(Sketch& sketch, const Throw& thrown, const std::string& colour, 
 
 /// A part of the floor, with a line every 2 cm.
 void draw_floor(Sketch& sketch) {
-  constexpr double left = -0.06, right = 0.5, front = -0.06, back = 0.16, mesh = 0.02;
+  constexpr double left = -0.14, right = 0.5, front = -0.16, back = 0.18, mesh = 0.02;
   support::SpaceSketch space(sketch, view());
   space.curve({{left, front, 0}, {right, front, 0}, {right, back, 0}, {left, back, 0}},
               {"faint", 0, 1, 0.1});

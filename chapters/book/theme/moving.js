@@ -95,7 +95,7 @@ const tumbleMoving = (function () {
       const buttons = made("div", { className: "moving-buttons" });
       if (this.declared.plays >= 0) {
         this.playButton = button("Play", () => this.play(!this.playing));
-        buttons.append(this.playButton, button("Step", () => this.advance(1 / 30)));
+        buttons.append(this.playButton, button("Step", () => this.advance(this.controls[this.declared.plays].step)));
       }
       buttons.append(button("Reset", () => this.reset()));
       const properties = { className: "moving-panel", role: "group", ariaLabel: "Controls of the figure" };
@@ -157,16 +157,16 @@ const tumbleMoving = (function () {
       let before = performance.now();
       const frame = (now) => {
         if (!this.playing) return;
-        if (this.seen) this.advance(Math.min(0.1, Math.max(0, now - before) / 1000));
+        if (this.seen) this.advance(this.declared.pace * Math.min(0.1, Math.max(0, now - before) / 1000));
         before = now;
         requestAnimationFrame(frame);
       };
       requestAnimationFrame(frame);
     }
 
-    advance(seconds) {
-      const { plays, pace } = this.declared, { least, most } = this.controls[plays];
-      const next = this.settings()[plays] + pace * seconds;
+    advance(by) {
+      const { plays } = this.declared, { least, most } = this.controls[plays];
+      const next = this.settings()[plays] + by;
       this.set(plays, next > most ? least : next);
     }
 

@@ -31,7 +31,7 @@ std::string with_units(const std::string& words) {
   static const std::regex number("([0-9]) (" + unit + ")"),
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
       counted("(Figure|Table|chapter|Chapter|order|DP|=) ((?:−)?[0-9])"),
-      behind_a_formula("^() (= )"),
+      behind_a_formula("^() (=)"),
       vector("(\\((?:(?:−)?[0-9.]+,(?: |\u00a0))*(?:−)?[0-9.]+,) ((?:−)?[0-9.]+[,)])");
   static const std::regex exponent("([0-9]e-)([0-9])");
   std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner + "$2");

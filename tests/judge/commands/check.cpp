@@ -67,8 +67,8 @@ void print_totals(const std::vector<UnitResult>& results) {
   std::cout << passed << " of " << results.size() << " exercises pass\n";
 }
 
-void print_next(const Course& course, const Progress& progress) {
-  if (const std::optional<Unit> unit = progress.next_open())
+void print_next(const Course& course, const std::optional<Unit>& unit) {
+  if (unit)
     std::cout << "  Next: " << unit->number << " " << unit->name << ", in "
               << fs::relative(course.exercise(*unit), course.root).string() << "\n";
   else
@@ -91,7 +91,7 @@ int check(const Course& course, const CheckOptions& options) {
   Progress progress(course);
   const Selection selection = select(course, progress, options.what);
   if (selection.units.empty()) {
-    print_next(course, progress);
+    print_next(course, progress.next_open());
     return 0;
   }
   print_namesakes(selection.units, options.what);
@@ -135,7 +135,7 @@ int check(const Course& course, const CheckOptions& options) {
       std::any_of(results.begin(), results.end(),
                   [](const UnitResult& result) { return !result.judge_failure.empty(); });
   if (results.size() > 1) print_totals(results);
-  if (own_work && all_passed) print_next(course, progress);
+  if (own_work && all_passed) print_next(course, progress.next_open_after(results.back().unit));
   return judge_failed ? 2 : all_passed ? 0 : 1;
 }
 

@@ -46,6 +46,23 @@ std::optional<Unit> Progress::next_open() const {
   return {};
 }
 
+std::optional<Unit> Progress::next_open_after(const Unit& passed) const {
+  enum Rank { of_its_chapter, behind_it, before_it, none };
+  std::optional<Unit> next;
+  Rank best = none;
+  bool is_behind = false;
+  for (const Unit& unit : course_.units) {
+    is_behind = is_behind || unit.id() == passed.id();
+    const Rank rank = unit.chapter == passed.chapter ? of_its_chapter
+                      : is_behind                    ? behind_it
+                                                     : before_it;
+    if (rank >= best || is_done(unit)) continue;
+    next = unit;
+    best = rank;
+  }
+  return next;
+}
+
 void Progress::save() const {
   json j = json::object();
   for (const auto& [unit, p] : units_)

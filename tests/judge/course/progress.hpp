@@ -29,6 +29,9 @@ class Progress {
   bool is_done(const Unit& unit) const;
   /// The first unit that is not done.
   std::optional<Unit> next_open() const;
+  /// What to write once `passed` has passed: an open unit of its chapter, else of a later one, else
+  /// of an earlier one.
+  std::optional<Unit> next_open_after(const Unit& passed) const;
   void save() const;
 
  private:

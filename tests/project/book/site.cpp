@@ -152,7 +152,7 @@ TEST_CASE("a vector, and what a sum is equal to, stay in one line") {
       "At (3,\u00a0−4,\u00a00.5) N, (1,\u00a02), f(x, 3) and 2 + 3 =\u00a05, or so =\u00a0−1 "
       "(a, b).\n");
   CHECK(project.converted("With $x$ = 8, or 1.5e-12.\n") ==
-        "With \\f$x\\f$\u00a0=\u00a08, or 1.5e-\u206012.\n");
+        "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> or 1.5e-\u206012.\n");
 }
 
 TEST_CASE("the head of a column breaks between words, and not in a formula") {

@@ -14,26 +14,45 @@
 #include <tuple>
 
 #include "tumble/mesh/orientation.hpp"
+#include "tumble/simd/pair.hpp"
 
 namespace tumble::detail {
 
-/// The exact sign of (a − d) · ((b − d) × (c − d)), from the 24 products of the points themselves.
-inline int exact_side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  ExactSum<96> sum;
-  const auto add = [&](double sign, const Vec3& p, const Vec3& q, const Vec3& r) {
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      for (const auto& [y, z, s] : {std::tuple{j, k, sign}, std::tuple{k, j, -sign}}) {
-        const double x = s * p[i], product = x * q[y], rest = std::fma(x, q[y], -product);
-        sum.add_product(rest, r[z]);
-        sum.add_product(product, r[z]);
-      }
+/// Adds sign · p · (q × r) to an exact sum.
+template <std::size_t n>
+void add_determinant(ExactSum<n>& sum, double sign, const Vec3& p, const Vec3& q, const Vec3& r) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    for (const auto& [y, z, s] : {std::tuple{j, k, sign}, std::tuple{k, j, -sign}}) {
+      const double x = s * p[i], product = x * q[y], rest = std::fma(x, q[y], -product);
+      sum.add_product(rest, r[z]);
+      sum.add_product(product, r[z]);
     }
-  };
-  add(1, a, b, c);
-  add(-1, a, b, d);
-  add(1, a, c, d);
-  add(-1, b, c, d);
+  }
+}
+
+/// Whether a difference of two points has no rounding.
+inline bool is_exact_difference(const Vec3& p, const Vec3& q, const Vec3& difference) {
+  for (int i = 0; i < 3; ++i)
+    if (two_diff(p[i], q[i]).lo != 0) return false;
+  return difference.allFinite();
+}
+
+/// The exact sign of (a − d) · ((b − d) × (c − d)): from the differences where these are exact, as
+/// between points that are near each other, else from the 24 products of the points themselves.
+inline int exact_side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = a - d, v = b - d, w = c - d;
+  if (is_exact_difference(a, d, u) && is_exact_difference(b, d, v) &&
+      is_exact_difference(c, d, w)) {
+    ExactSum<24> sum;
+    add_determinant(sum, 1, u, v, w);
+    return sum.sign();
+  }
+  ExactSum<96> sum;
+  add_determinant(sum, 1, a, b, c);
+  add_determinant(sum, -1, a, b, d);
+  add_determinant(sum, 1, a, c, d);
+  add_determinant(sum, -1, b, c, d);
   return sum.sign();
 }
 
