@@ -225,7 +225,7 @@ const tumbleMoving = (function () {
       this.act = act;
       for (const figure of this.figures) figure.then(act);
     },
-    /// figures: file of the picture → [chapter, name, what the caption says besides of another picture]
+    /// figures: file of the picture → [chapter, name, what the caption adds where it replaces another picture]
     page(figures) {
       // The page's first picture holds the style of all, and may be one that is drawn anew.
       const style = document.querySelector("[data-figure] style")?.textContent ?? "";

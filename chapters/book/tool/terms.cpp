@@ -58,11 +58,12 @@ std::string formula_under(const std::vector<std::string>& lines, std::size_t lin
   return formula.find("\\begin") == std::string::npos ? "$`" + formula + "`$" : "";
 }
 
-/// A sentence that ends with a colon takes its formula along. What else stands under it, a figure
-/// or a listing, stays where it is.
+/// A sentence that goes on under its paragraph takes its formula along. What else stands there, a
+/// figure or a listing, stays where it is.
 std::string completed(std::string sentence, const std::string& formula) {
-  if (!sentence.ends_with(":")) return sentence;
+  if (std::string(".!?)").find(sentence.back()) != std::string::npos) return sentence;
   if (!formula.empty()) return sentence + " " + formula;
+  if (!sentence.ends_with(":")) return sentence + " …";
   sentence.back() = '.';
   return sentence;
 }

@@ -28,10 +28,10 @@ std::string joined(std::string text, const std::regex& pair) {
 std::string with_units(const std::string& words) {
   static const std::string unit =
       "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])";
-  static const std::regex number("([0-9]) (" + unit + ")"),
+  static const std::regex number("([0-9]|½|¼|¾) (" + unit + ")"),
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
       counted("(Figure|Table|chapter|Chapter|order|DP|=) ((?:−)?[0-9])"),
-      behind_a_formula("^() (=)"),
+      behind_a_formula("^() (=|" + unit + ")"),
       vector("(\\((?:(?:−)?[0-9.]+,(?: |\u00a0))*(?:−)?[0-9.]+,) ((?:−)?[0-9.]+[,)])");
   static const std::regex exponent("([0-9]e-)([0-9])");
   std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner + "$2");

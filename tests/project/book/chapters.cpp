@@ -204,15 +204,19 @@ TEST_CASE("terms are in bold once, and listed with the sentence that introduces 
   book.write("chapters/02_two/README.md",
              with("You and us.", "You feel wind. We call it **drag**."));
   CHECK(says(joined(fresh_terms(book.path())), "): You feel wind. We call it drag.\n"));
-  const auto listed = [&](const std::string& under) {
+  const auto listed = [&](const std::string& under, const std::string& mark = ":") {
     book.write("chapters/02_two/README.md",
-               with("You and us.", "You step with **Euler's method**:\n\n" + under));
+               with("You and us.", "You step with **Euler's method**" + mark + "\n\n" + under));
     return joined(fresh_terms(book.path()));
   };
   CHECK(says(listed("```math\ny_1 = y\n+ h f\n```\n"), "with Euler's method: $`y_1 = y + h f`$\n"));
   CHECK(says(listed("```math\n\\begin{aligned}\na &= b\n\\end{aligned}\n```\n"),
              "with Euler's method.\n"));
   CHECK(says(listed("```text\n1 2\n```\n"), "with Euler's method.\n"));
+  // A sentence that goes on in the formula under it.
+  CHECK(says(listed("```math\ny_1 = y\n```\n", ""), "with Euler's method $`y_1 = y`$\n"));
+  CHECK(says(listed("```math\n\\begin{aligned}\na &= b\n\\end{aligned}\n```\n", ""),
+             "with Euler's method …\n"));
   CHECK(says(book.mistakes(with("You and us.", "You know **associative** sums.")),
              "is in bold already at"));
   const std::string page = "chapters/02_two/README.md";

@@ -151,8 +151,9 @@ TEST_CASE("a vector, and what a sum is equal to, stay in one line") {
       project.converted("At (3, −4, 0.5) N, (1, 2), f(x, 3) and 2 + 3 = 5, or so = −1 (a, b).\n") ==
       "At (3,\u00a0−4,\u00a00.5) N, (1,\u00a02), f(x, 3) and 2 + 3 =\u00a05, or so =\u00a0−1 "
       "(a, b).\n");
-  CHECK(project.converted("With $x$ = 8, or 1.5e-12.\n") ==
-        "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> or 1.5e-\u206012.\n");
+  CHECK(project.converted("With $x$ = 8, ½ kg, $E$ J, or 1.5e-12.\n") ==
+        "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> ½\u00a0kg, <span "
+        "class='unbroken'>\\f$E\\f$\u00a0J,</span> or 1.5e-\u206012.\n");
 }
 
 TEST_CASE("the head of a column breaks between words, and not in a formula") {

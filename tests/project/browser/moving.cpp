@@ -171,7 +171,7 @@ TEST_CASE("moving figures: controls, keys and the pointer change them, and a lin
         browser.drag(x, y, x - 45, y - 35);
       };
       CHECK(browser.evaluate(what_covers_grips) == Json::array());
-      drag_from(free);  // as one does to scroll
+      drag_from(free);  // as a reader does to scroll
       CHECK(picture() == still);
       drag_from(grip);
       CHECK(picture() != still);

@@ -41,8 +41,7 @@ TEST_CASE(
     p[3][static_cast<std::size_t>(run % 3)] += run % 5 == 0 ? 1 : 0;
     const int side = side_in_whole_numbers(p[0], p[1], p[2], p[3]);
     ++seen[static_cast<std::size_t>(side + 1)];
-    // Far away the places are exact, too, and so are their differences; with an odd scale not all
-    // are.
+    // All places are exact in doubles, and so are their differences.
     for (const double scale : {0x1p-20, 0x1.8p-20, 0x1p60})
       for (const double shift : {0., 0x1p31}) {
         std::array<Vec3, 4> q;
