@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -32,13 +33,15 @@ inline std::string read_text(const std::filesystem::path& file) {
 }
 
 /// Writes into the file as it is.
+/// @param named the file for whose sake it is written, for the message
 /// @throws std::runtime_error naming the file if it cannot be written
-inline void write_in_place(const std::filesystem::path& file, const std::string& text) {
+inline void write_in_place(const std::filesystem::path& file, const std::string& text,
+                           const std::filesystem::path& named) {
   errno = 0;
   std::ofstream out(file, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw std::runtime_error(failed_at("cannot write", file, errno));
+  if (!out) throw std::runtime_error(failed_at("cannot write", named, errno));
 }
 
 /// Writes beside the file and then puts it in its place: an interruption, or a full disk, leaves
@@ -49,11 +52,16 @@ inline void write_text(const std::filesystem::path& file, const std::string& tex
   std::error_code missing;
   const fs::file_type type = fs::status(file, missing).type();
   if (type == fs::file_type::character || type == fs::file_type::fifo)
-    return write_in_place(file, text);
-  const fs::path beside = file.string() + ".new";
-  fs::remove(beside);  // a link there would lead elsewhere
-  write_in_place(beside, text);
-  fs::rename(beside, file);
+    return write_in_place(file, text, file);
+  // Each of two writers at the same time has its own file beside it.
+  const fs::path beside = file.string() + "." + std::to_string(std::random_device()()) + ".new";
+  try {
+    write_in_place(beside, text, file);
+    fs::rename(beside, file);
+  } catch (...) {
+    fs::remove(beside, missing);
+    throw;
+  }
 }
 
 /// The same, in folders that need not be there.
