@@ -78,7 +78,7 @@ Vec3 tip_of(const Sample& now, const Sample& start) {
 void draw_on_the_sphere(support::Sketch& sketch, const std::vector<Sample>& all, std::size_t i) {
   constexpr std::size_t trail = 150;
   sketch.look({570, 190, 172});
-  draw_sphere(sketch, the_handle().axes.moments, "red: L in the body; black: its three axes");
+  draw_sphere(sketch, the_handle().axes.moments, "red: L in the body; the three dots: its axes");
   Way way{{}, {"ink", 2.6}};
   for (std::size_t k = i < trail ? 0 : i - trail; k <= i; ++k)
     way.points.push_back(tip_of(all[k], all[0]));
