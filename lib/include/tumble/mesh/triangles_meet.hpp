@@ -31,21 +31,19 @@ void add_determinant(ExactSum<n>& sum, double sign, const Vec3& p, const Vec3& q
   }
 }
 
-/// Whether a difference of two points has no rounding.
-inline bool is_exact_difference(const Vec3& p, const Vec3& q, const Vec3& difference) {
+/// Whether the difference of two points has no rounding; one that overflows has some (NaN).
+inline bool has_exact_difference(const Vec3& p, const Vec3& q) {
   for (int i = 0; i < 3; ++i)
     if (two_diff(p[i], q[i]).lo != 0) return false;
-  return difference.allFinite();
+  return true;
 }
 
 /// The exact sign of (a − d) · ((b − d) × (c − d)): from the differences where these are exact, as
 /// between points that are near each other, else from the 24 products of the points themselves.
 inline int exact_side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = a - d, v = b - d, w = c - d;
-  if (is_exact_difference(a, d, u) && is_exact_difference(b, d, v) &&
-      is_exact_difference(c, d, w)) {
+  if (has_exact_difference(a, d) && has_exact_difference(b, d) && has_exact_difference(c, d)) {
     ExactSum<24> sum;
-    add_determinant(sum, 1, u, v, w);
+    add_determinant(sum, 1, a - d, b - d, c - d);
     return sum.sign();
   }
   ExactSum<96> sum;

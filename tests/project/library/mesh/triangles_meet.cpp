@@ -12,13 +12,19 @@ namespace {
 
 using Whole = std::array<std::int64_t, 3>;
 
-/// The sign of (a − d) · ((b − d) × (c − d)) in whole numbers, which are exact: below 2¹⁹ in size.
+/// The sign of (a − d) · ((b − d) × (c − d)) in whole numbers, which are exact: where products
+/// wrap, the small sum is right all the same.
 int side_in_whole_numbers(const Whole& a, const Whole& b, const Whole& c, const Whole& d) {
-  std::int64_t sum = 0;
+  using Wrapping = std::uint64_t;
+  Wrapping wrapped = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    sum += (a[i] - d[i]) * ((b[j] - d[j]) * (c[k] - d[k]) - (b[k] - d[k]) * (c[j] - d[j]));
+    const auto less_d = [&d](const Whole& q, std::size_t n) {
+      return static_cast<Wrapping>(q[n] - d[n]);
+    };
+    wrapped += less_d(a, i) * (less_d(b, j) * less_d(c, k) - less_d(b, k) * less_d(c, j));
   }
+  const auto sum = static_cast<std::int64_t>(wrapped);
   return (sum > 0) - (sum < 0);
 }
 
@@ -33,12 +39,18 @@ TEST_CASE(
   tumble::test::Random rng(2024);
   std::array<int, 3> seen{};
   for (int run = 0; run < 3000; ++run) {
-    std::array<Whole, 4> p;
-    for (Whole& point : p)
-      for (std::int64_t& x : point) x = static_cast<std::int64_t>(rng.uniform(-4e5, 4e5)) & ~1;
-    // The fourth in the plane of the others, between two of them; or off by one in one direction.
-    for (std::size_t i = 0; i < 3; ++i) p[3][i] = (p[0][i] + p[1][i]) / 2;
-    p[3][static_cast<std::size_t>(run % 3)] += run % 5 == 0 ? 1 : 0;
+    // Edges i (1, 0, a) + k (0, 1, b) whose cross product is as small as whole numbers can be,
+    // sheared: the fourth point is in their plane or off it by one, far below the rounding of the
+    // products.
+    const auto random = [&] { return static_cast<std::int64_t>(rng.uniform(100, 250)); };
+    const std::int64_t m = random(), slope_x = random(), slope_y = random();
+    const Whole first{random(), random(), random()};
+    const auto at = [&](std::int64_t i, std::int64_t k, std::int64_t off) -> Whole {
+      const std::int64_t z = first[2] + i * slope_x + k * slope_y + off;
+      return {first[0] + i + 3 * z, first[1] + k + 5 * z, z};
+    };
+    const std::array<Whole, 4> p{at(0, 0, 0), at(m, m + 1, 0), at(m + 1, m + 2, 0),
+                                 at(3 * m, 2 * m, run % 3 - 1)};
     const int side = side_in_whole_numbers(p[0], p[1], p[2], p[3]);
     ++seen[static_cast<std::size_t>(side + 1)];
     // All places are exact in doubles, and so are their differences.
