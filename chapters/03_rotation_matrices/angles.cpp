@@ -76,12 +76,10 @@ void draw_gimbals(Sketch& sketch, const Vec2& at, double alpha, double beta) {
   const std::array<double, 3> inner{1.2, 0.95, 0.55}, outer{1.6, 1.55, 1.5};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 axis = axes.col(static_cast<Eigen::Index>(i));
-    const double lift = i == 2 && std::abs(axis.dot(first)) > 0.99 ? -0.09 : 0;
+    const double lift = i == 2 && std::abs(axis.dot(first)) > 0.99 ? -0.2 : 0;
     const Vec3 side = lift * Vec3::UnitZ();
     space.arrow(inner[i] * axis + side, outer[i] * axis + side, {colours[i], 2.6});
-    const Vec2 along = space.seen(axis).normalized();
-    space.words(outer[i] * axis + side, {16 * along.x(), 6 - 14 * along.y() + (lift < 0 ? 16 : 0)},
-                names[i], colours[i]);
+    space.name_at_tip(side, outer[i] * axis + side, names[i], colours[i]);
   }
 }
 

@@ -26,7 +26,7 @@ std::string columns_figure() {
   SpaceSketch(sketch, view).axes(Vec3::Zero(), 0.11 * R, {"x", "y", "z"}, column_pens);
   sketch.look({60, 300, 1});
   SpaceSketch(sketch, view).world_axes(Vec3::Zero(), 46);
-  sketch.words({0, 0}, {0, 50}, "world", "ink", "middle");
+  sketch.words({0, 0}, {0, 56}, "world", "ink", "middle");
   draw_matrix(sketch, R, "R", {488, 170, 74, 34});
   return sketch.svg();
 }

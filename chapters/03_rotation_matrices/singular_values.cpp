@@ -47,9 +47,8 @@ void draw_image(Sketch& sketch, const Mat3& view, const Image& image) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 tip = image.shape.col(static_cast<Eigen::Index>(i));
     space.arrow(Vec3::Zero(), tip, {colours[i], 2.6});
-    const Vec2 along = space.seen(tip).normalized();
-    space.words(
-        tip, {22 * along.x(), 6 - 16 * along.y()},
+    space.name_at_tip(
+        Vec3::Zero(), tip,
         image.names + subscript(i) + (image.names == "σ" ? " u" + subscript(i) : std::string()),
         colours[i]);
   }

@@ -80,7 +80,7 @@ std::string sides_figure() {
   constexpr double scale = 2250;
   const auto look = [&](double x, int up) {
     sketch.look({x - scale * middle.x(), 178 + scale * middle[up], scale});
-    sketch.curves(silhouette(mug().mesh, 0, up), {"solid", 0.5, 1, 1});
+    sketch.curves(silhouette(mug().mesh, 0, up), {"solid", 1.2, 1, 1});
   };
   const auto draw = [&](const boxes::OrientedBox& box, int up, const std::string& colour,
                         const std::string& name, double down) {

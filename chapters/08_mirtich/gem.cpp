@@ -181,9 +181,7 @@ void draw_axes(support::Sketch& sketch) {
   for (Eigen::Index i = 0; i < 3; ++i) {
     const Vec2 from = seen(corner), to = seen(corner + 0.4 * Vec3::Unit(i));
     sketch.arrow(from, to, {"ink", 1.5});
-    const Vec2 along = (to - from).normalized();
-    sketch.words(to, {11 * along.x(), 5 - 11 * along.y()}, names[static_cast<std::size_t>(i)],
-                 "ink", "middle");
+    sketch.name_at_tip(from, to, names[static_cast<std::size_t>(i)]);
   }
 }
 

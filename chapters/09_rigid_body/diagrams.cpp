@@ -64,7 +64,7 @@ std::string frames_figure() {
   const auto seen = [&view](const Vec3& point) -> Vec2 { return (view * point).head<2>(); };
   draw_mug(sketch, view, now, {"faint", 1.5});
   sketch.arrow({0, 0}, seen(now.x), {"c0", 2.4});
-  sketch.words(seen(now.x / 2), {0, 24}, "x", "c0", "middle");
+  sketch.words(seen(0.72 * now.x), {0, 24}, "x", "c0", "middle");
   sketch.arrow(seen(now.x), seen(p), {"c1", 2.4});
   sketch.words(seen((now.x + p) / 2), {4, 30}, "R p_body", "c1", "start");
   sketch.arrow({0, 0}, seen(p), {"c3", 2.4});

@@ -35,7 +35,7 @@ inline constexpr std::array<Paint, 15> palette{{{"c0", "#0c62a8", "#68b0eb"},
                                                 {"paper", "#ffffff", "#0d1117"},
                                                 {"ink", "#1c2128", "#e2e8ee"},
                                                 {"faint", "#68717b", "#7d8590"},
-                                                {"grid", "#e6e9ed", "#262c34"},
+                                                {"grid", "#e6e9ed", "#353d47"},
                                                 {"solid", "#b9c7d8", "#5f7793"}}};
 
 /// @throws std::invalid_argument if there is no such colour

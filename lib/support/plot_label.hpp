@@ -11,7 +11,7 @@
 namespace tumble::support::plot_detail {
 
 constexpr double text_height = 15;
-constexpr double margin_gap = 10;  // between the frame and a name beside it
+constexpr double margin_gap = 7;  // between the frame and a name beside it
 
 /// A rectangle in the figure, y down.
 struct Box {
@@ -29,12 +29,6 @@ struct Box {
     return {std::clamp(p.x, x, x + width), std::clamp(p.y, y, y + height)};
   }
 };
-
-/// About how wide the words are drawn: the same with every font, or figures would differ.
-inline double text_width(const std::string& words) {
-  const auto starts_letter = [](char c) { return (c & 0xC0) != 0x80; };
-  return 7.0 * static_cast<double>(std::count_if(words.begin(), words.end(), starts_letter));
-}
 
 /// A name and what it belongs to.
 struct Label {

@@ -104,8 +104,9 @@ class LabelPlacer {
   }
 
   bool stands_on_axis(const Box& box) const {
-    return box.x < frame_.right_end() && box.y < frame_.floor() &&
-           box.y + box.height > frame_.floor();
+    constexpr double near = 2;
+    return box.x < frame_.right_end() && box.y < frame_.floor() + near &&
+           box.y + box.height > frame_.floor() - near;
   }
 
   /// In pixels of leader, roughly: what it costs to stand far away, outside or on other names.
@@ -113,11 +114,11 @@ class LabelPlacer {
     double cost = distance(label.anchor, label.box.nearest(label.anchor));
     if (label.has_leader()) cost += 8;
     if (!fits(label.box)) cost += 1e4;
-    if (stands_on_axis(label.box)) cost += 60;
+    if (stands_on_axis(label.box)) cost += 200;
     for (std::size_t i = 0; i < known; ++i) {
       if (i == which) continue;
       if (labels_[i].box.meets(label.box)) cost += 1e3;
-      cost += 60 * crossings(label, labels_[i]) + 60 * crossings(labels_[i], label);
+      cost += 200 * crossings(label, labels_[i]) + 200 * crossings(labels_[i], label);
       if (are_swapped(label, labels_[i])) cost += 40;
     }
     return cost;
@@ -128,13 +129,19 @@ class LabelPlacer {
     const std::vector<Pixel> leader =
         label.has_leader() ? leader_points(label) : std::vector<Pixel>{};
     double cost = 0;
-    for (const std::vector<Pixel>& curve : curves_)
-      for (const Pixel& p : curve) {
-        if (label.box.holds(p, 3)) cost += 25;
+    for (std::size_t s = 0; s < curves_.size(); ++s)
+      for (const Pixel& p : curves_[s]) {
+        if (label.box.holds(p, half_width(plot_.series[s]))) cost += 35;
         for (const Pixel& q : leader)
           if (std::abs(p.x - q.x) + std::abs(p.y - q.y) < 4) cost += 4;
       }
     return cost;
+  }
+
+  /// What a curve covers beside its points, its markers with it where each point has one.
+  static double half_width(const Series& series) {
+    const bool marked = series.look == Look::dots || series.x.size() <= most_markers;
+    return marked ? 5 : 3;
   }
 
   /// Whether the leader of one name runs through the other.

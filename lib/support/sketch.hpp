@@ -111,6 +111,16 @@ class Sketch {
             "\" text-anchor=\"" + anchor + "\">" + svg_words(text) + "</text>\n";
   }
 
+  /// The name of an arrow, beyond its tip and clear of it.
+  void name_at_tip(const Vec2& from, const Vec2& to, const std::string& name,
+                   const std::string& colour = "ink") {
+    constexpr double gap = 8;
+    const Vec2 along = (to - from).normalized();
+    const Vec2 half(text_width(name, text_size_) / 2, 0.38 * text_size_);
+    const double away = gap + along.cwiseAbs().dot(half);
+    words(to, {away * along.x(), half.y() - away * along.y()}, name, colour, "middle");
+  }
+
   /// The drawing as a complete SVG document.
   std::string svg() const { return svg_ + grips_ + "</svg>\n"; }
 

@@ -41,6 +41,12 @@ class SpaceSketch {
     sketch_.words(seen(point), offset, text, colour, anchor);
   }
 
+  /// The name of an arrow, beyond its tip.
+  void name_at_tip(const Vec3& from, const Vec3& to, const std::string& name,
+                   const std::string& colour = "ink") {
+    sketch_.name_at_tip(seen(from), seen(to), name, colour);
+  }
+
   /// Three arrows from a point, the columns of a matrix, with names at their tips.
   void axes(const Vec3& origin, const Mat3& columns, const std::array<std::string, 3>& names,
             const std::array<Pen, 3>& pens) {
@@ -48,11 +54,7 @@ class SpaceSketch {
       return origin + columns.col(static_cast<Eigen::Index>(i));
     };
     for (std::size_t i = 0; i < 3; ++i) arrow(origin, tip_of(i), pens[i]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 tip = tip_of(i);
-      const Vec2 along = (seen(tip) - seen(origin)).normalized();
-      words(tip, {14 * along.x(), 5 - 14 * along.y()}, names[i], pens[i].colour);
-    }
+    for (std::size_t i = 0; i < 3; ++i) name_at_tip(origin, tip_of(i), names[i], pens[i].colour);
   }
 
   /// The world's axes, in ink.

@@ -3,6 +3,7 @@
 /// The pieces that every figure shares: numbers and text as SVG wants them, and an opening that
 /// works as a file of its own and inlined in a page.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -75,6 +76,13 @@ inline std::string svg_minus_signs(std::string_view words) {
       text += words[i];
   }
   return svg_text(text);
+}
+
+/// About how wide words of this size are drawn: the same with every font, or figures would differ.
+inline double text_width(std::string_view words, double size = 13) {
+  const auto starts_letter = [](char c) { return (c & 0xC0) != 0x80; };
+  return 7.0 / 13 * size *
+         static_cast<double>(std::count_if(words.begin(), words.end(), starts_letter));
 }
 
 /// A Latin letter, or a byte of a Greek one in UTF-8.

@@ -39,6 +39,9 @@ for (const paragraph of text.querySelectorAll(".try-it p, figcaption"))
 // A short piece of code stays in its line: an option would break behind its first hyphen.
 for (const code of text.querySelectorAll(":is(p, li) > code")) code.classList.toggle("short", code.textContent.length < 40);
 for (const code of text.querySelectorAll(":is(p, li, td) > code")) code.classList.toggle("a-word", code.textContent.length < 16);
+// In a longer one, each option does.
+for (const code of text.querySelectorAll(":is(p, li, td) > code:not(.a-word)"))
+  code.innerHTML = code.innerHTML.replace(/(?<=^| )--?[a-z][a-z-]{0,18}(?= |$)/g, "<span class='a-word'>$&</span>");
 
 const pageContents = document.querySelector(".page-contents");
 if (pageContents) {

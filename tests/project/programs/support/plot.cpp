@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "project/harness/refusal.hpp"
 #include "support/table.hpp"
 #include "support/view.hpp"
@@ -137,6 +139,27 @@ TEST_CASE("plot: names that stand one above the other are in the order of their 
   REQUIRE(labels.size() == 2);
   CHECK(labels[0].anchor.y < labels[1].anchor.y);
   CHECK(labels[0].box.y < labels[1].box.y);
+}
+
+TEST_CASE("plot: a name covers neither markers, nor a curve beside its own, nor the axis") {
+  // What falls to the axis in a cloud of dots, beside one that falls nearly alike.
+  Series falling{"DP 5(4), adaptive", {}, {}}, beside{"DOP853", {}, {}}, cloud{"bodies", {}, {}};
+  cloud.look = Look::dots;
+  for (int i = 0; i <= 20; ++i) {
+    falling.x.push_back(1 + 0.1 * i), falling.y.push_back(std::pow(10, -0.5 * i));
+    beside.x.push_back(1.1 + 0.1 * i), beside.y.push_back(std::pow(10, -0.5 * i));
+    cloud.x.push_back(3.4 + 0.05 * i), cloud.y.push_back(std::pow(10, -9 - 0.05 * (i % 5)));
+  }
+  const Plot plot{"", {"x"}, {"y", Scale::log}, {falling, beside, cloud}};
+  const plot_detail::Layout placed = plot_detail::layout(plot);
+  for (const plot_detail::Label& label : placed.labels) {
+    CAPTURE(plot.series[label.series].name);
+    for (const Series& series : plot.series)
+      for (const plot_detail::Pixel& p : plot_detail::dense(series, placed.frame))
+        CHECK_FALSE(label.box.holds(p, 5));
+    const double below = label.box.y + label.box.height - placed.frame.floor();
+    CHECK_FALSE((label.box.x < placed.frame.right_end() && std::abs(below) < 2));
+  }
 }
 
 TEST_CASE("plot: a single dot has its name beside it") {

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "project/harness/refusal.hpp"
 
 using namespace tumble::support;
@@ -37,4 +40,25 @@ TEST_CASE("sketch: words may have what XML reserves") {
   Sketch sketch(100, 100, "");
   sketch.words({0, 0}, {3, 4}, "a < b", "ink", "end");
   CHECK(mentions(sketch.svg(), "x=\"3\" y=\"4\"", "text-anchor=\"end\">a &lt; b</text>"));
+}
+
+TEST_CASE("sketch: an arrow's name is clear of its tip, whichever way it points") {
+  for (const std::string name : {"x", "x_world"})
+    for (int eighth = 0; eighth < 8; ++eighth) {
+      CAPTURE(name);
+      CAPTURE(eighth);
+      const double angle = eighth * std::numbers::pi / 4;
+      const Vec2 along(std::cos(angle), std::sin(angle));
+      Sketch sketch(100, 100, "", 13);
+      sketch.name_at_tip({0, 0}, 1e-9 * along, name);
+      const std::string svg = sketch.svg();
+      const auto coordinate = [&svg](const std::string& name_of_it) {
+        const std::size_t at = svg.find("<text ");
+        return std::stod(svg.substr(svg.find(name_of_it + "=\"", at) + name_of_it.size() + 2));
+      };
+      const Vec2 middle(coordinate("x"), 5 - coordinate("y"));  // of the letters, y up
+      const Vec2 half(text_width(name) / 2, 5);
+      CHECK(middle.dot(along) - along.cwiseAbs().dot(half) > 5);
+      CHECK(std::abs(middle.x() * along.y() - middle.y() * along.x()) < 0.2);  // in its direction
+    }
 }
