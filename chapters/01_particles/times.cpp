@@ -34,7 +34,7 @@ void add_times(Table& table, const std::string& what, const F& f, const State& s
   const std::vector<support::Timing> timings = stopwatch.timings();
   for (const support::Timing& each : timings)
     row.push_back(row.size() == 1 ? support::duration(each.seconds)
-                                  : number(each.seconds / timings[0].seconds, 2) + " ×");
+                                  : support::times(each.seconds / timings[0].seconds));
   table.add(row);
 }
 

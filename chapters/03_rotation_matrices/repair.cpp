@@ -129,7 +129,7 @@ Table times_table() {
   Table table({"what", "time", "midpoint steps"});
   for (const support::Timing& each : timings)
     table.add({each.name, support::duration(each.seconds),
-               number(each.seconds / timings[0].seconds, 2) + " ×"});
+               support::times(each.seconds / timings[0].seconds)});
   return table;
 }
 

@@ -48,7 +48,7 @@ void draw_image(Sketch& sketch, const Mat3& view, const Image& image) {
     const Vec3 tip = image.shape.col(static_cast<Eigen::Index>(i));
     space.arrow(Vec3::Zero(), tip, {colours[i], 2.6});
     space.name_at_tip(
-        Vec3::Zero(), tip,
+        Vec3::Zero(), 1.06 * tip,
         image.names + subscript(i) + (image.names == "σ" ? " u" + subscript(i) : std::string()),
         colours[i]);
   }

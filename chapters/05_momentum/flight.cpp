@@ -18,7 +18,8 @@ namespace {
 /// From the hand: upwards and away, end over end, and not quite about a principal axis.
 auto thrown_racket(int count) {
   const RigidBody<> body(properties_of(racket));
-  const Quat q = exp_quaternion<double>(Vec3(0, -0.6, 0)) * exp_quaternion<double>(Vec3(0.5, 0, 0));
+  const Quat raised = exp_quaternion<double>(Vec3(0, -0.6, 0));
+  const Quat q = raised * exp_quaternion<double>(Vec3(0.5, 0, 0));
   const Vec3 v(3.3, 0, 4.6), omega(0.6, 14, 0.4);
   const RigidBodyState<> start = state_of_motion<double>(body, Vec3::Zero(), q, v, omega);
   return followed(RigidBodyRhs(body, Weight{}), start, 0.95, count);

@@ -77,7 +77,7 @@ Table inside_table() {
   const std::vector<support::Timing> timings = stopwatch.timings();
   for (const support::Timing& each : timings)
     table.add({each.name, support::duration(each.seconds),
-               number(each.seconds / timings[2].seconds, 2) + " ×"});
+               support::times(each.seconds / timings[2].seconds)});
   return table;
 }
 
@@ -113,7 +113,7 @@ Table times_table() {
   const std::vector<support::Timing> timings = stopwatch.timings();
   for (std::size_t i = 0; i < timings.size(); ++i)
     table.add({timings[i].name, support::duration(timings[i].seconds),
-               number(timings[i].seconds / timings[0].seconds, 2) + " ×", errors[i]});
+               support::times(timings[i].seconds / timings[0].seconds), errors[i]});
   return table;
 }
 

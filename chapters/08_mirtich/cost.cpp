@@ -200,8 +200,8 @@ Table times_table() {
   Table table({"a triangle of", "a mug of 20,000", "ratio", "a torus of 200,000", "ratio"});
   const auto cells = [](const PolygonMesh& mesh, const std::vector<support::Timing>& all,
                         std::size_t i) -> std::array<std::string, 2> {
-    return {number(1e9 * all[i].seconds / mesh.face_count()) + " ns",
-            number(all[i].seconds / all[1].seconds, 2) + " ×"};
+    return {support::duration(all[i].seconds / mesh.face_count()),
+            support::times(all[i].seconds / all[1].seconds)};
   };
   for (std::size_t i = 0; i < on_mug.size(); ++i) {
     const auto a = cells(mug, on_mug, i), b = cells(large, on_torus, i);

@@ -176,7 +176,7 @@ void draw_floor(support::Sketch& sketch) {
 }
 
 void draw_axes(support::Sketch& sketch) {
-  const Vec3 corner(-1.2, -1.2, 0);
+  const Vec3 corner(-1.2, -0.95, 0);
   const std::array<std::string, 3> names{"x", "y", "z"};
   for (Eigen::Index i = 0; i < 3; ++i) {
     const Vec2 from = seen(corner), to = seen(corner + 0.4 * Vec3::Unit(i));

@@ -98,7 +98,7 @@ Table times_table() {
   Table table({"what", "time", "as a ratio"});
   for (const support::Timing& each : timings)
     table.add({each.name, support::duration(each.seconds),
-               number(each.seconds / timings[0].seconds, 2) + " ×"});
+               support::times(each.seconds / timings[0].seconds)});
   return table;
 }
 

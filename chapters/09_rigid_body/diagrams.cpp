@@ -53,9 +53,9 @@ Mat3 view_from_the_front() { return support::view_from(-112 * degree, 20 * degre
 }  // namespace
 
 std::string frames_figure() {
-  Sketch sketch(760, 420,
+  Sketch sketch(760, 290,
                 "A point of the mug, from the world's origin and from its centre of mass");
-  sketch.look({110, 290, 1750});
+  sketch.look({110, 246, 1750});
   const Mat3 view = view_from_the_front();
   Derived<> now;
   now.x = Vec3(0.24, 0.03, 0.01);
@@ -66,7 +66,7 @@ std::string frames_figure() {
   sketch.arrow({0, 0}, seen(now.x), {"c0", 2.4});
   sketch.words(seen(0.72 * now.x), {0, 24}, "x", "c0", "middle");
   sketch.arrow(seen(now.x), seen(p), {"c1", 2.4});
-  sketch.words(seen((now.x + p) / 2), {4, 30}, "R p_body", "c1", "start");
+  sketch.words(seen((now.x + p) / 2), {46, 36}, "R p_body", "c1", "start");
   sketch.arrow({0, 0}, seen(p), {"c3", 2.4});
   sketch.words(seen(0.56 * p), {-10, -10}, "p = x + R p_body", "c3", "end");
   support::SpaceSketch space(sketch, view);

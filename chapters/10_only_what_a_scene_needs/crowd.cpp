@@ -105,7 +105,7 @@ Table crowd_table() {
     const std::vector<RigidBodyState<>> ends = ways[i].end(crowd);
     const double error = crowd_error(crowd, [&](std::size_t k) { return ends[k]; });
     table.add({ways[i].name, support::duration(timings[i].seconds / (crowd_size * crowd_steps)),
-               number(timings[i].seconds / timings[0].seconds, 2) + " ×",
+               support::times(timings[i].seconds / timings[0].seconds),
                error_above(error, 1e-12) + " rad"});
   }
   return table;

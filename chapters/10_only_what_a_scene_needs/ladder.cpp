@@ -106,7 +106,7 @@ Table times_of(const std::string& heading, const support::Stopwatch& stopwatch) 
   const std::vector<support::Timing> timings = stopwatch.timings();
   for (const support::Timing& each : timings)
     table.add({each.name, support::duration(each.seconds),
-               number(each.seconds / timings[0].seconds, 2) + " ×"});
+               support::times(each.seconds / timings[0].seconds)});
   return table;
 }
 

@@ -72,7 +72,7 @@ inline void draw_lines(support::Sketch& sketch, const PlanarImpact& impact, cons
   if (!closest.empty()) {
     sketch.curve(closest, {"c3", 1.6});
     const Vec2& right = closest[0].x() > closest[1].x() ? closest[0] : closest[1];
-    sketch.words(right, {-4, -8}, "compressed", "c3", "end");
+    sketch.words(right, {-4, 22}, "compressed", "c3", "end");
   }
 }
 

@@ -65,14 +65,10 @@ Series zeno_stairs(double e) {
   return stairs;
 }
 
-/// The time after which it rests, from the top of the plot to its floor.
+/// The time after which it rests, from the floor of the plot to its top.
 Series zeno_wall(double e, double low, const std::string& colour) {
-  return {"t₀ (1 + e)/(1 − e)",
-          {zeno_end(e), zeno_end(e)},
-          {1, low},
-          support::Look::dashed,
-          colour,
-          1.2};
+  return {e == 0.5 ? "" : "t₀ (1 + e)/(1 − e)",  // the line beside it is another of the kind
+          {zeno_end(e), zeno_end(e)},           {low, 1}, support::Look::dashed, colour, 1.2};
 }
 
 }  // namespace

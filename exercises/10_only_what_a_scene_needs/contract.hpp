@@ -66,7 +66,7 @@ struct EnergyDrift {
 /// - Two moments count as equal if their difference makes the orientation wrong by no more than the
 ///   tolerance. The body turns by the angle omega · duration. Multiply this angle by the difference
 ///   of the two moments, divided by the larger one: the product may be up to the tolerance.
-/// - If orientation counts, the body is a ball if each two of its moments count as equal, a
+/// - If orientation counts, the body is a ball if every two of its moments count as equal, a
 ///   symmetric top if only some two do, and a full body if no two do.
 /// - Steps are needed where orientation counts and a torque acts. Without a torque you know every
 ///   body's turning in closed form: that of a ball and of a top with sines, that of a full body

@@ -48,7 +48,7 @@ struct Separation {
   Eigen::Vector3d normal;  ///< of the planes, length 1, from the first box to the second
 };
 
-/// Gives the gap between two bodies at the time t [m], negative where they overlap. That is
+/// Gives the gap [m] between two bodies at the time t, negative where they overlap. That is
 /// expensive.
 using GapAt = std::function<double(double t)>;
 
@@ -184,7 +184,7 @@ PlanarImpulse collide_with_friction(const Eigen::Matrix2d& K, const Eigen::Vecto
 /// @param scene the ball and the floor
 /// @param start the ball above the floor, or just on it. If it is on it, and v_z < 0, it lands at
 ///              once; if v_z = 0, it is at rest since start.t
-/// @param t1    contacts after this time, which is start.t or later, don't count [s]. If the
+/// @param t1    contacts after this time [s], which is start.t or later, don't count. If the
 ///              rest_time would be later, the ball is not at rest, and rest_time is 0
 /// @return all contacts, to rounding: errors may grow with the number of contacts
 Bounces bounce(const BallAndFloor& scene, const BallState& start, double t1);

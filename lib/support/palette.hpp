@@ -34,7 +34,7 @@ inline constexpr std::array<Paint, 15> palette{{{"c0", "#0c62a8", "#68b0eb"},
                                                 {"c9", "#5a4ec2", "#9a98ff"},
                                                 {"paper", "#ffffff", "#0d1117"},
                                                 {"ink", "#1c2128", "#e2e8ee"},
-                                                {"faint", "#68717b", "#7d8590"},
+                                                {"faint", "#68717b", "#99a2ac"},
                                                 {"grid", "#e6e9ed", "#353d47"},
                                                 {"solid", "#b9c7d8", "#5f7793"}}};
 

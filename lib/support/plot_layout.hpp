@@ -133,7 +133,7 @@ class LabelPlacer {
       for (const Pixel& p : curves_[s]) {
         if (label.box.holds(p, half_width(plot_.series[s]))) cost += 35;
         for (const Pixel& q : leader)
-          if (std::abs(p.x - q.x) + std::abs(p.y - q.y) < 4) cost += 4;
+          if (std::abs(p.x - q.x) + std::abs(p.y - q.y) < 4) cost += 8;
       }
     return cost;
   }

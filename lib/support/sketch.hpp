@@ -78,11 +78,14 @@ class Sketch {
   }
 
   /// Thousands of dots alike, as one path: each a line of no length with round ends.
-  void specks(const std::vector<Vec2>& centres, const std::string& colour, double pixels) {
-    svg_ += "<path d=\"";
-    for (const Vec2& centre : centres) svg_ += "M" + at(centre) + "h0";
-    svg_ += "\" fill=\"none\" " + stroke_of(colour) + " stroke-width=\"" + svg_number(2 * pixels) +
-            "\" stroke-linecap=\"round\"/>\n";
+  void specks(const std::vector<Vec2>& centres, const std::string& colour, double radius) {
+    SvgPath path;
+    for (const Vec2& centre : centres) {
+      const Vec2 p = pixels(centre);
+      path.speck(p.x(), p.y());
+    }
+    svg_ += "<path d=\"" + path.text() + "\" fill=\"none\" " + stroke_of(colour) +
+            " stroke-width=\"" + svg_number(2 * radius) + "\" stroke-linecap=\"round\"/>\n";
   }
 
   /// Where a reader takes hold of a figure that moves: unseen, around one point or along a line.
@@ -134,11 +137,6 @@ class Sketch {
       const Vec2 p = pixels(line[i]);
       path.add(p.x(), p.y(), i == 0);
     }
-  }
-
-  std::string at(const Vec2& point) const {
-    const Vec2 p = pixels(point);
-    return svg_number(p.x()) + " " + svg_number(p.y());
   }
 
   void circle(const Vec2& centre, double radius, const std::string& colour) {

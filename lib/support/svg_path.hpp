@@ -40,6 +40,14 @@ class SvgPath {
       line_to(x, y);
   }
 
+  /// A point, as a line of no length: with round ends it is a dot. [px]
+  void speck(double x, double y) {
+    const double dx = tenths(x) - x_, dy = tenths(y) - y_;
+    text_ += (text_.empty() ? "M" : "m") + svg_number(dx / 10) + " " + svg_number(dy / 10) + "h0";
+    x_ += dx;
+    y_ += dy;
+  }
+
   /// What a path's attribute d has.
   const std::string& text() const { return text_; }
 

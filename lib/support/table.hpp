@@ -55,6 +55,12 @@ inline std::string duration(double seconds) {
   return number(seconds) + " s";
 }
 
+/// How many times as large: 0.43 ×, 9.1 ×, and from 100 on whole: 225 ×.
+inline std::string times(double ratio) {
+  const int digits = ratio < 100 ? 2 : static_cast<int>(std::log10(ratio)) + 1;
+  return number(ratio, digits) + " ×";
+}
+
 /// Columns with a heading each; the first is flush left, the others flush right.
 class Table {
  public:

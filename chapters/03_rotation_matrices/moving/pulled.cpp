@@ -71,7 +71,7 @@ const Mat3& view() {
 
 // ── The mug ──
 
-constexpr double mug_scale = 1250, arrow_length = 0.11;  // [px/m], [m] of a column of length 1
+constexpr double mug_scale = 1150, arrow_length = 0.11;  // [px/m], [m] of a column of length 1
 constexpr double out_of_the_picture = 5;                 // ‖M‖
 constexpr double middle_y = 190, left_x = 185, right_x = 565;
 

@@ -23,7 +23,7 @@ constexpr std::array<Control, 3> controls{
     {{"x", "the ray starts at x", "mm", -18, 112, 1, 36},
      {"z", "and at z", "mm", 1, 95, 1, 32},
      {"rule", "a ray through a corner", "", 0, 2, 1, 0,
-      "counts for both segments|counts for none|counts for one"}}};
+      "counts for both segments|counts for none|counts for the upper one"}}};
 
 /// What there is in whole millimetres, so that the ray can hit a corner exactly: the mug with its
 /// handle, and the hole of the handle.
@@ -108,7 +108,7 @@ void draw_ray(Sketch& sketch, const Vec2& p, const Crossings& met) {
   sketch.dot(p, "ink", 7);
 }
 
-/// Red rings around corners for which a careless rule is wrong.
+/// Red rings around the corners that the ray meets.
 void draw_rings(Sketch& sketch, const Vec2& p) {
   constexpr double radius = 2.4;  // [mm]
   for (const Vec2& corner : corners_on(p)) {
@@ -133,7 +133,7 @@ void draw_count(Sketch& sketch, const Vec2& p, EdgeRule by, const Crossings& met
   const bool odd = met.size() % 2 == 1, truth = inside(p, EdgeRule::one);
   sketch.look({0, 0, 1});
   sketch.words({110, -545}, {0, 0},
-               signs + (met.empty() ? "no" : "=  " + std::to_string(met.size())) +
+               (met.empty() ? "no" : signs + "are " + std::to_string(met.size())) +
                    (met.size() == 1 ? " crossing" : " crossings") + ", " +
                    (odd ? "odd: inside" : "even: outside") + "; the signs add up to " + sum);
   const bool wrong = by != EdgeRule::one && odd != truth;
@@ -153,7 +153,7 @@ std::string draw(Settings now) {
   draw_grid(sketch, by);
   draw_ray(sketch, p, met);
   sketch.grip({p});
-  if (by != EdgeRule::one) draw_rings(sketch, p);
+  draw_rings(sketch, p);
   draw_count(sketch, p, by, met);
   return sketch.svg();
 }

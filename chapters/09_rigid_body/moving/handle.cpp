@@ -28,7 +28,7 @@ constexpr std::array<Control, 5> controls{
     {{"t", "time", "s", 0, longest, spacing, 1.2},
      {"aim", "aim is off by 10⁻ᵏ rad, k =", "", 0.5, 6, 0.1, 2},
      {"law", "law of motion", "", 0, 2, 1, 0,
-      "the right one|gyroscopic term left out|put in twice"},
+      "the right one|gyroscopic term left out|gyroscopic term put in twice"},
      {"around", "you stand at", "°", -180, 180, 1, 30},
      {"above", "and look down by", "°", -80, 80, 1, 20}}};
 /// The laws of the control, among all.

@@ -176,7 +176,7 @@ std::string draw(Settings now) {
   sketch.grip({{left, y}, {left + per_tenfold * tenfolds, y}}, 18);
   sketch.words({555, -60}, {0, 0}, "evaluations needed");
   sketch.words({555, -420}, {0, 0}, std::string("model: ") + name_of(shown.model));
-  sketch.words({555, -444}, {0, 0}, "← the library takes this");
+  sketch.words({555, -396}, {0, 0}, "← the library takes this");
   return sketch.svg();
 }
 

@@ -24,7 +24,7 @@ using support::Sketch;
 using support::svg_number;
 
 enum Which { angle, slip, restitution, friction };
-constexpr std::array<Control, 4> controls{{{"angle", "rod to the floor", "°", 10, 90, 1, 30},
+constexpr std::array<Control, 4> controls{{{"angle", "angle of the rod", "°", 10, 90, 1, 30},
                                            {"slip", "slip before", "m/s", -1, 1, 0.05, 0.2},
                                            {"e", "restitution e", "", 0, 1, 0.05, 0.9},
                                            {"mu", "friction μ", "", 0, 1.5, 0.05, 0.5}}};

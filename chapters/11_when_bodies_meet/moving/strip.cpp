@@ -107,7 +107,7 @@ void draw_throw(Sketch& sketch, const Throw& thrown, const std::string& colour, 
 
 /// A part of the floor, with a line every 2 cm.
 void draw_floor(Sketch& sketch) {
-  constexpr double left = -0.14, right = 0.5, front = -0.16, back = 0.18, mesh = 0.02;
+  constexpr double left = -0.14, right = 0.5, front = -0.12, back = 0.18, mesh = 0.02;
   support::SpaceSketch space(sketch, view());
   space.curve({{left, front, 0}, {right, front, 0}, {right, back, 0}, {left, back, 0}},
               {"faint", 0, 1, 0.1});

@@ -39,9 +39,16 @@ for (const paragraph of text.querySelectorAll(".try-it p, figcaption"))
 // A short piece of code stays in its line: an option would break behind its first hyphen.
 for (const code of text.querySelectorAll(":is(p, li) > code")) code.classList.toggle("short", code.textContent.length < 40);
 for (const code of text.querySelectorAll(":is(p, li, td) > code")) code.classList.toggle("a-word", code.textContent.length < 16);
-// In a longer one, each option does.
-for (const code of text.querySelectorAll(":is(p, li, td) > code:not(.a-word)"))
-  code.innerHTML = code.innerHTML.replace(/(?<=^| )--?[a-z][a-z-]{0,18}(?= |$)/g, "<span class='a-word'>$&</span>");
+// In a longer one, what has a hyphen does, and a path goes on in the next line behind a slash.
+for (const code of text.querySelectorAll(":is(p, li, td) > code:not(.a-word), :is(p, li, td) > a > code"))
+  if (!code.firstElementChild)
+    code.innerHTML = code.innerHTML.replace(/(?<=^| )(?=[^ ]{1,24}(?: |$))[^ ]*-[^ ]*/g, "<span class='a-word'>$&</span>").replace(/([\w.]\/)(?=\w)/g, "$1<wbr>");
+
+// A table that is too wide by a few pixels gets narrower gaps, rather than a scroll bar for half a number.
+for (const table of text.querySelectorAll(".scroll > table.numbers")) {
+  const over = table.offsetWidth - table.parentElement.clientWidth;
+  table.classList.toggle("close", over > 0 && over <= 5 * table.rows[0].cells.length);
+}
 
 const pageContents = document.querySelector(".page-contents");
 if (pageContents) {

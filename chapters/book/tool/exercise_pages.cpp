@@ -49,8 +49,8 @@ std::string places_text(const fs::path& root, const fs::path& folder, const Page
   std::string text = "Your file is `exercises/" + name + "/" + part.name + ".cpp`.";
   if (const std::string section = chapter ? section_of(*chapter, part.number) : "";
       !section.empty())
-    text += " We derive it in [" + section + "](../../chapters/" + name + "/README.md#" +
-            anchor_of(section) + "). On that page it is " +
+    text += " The section [" + section + "](../../chapters/" + name + "/README.md#" +
+            anchor_of(section) + ") derives it. On that page it is " +
             link_html(address_of(root, chapter->file) + "#" + box_id(part.number),
                       "Now write " + part.number) +
             ".";
@@ -83,7 +83,8 @@ Page exercise_page(const fs::path& root, const fs::path& folder) {
   for (const ContractPart& part : contract.parts) {
     text << html_block("<a id=\"" + exercise_anchor(root, folder, part.number) + "\"></a>") << "\n"
          << "## " << part.number << " " << part.name << "\n\n"
-         << "**" << as_sentence(part.title) << "** " << part.task << "\n```cpp\n"
+         << "**" << as_sentence(part.title) << "**" << (part.task.starts_with("- ") ? "\n\n" : " ")
+         << part.task << "\n```cpp\n"
          << part.code << "```\n\n```sh\n./tumble check " << part.number << "\n```\n\n"
          << hints_text(hints_of(folder / "hints.md", part.number))
          << places_text(root, folder, chapter.lines.empty() ? nullptr : &chapter, part);

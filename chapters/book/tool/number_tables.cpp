@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -91,19 +90,21 @@ std::vector<Row> joined(const std::vector<Row>& lines) {
   return rows;
 }
 
-/// Words begin at the left. Numbers end at the right, and so does a word in their place ("exact").
+/// Words begin at the left. Numbers end at the right, and so does a word in their place ("exact"),
+/// however often it stands there.
 bool holds_text(std::size_t k, const std::vector<Row>& rows) {
-  const auto words = std::count_if(rows.begin() + 1, rows.end(),
-                                   [k](const Row& row) { return !is_number_cell(row[k]); });
+  std::vector<std::string> words;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (!is_number_cell(rows[i][k])) words.push_back(rows[i][k]);
   const bool names_rows = k == 0;
-  return names_rows ? words > 0 : 2 * words > static_cast<std::ptrdiff_t>(rows.size()) - 1;
+  if (names_rows) return !words.empty();
+  const bool all_alike = std::all_of(words.begin(), words.end(),
+                                     [&](const std::string& each) { return each == words[0]; });
+  return 2 * words.size() > rows.size() - 1 && !all_alike;
 }
 
-/// A cell as HTML. A symbol's index stands below: v_z, K_zz, ω_y.
 std::string cell_html(const std::string& cell) {
-  static const std::regex index("(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4}|γ)(?![A-Za-z0-9_])");
-  return std::regex_replace(with_whole_formulas(support::svg_minus_signs(cell)), index,
-                            "$1$2<sub>$3</sub>");
+  return with_indices(with_whole_formulas(support::svg_minus_signs(cell)));
 }
 
 /// The class of a cell: whole sentences take more than one line.

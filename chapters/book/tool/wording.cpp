@@ -56,6 +56,12 @@ std::string with_round_quotes(const std::string& words, char before) {
 
 }  // namespace
 
+std::string with_indices(const std::string& words) {
+  static const std::regex index(
+      "(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4}|α|β|γ)(?![A-Za-z0-9_]|[.][a-z])");
+  return std::regex_replace(words, index, "$1$2<sub>$3</sub>");
+}
+
 std::string with_whole_formulas(const std::string& words) {
   static const std::regex behind("(−|\\+|×|·|=|/|±) ([^ ])"), ahead("([^ ]) (−|\\+|×|·|=|/|±)"),
       bracketed(R"((\[[^\]]{0,20}|\([^)]{0,20}) ([^\])]{0,20}[\])]))");
@@ -69,7 +75,7 @@ std::string on_the_site(const std::string& text) {
   std::string result, words;
   const auto finish_words = [&] {
     const char before = result.empty() ? ' ' : result.back();
-    result += with_units(has_tags ? words : with_round_quotes(words, before));
+    result += with_units(has_tags ? words : with_indices(with_round_quotes(words, before)));
     words.clear();
   };
   const auto formulas = formulas_in(text);

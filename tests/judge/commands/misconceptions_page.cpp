@@ -15,22 +15,31 @@ namespace {
 constexpr const char* beginning =
     R"(# What students get wrong
 
-The judge recognizes a mistake by its numbers: it has a wrong function for each, and looks which of them gives your student's answers. Here are all of them, with
+The judge recognises a mistake by its numbers: it has a wrong function for each, and looks which of them gives your student's answers. Here are all of them, with
 what your students read in the verdict, and the section of the book that explains it. Before a homework you see what you may want to say in class; after it,
 `./tumble report` counts how often each was met.
 
 <!-- This page is written by `./tumble matrix all --page`, from the specs in `tests/`. -->
 )";
 
-/// Plain text as Markdown.
+/// Text as Markdown: code between backticks stays code, everything else is plain.
 std::string escaped(const std::string& text) {
   std::string result;
+  bool in_code = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '`') in_code = !in_code;
     const bool scope = text.compare(i, 2, "::") == 0;  // a link to a name, to Doxygen
-    if (scope || std::string("*<$\\`[").find(text[i]) != std::string::npos) result += '\\';
+    const bool special = scope || std::string("*<$\\[").find(text[i]) != std::string::npos;
+    if (special && !in_code) result += '\\';
     result += text[i];
   }
   return result;
+}
+
+/// Doxygen begins no italics with code.
+std::string without_code(std::string text) {
+  std::erase(text, '`');
+  return text;
 }
 
 /// "1 Particles"; the folder's name if the page is not there.
@@ -44,9 +53,10 @@ std::string title_of(const Course& course, const Unit& unit) {
 void print_unit(std::ostream& out, const Unit& unit) {
   out << "\n### " << unit.number << " `" << unit.name << "`\n\n";
   for (const Misconception& misconception : misconceptions_of(unit.id()))
-    out << "- *" << escaped(misconception.name) << "*: " << escaped(misconception.sentence)
-        << " See [" << misconception.section << "](../" << unit.chapter << "/README.md#"
-        << support::heading_anchor(misconception.section) << ").\n";
+    out << "- *" << escaped(without_code(misconception.name))
+        << "*: " << escaped(misconception.sentence) << " See [" << misconception.section << "](../"
+        << unit.chapter << "/README.md#" << support::heading_anchor(misconception.section)
+        << (misconception.section.ends_with('?') ? ")\n" : ").\n");
 }
 
 }  // namespace

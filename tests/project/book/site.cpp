@@ -136,6 +136,17 @@ TEST_CASE("output in columns becomes a table: numbers flush right, words flush l
                  "```text\nno table\n```"));
 }
 
+TEST_CASE("a word that stands for numbers ends where they end, other words begin at the left") {
+  const Project project;
+  const std::string table = project.converted(
+      "<!-- output: 01_one#a -->\n```text\n  steps   Euler      grows    verdict\n  ─────   "
+      "────────   ──────   ───────\n"
+      "  250     exploded   always   good\n  500     exploded   always   bad\n"
+      "  1000    3          always   4\n```\n");
+  CHECK(mentions(table, "<th>Euler</th><th>grows</th><th class=\"words\">verdict</th>",
+                 "<td>exploded</td><td>always</td><td class=\"words\">good</td>"));
+}
+
 TEST_CASE("what touches a formula stays in its line") {
   const Project project;
   CHECK(project.converted("As $x$, and ($y$) is $z$-like: *$u$*.\n") ==
@@ -161,6 +172,12 @@ TEST_CASE("the head of a column breaks between words, and not in a formula") {
   CHECK(with_whole_formulas("inertia [kg m²]") == "inertia [kg\u00a0m²]");
   CHECK(with_whole_formulas("DP 5(4), x and z") == "DP\u00a05(4), x and z");
   CHECK(with_whole_formulas("v + ω × (R p_body)") == "v\u00a0+\u00a0ω\u00a0×\u00a0(R\u00a0p_body)");
+}
+
+TEST_CASE("a symbol's index stands below, and names of the code stay as they are") {
+  const Project project;
+  CHECK(project.converted("K_nt and n_γ, (R_i), `K_nt`, I_body_inv, a_file.hpp, x_.\n") ==
+        "K<sub>nt</sub> and n<sub>γ</sub>, (R<sub>i</sub>), `K_nt`, I_body_inv, a_file.hpp, x_.\n");
 }
 
 TEST_CASE("a number stays with its unit") {

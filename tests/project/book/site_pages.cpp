@@ -71,6 +71,19 @@ TEST_CASE("the site holds all that its pages lead to, each once") {
   CHECK(files.shown == std::vector<fs::path>{root / "solutions/01_one", root / "lib/list.txt"});
 }
 
+TEST_CASE(
+    "a task that begins with a list keeps its first item, and a text goes on behind the title") {
+  const SmallProject project;
+  const auto page_with = [&project](const std::string& task) {
+    project.write("exercises/01_one/contract.hpp",
+                  "#pragma once\n/// @file\n/// Chapter 1.\n\n// == 1.1 twice: a number doubled\n" +
+                      task + "int twice(int x);\n");
+    return text_of_page(exercise_page(project.path(), project.path() / "exercises/01_one"));
+  };
+  CHECK(mentions(page_with("/// - One.\n/// - Two.\n"), "**A number doubled.**\n\n- One.\n- Two."));
+  CHECK(mentions(page_with("/// Two of them.\n"), "**A number doubled.** Two of them."));
+}
+
 TEST_CASE("a contract is its introduction, what is given, and its exercises") {
   const SmallProject project;
   const Contract contract = read_contract(project.path() / "exercises/01_one/contract.hpp");

@@ -21,9 +21,9 @@ namespace tumble {
 
 /// How the integrals over a mesh are computed.
 enum class Accuracy {
-  fast,   ///< doubles, many triangles at once: 1e-15 for ordinary shapes, the bounds say for which
+  fast,   ///< doubles, many triangles at once: 1e-15 for ordinary shapes, see the bounds
   tight,  ///< pairs of doubles: right to the last bit for every shape, some four times as long
-  textbook,  ///< Mirtich's way over faces, shadows and edges: 1e-14, some 30 times as long
+  textbook,  ///< Mirtich's way over faces, shadows and edges: 1e-14, some 20 times as long
 };
 
 /// What to compute, and how.

@@ -17,6 +17,15 @@ TEST_CASE("SvgPath: steps from one point to the next, none to a point in the sam
   CHECK(path.text() == "M1 2l2.2 0 -3.2 -2M5 5l1 -1");
 }
 
+TEST_CASE("SvgPath: specks are lines of no length, each a step from the one before") {
+  SvgPath path;
+  path.speck(10, 20);
+  path.speck(10.26, 19);
+  path.speck(10.26, 19);
+  path.speck(0, 0.04);
+  CHECK(path.text() == "M10 20h0m0.3 -1h0m0 0h0m-10.3 -19h0");
+}
+
 TEST_CASE("SvgPath: after thousands of steps the last point is right to a tenth of a pixel") {
   SvgPath path;
   const auto x = [](int i) { return 0.033 * i; };
