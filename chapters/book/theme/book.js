@@ -42,12 +42,12 @@ for (const code of text.querySelectorAll(":is(p, li, td) > code")) code.classLis
 // In a longer one, what has a hyphen does, and a path goes on in the next line behind a slash.
 for (const code of text.querySelectorAll(":is(p, li, td) > code:not(.a-word), :is(p, li, td) > a > code"))
   if (!code.firstElementChild)
-    code.innerHTML = code.innerHTML.replace(/(?<=^| )(?=[^ ]{1,24}(?: |$))[^ ]*-[^ ]*/g, "<span class='a-word'>$&</span>").replace(/([\w.]\/)(?=\w)/g, "$1<wbr>");
+    code.innerHTML = code.innerHTML.replace(/(?<=^| )(?=[^ ]{1,24}(?: |$))[^ ]*-[^ ]*/g, "<span class='a-word'>$&</span>").replace(/(\w\/)(?=\w)/g, "$1<wbr>");
 
 // A table that is too wide by a few pixels gets narrower gaps, rather than a scroll bar for half a number.
 for (const table of text.querySelectorAll(".scroll > table.numbers")) {
   const over = table.offsetWidth - table.parentElement.clientWidth;
-  table.classList.toggle("close", over > 0 && over <= 5 * table.rows[0].cells.length);
+  table.classList.toggle("close", over > 0 && over <= 2 * table.rows[0].cells.length);
 }
 
 const pageContents = document.querySelector(".page-contents");
