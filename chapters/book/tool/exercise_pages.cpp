@@ -49,11 +49,11 @@ std::string places_text(const fs::path& root, const fs::path& folder, const Page
   std::string text = "Your file is `exercises/" + name + "/" + part.name + ".cpp`.";
   if (const std::string section = chapter ? section_of(*chapter, part.number) : "";
       !section.empty())
-    text += " The section [" + section + "](../../chapters/" + name + "/README.md#" +
-            anchor_of(section) + ") derives it. On that page it is " +
+    text += " In the chapter, " +
             link_html(address_of(root, chapter->file) + "#" + box_id(part.number),
                       "Now write " + part.number) +
-            ".";
+            " stands in the section [" + section + "](../../chapters/" + name + "/README.md#" +
+            anchor_of(section) + (section.ends_with('?') ? ")" : ").");
   const auto add = [&](const std::string& tree, const std::string& before) {
     if (fs::exists(root / tree / name / (part.name + ".cpp")))
       text += before + "](../../" + tree + "/" + name + "#" + part.name + "cpp).";

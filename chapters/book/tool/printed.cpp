@@ -63,14 +63,19 @@ std::string entry(const std::string& id, const std::string& title) {
   return link_html("#" + id, inline_html(title)) + "<span>000</span>";
 }
 
-/// The entry of a page in the contents: its title, and those of its sections.
+/// The entry of a page in the contents: its title, and those of its sections, also where they stand
+/// in parts.
 std::string contents_of(const fs::path& root, const Page& page) {
   const std::vector<Fence> fences = fences_of(page);
   std::string sections;
-  for (std::size_t i = 1; i < page.lines.size(); ++i)
-    if (const Heading heading = heading_in(page.lines[i]);
-        heading.level == 2 && !is_inside(fences, i))
+  bool in_part = false;
+  for (std::size_t i = 1; i < page.lines.size(); ++i) {
+    const Heading heading = heading_in(page.lines[i]);
+    if (is_inside(fences, i) || heading.level < 2) continue;
+    if (heading.level == 2) in_part = heading.text.starts_with("Part ");
+    if (heading.level == 2 || (heading.level == 3 && in_part))
       sections += "<li>" + entry(heading_id(root, page, heading.text), heading.text) + "</li>";
+  }
   return "<li>" + entry(page_id(root, page.file), heading_in(page.lines[0]).text) +
          (sections.empty() ? "" : "<ul>" + sections + "</ul>") + "</li>";
 }

@@ -22,6 +22,17 @@ std::size_t begin_of_sentence(const std::string& text, std::size_t place) {
   return place;
 }
 
+bool is_run_in_heading(const std::string& bold) {
+  return std::string(".:?!").find(bold.back()) != std::string::npos;
+}
+
+/// Where the text begins that a run-in heading may stand before, "**Drag.** Air …".
+std::size_t behind_run_in_heading(const std::string& text) {
+  const std::size_t end = text.starts_with("**") ? text.find("**", 2) : std::string::npos;
+  if (end == std::string::npos || end == 2) return 0;
+  return is_run_in_heading(text.substr(2, end - 2)) ? text.find_first_not_of(' ', end + 2) : 0;
+}
+
 /// The sentence around a term, with the words of its links and without bold. A short one that ends
 /// with the term, "We call this force drag.", leans on the one before it.
 /// @param place of its first asterisk
@@ -33,6 +44,7 @@ std::string sentence_around(const std::string& text, std::size_t place) {
   if (begin > 0 && end - begin < short_one && rest < short_rest)
     begin = begin_of_sentence(text, begin - 1);
   if (begin == 0 && text.starts_with("- ")) begin = 2;
+  if (begin == 0) begin = behind_run_in_heading(text);
   std::string sentence = text.substr(begin, end - begin), plain;
   std::size_t at = 0;
   for (const Link& link : links_in(sentence)) {
@@ -66,10 +78,6 @@ std::string completed(std::string sentence, const std::string& formula) {
   if (!sentence.ends_with(":")) return sentence + " …";
   sentence.back() = '.';
   return sentence;
-}
-
-bool is_run_in_heading(const std::string& bold) {
-  return std::string(".:?!").find(bold.back()) != std::string::npos;
 }
 
 }  // namespace

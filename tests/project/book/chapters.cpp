@@ -204,6 +204,10 @@ TEST_CASE("terms are in bold once, and listed with the sentence that introduces 
   book.write("chapters/02_two/README.md",
              with("You and us.", "You feel wind. We call it **drag**."));
   CHECK(says(joined(fresh_terms(book.path())), "): You feel wind. We call it drag.\n"));
+  // A run-in heading is not part of the first sentence.
+  book.write("chapters/02_two/README.md",
+             with("You and us.", "**In air.** You feel wind. We call it **drag**."));
+  CHECK(says(joined(fresh_terms(book.path())), "): You feel wind. We call it drag.\n"));
   const auto listed = [&](const std::string& under, const std::string& mark = ":") {
     book.write("chapters/02_two/README.md",
                with("You and us.", "You step with **Euler's method**" + mark + "\n\n" + under));

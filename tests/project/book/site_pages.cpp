@@ -18,6 +18,7 @@
 #include "book/tool/site_files.hpp"
 #include "project/harness/refusal.hpp"
 #include "project/harness/temporary_folder.hpp"
+#include "support/text_file.hpp"
 
 using namespace tumble::book;
 using tumble::test::mentions;
@@ -206,6 +207,29 @@ TEST_CASE("what is printed: the contents have the pages on which the PDF has the
         "<nav class=\"numbered\"><ul><li><a href=\"#one\">1</a><span>1</span></li>"
         "<li><a href=\"#one-a–b\">a</a><span>2</span></li></ul></nav><a href=\"#two\">x</a>");
   CHECK_REFUSED(with_page_numbers(html, {{"one", 1}}), "one-a");
+}
+
+TEST_CASE(
+    "what is printed: the contents have the sections, also those within parts, and no deeper "
+    "ones") {
+  const SmallProject project;
+  project.write("chapters/01_one/README.md",
+                "# 1 One\n\n## First\n\n### Below\n\n## Part one: P\n\n### Inside\n\n#### Deep\n\n"
+                "## Last\n\n### Below again\n");
+  project.write("html/chapters-01_one.html",
+                "<h1 class=\"title\">1 One</h1><div class=\"contents\">x</div><!-- contents -->");
+  SiteFiles files;
+  files.pages = {project.path() / "chapters/01_one/README.md"};
+  write_printed_book(project.path(), files, project.path() / "html");
+  const std::string text = tumble::support::read_text(project.path() / "html/print.html");
+  std::string titles;
+  for (std::size_t at = text.find("<nav>"), end = text.find("</nav>"); at < end;) {
+    const std::size_t title = text.find("\">", text.find("<a ", at)) + 2;
+    at = text.find("</a>", title);
+    titles += text.substr(title, at - title) + "; ";
+    at = std::min(text.find("<a ", at), end);
+  }
+  CHECK(titles == "1 One; First; Part one: P; Inside; Last; ");
 }
 
 TEST_CASE("the search knows the library's names, without its internals") {
