@@ -191,7 +191,6 @@ std::vector<std::string> mistakes_in(const Places& places) {
   };
   const std::vector<fs::path> pages = pages_of(places.root);
   for (const fs::path& file : pages) add(mistakes_in(places, file));
-  if (!mistakes.empty()) return mistakes;  // what follows reads the pages, too
   try {
     add(mistakes_of_style(places.root, pages));
     add(mistakes_of_terms(places.root));

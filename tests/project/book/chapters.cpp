@@ -231,6 +231,11 @@ TEST_CASE("terms are in bold once, and listed with the sentence that introduces 
   book.mistakes(whole);
   book.write("chapters/terms/README.md", "# Terms\n");
   CHECK(says(book.mistakes_now(), "terms/README.md:1: is not what the pages say"));
+  // One kind of mistake doesn't hide another.
+  book.write(page, with("You and us.", "You see [nothing](nowhere.md)."));
+  const std::string both = book.mistakes_now();
+  CHECK(says(both, "nowhere.md"));
+  CHECK(says(both, "terms/README.md:1: is not what the pages say"));
 }
 
 TEST_CASE("a list of idioms that cannot be read is refused with its line") {
