@@ -178,6 +178,9 @@ TEST_CASE("a symbol's index stands below, and names of the code stay as they are
   const Project project;
   CHECK(project.converted("K_nt and n_γ, (R_i), `K_nt`, I_body_inv, a_file.hpp, x_.\n") ==
         "K<sub>nt</sub> and n<sub>γ</sub>, (R<sub>i</sub>), `K_nt`, I_body_inv, a_file.hpp, x_.\n");
+  CHECK(project.converted("- *n_γ and n_α*: two, *one*, **K_nt** and *2 v_z*.\n") ==
+        "- <em>n<sub>γ</sub> and n<sub>α</sub></em>: two, *one*, **K<sub>nt</sub>** and "
+        "<em>2 v<sub>z</sub></em>.\n");
 }
 
 TEST_CASE("a number stays with its unit") {
