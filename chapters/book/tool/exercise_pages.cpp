@@ -52,7 +52,7 @@ std::string places_text(const fs::path& root, const fs::path& folder, const Page
     text += " In the chapter, " +
             link_html(address_of(root, chapter->file) + "#" + box_id(part.number),
                       "Now write " + part.number) +
-            " stands in the section [" + section + "](../../chapters/" + name + "/README.md#" +
+            " is in the section [" + section + "](../../chapters/" + name + "/README.md#" +
             anchor_of(section) + (section.ends_with('?') ? ")" : ").");
   const auto add = [&](const std::string& tree, const std::string& before) {
     if (fs::exists(root / tree / name / (part.name + ".cpp")))
