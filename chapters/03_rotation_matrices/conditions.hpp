@@ -25,7 +25,7 @@ inline constexpr std::array<Condition, 6> conditions{{{"x · x", 0, 0},
 
 /// The six dot products; red are those that are not as in a rotation.
 inline void draw_conditions(support::Sketch& sketch, const Mat3& M, double x, double y) {
-  constexpr double column = 115, row = 24, seen_as_equal = 0.005;
+  constexpr double column = 126, row = 24, seen_as_equal = 0.005;
   for (std::size_t k = 0; k < 6; ++k) {
     const auto& [name, i, j] = conditions[k];
     const double product = M.col(i).dot(M.col(j)), wanted = i == j ? 1 : 0;

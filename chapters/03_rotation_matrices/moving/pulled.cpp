@@ -30,9 +30,9 @@ using support::Vec2;
 enum Which { arrow, by_x, by_y, by_z, repair };
 constexpr std::array<Control, 5> controls{
     {{"arrow", "you pull", "", 0, 2, 1, 1, "x|y|z"},
-     {"x", "along world x by", "", -1, 1, 0.01, 0.16},
-     {"y", "along world y by", "", -1, 1, 0.01, 0.43},
-     {"z", "along world z by", "", -1, 1, 0.01, 0.18},
+     {"x", "along world x by", "", -1, 0.8, 0.01, 0.16},
+     {"y", "along world y by", "", -1, 0.8, 0.01, 0.43},
+     {"z", "along world z by", "", -1, 0.8, 0.01, 0.18},
      {"repair", "repair", "", 0, 5, 1, 5,
       "Gram–Schmidt, x first|Gram–Schmidt, y first|Gram–Schmidt, z first|one Newton step|two "
       "Newton "
@@ -71,9 +71,9 @@ const Mat3& view() {
 
 // ── The mug ──
 
-constexpr double mug_scale = 1150, arrow_length = 0.11;  // [px/m], [m] of a column of length 1
+constexpr double mug_scale = 1150, arrow_length = 0.087;  // [px/m], [m] of a column of length 1
 constexpr double out_of_the_picture = 5;                 // ‖M‖
-constexpr double middle_y = 190, left_x = 185, right_x = 565;
+constexpr double middle_y = 225, left_x = 185, right_x = 565;
 
 support::Window window(double x) { return {x, middle_y, mug_scale * arrow_length}; }
 
@@ -102,7 +102,7 @@ void draw_arrows(Sketch& sketch, const Mat3& M, double x) {
 void draw_numbers(Sketch& sketch, const Mat3& M, const std::string& name, double x) {
   draw_matrix(sketch, M, name, {x - 83, 405, 66, 28});
   sketch.look({0, 0, 1});
-  draw_conditions(sketch, M, x - 110, 478);
+  draw_conditions(sketch, M, x - 126, 478);
   const auto line = [&](double y, const std::string& text) {
     sketch.words({x, -y}, {0, 0}, text, "ink", "middle");
   };

@@ -60,7 +60,7 @@ std::string with_indices(const std::string& words) {
   static const std::regex index(
       "(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4}|α|β|γ)(?![A-Za-z0-9_]|[.][a-z])");
   // Doxygen sees no italics around a tag.
-  static const std::regex italics("(^|[^*])\\*([^* ][^*]*<sub>[^*]*)\\*(?!\\*)");
+  static const std::regex italics(R"((^|[^*])\*([^* ][^*]*<sub>[^*]*)\*(?!\*))");
   return std::regex_replace(std::regex_replace(words, index, "$1$2<sub>$3</sub>"), italics,
                             "$1<em>$2</em>");
 }
