@@ -48,7 +48,7 @@ std::string times_text(double ratio) { return support::svg_number(ratio, 2) + " 
 
 Table repair_table() {
   constexpr int matrices = 10'000;
-  Table table({"drift", "repair", "‖RᵀR − 1‖", "after it", "moves by", "at most"});
+  Table table({"drift", "repair", "‖MᵀM − 1‖", "‖RᵀR − 1‖", "moves by", "at most"});
   for (const double size : {1e-1, 1e-3, 1e-6}) {
     for (const Repair& repair : repairs) {
       const Outcome mean = outcome(repair, size, matrices);
@@ -64,7 +64,7 @@ Table repair_table() {
 
 std::string repair_figure() {
   support::Plot plot{"what one repair leaves",
-                     {"‖RᵀR − 1‖ before", support::Scale::log},
+                     {"‖MᵀM − 1‖ before", support::Scale::log},
                      {"‖RᵀR − 1‖ after", support::Scale::log},
                      {}};
   for (const Repair& repair : repairs) {

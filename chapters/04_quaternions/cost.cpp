@@ -165,8 +165,8 @@ Table times_table() {
   add("Gram–Schmidt for nine", [=] { return rotation::gram_schmidt(fresh(R)); });
   add("turn a point by four numbers", [=] { return Vec3(fresh(q) * fresh(p)); });
   add("turn a point by nine", [=] { return Vec3(fresh(R) * fresh(p)); });
-  add("nine numbers of four", [=] { return to_matrix(fresh(q)); });
-  add("four numbers of nine", [=] { return from_matrix(fresh(R)); });
+  add("matrix from quaternion", [=] { return to_matrix(fresh(q)); });
+  add("quaternion from matrix", [=] { return from_matrix(fresh(R)); });
   add("four numbers mixed, normalised",
       [=] { return rotation::normalize(mix_four(fresh(q), fresh(r), 0.3)); });
   add("slerp", [=] { return slerp(fresh(q), fresh(r), 0.3); });

@@ -34,7 +34,7 @@ Table cells_table() { return planks({1, 2, 4, 8, 16}); }
 Table finer_table() { return planks({32, 45}); }
 
 Table fill_table() {
-  Table table({"object", "share of its box", "1000 random points leave", "for 1 %"});
+  Table table({"object", "share of its box", "error of 1000 points", "for 1 %"});
   constexpr std::array names{"T-handle", "wing nut", "tennis racket", "mug", "gear"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const PolygonMesh mesh = objects::all[i].mesh(2);

@@ -68,7 +68,7 @@ Eigen::Vector3d point_velocity(const Eigen::Vector3d& x, const Eigen::Matrix3d& 
 Eigen::Vector3d torque(const Eigen::Vector3d& force, const Eigen::Vector3d& p,
                        const Eigen::Vector3d& x);
 
-// == 5.4 net_wrench: all that pushes a body, added up
+// == 5.4 net_wrench: all forces on a body, added up
 /// Add the weight yourself. It acts at the centre of mass, and it is not among the forces of the
 /// list.
 /// @param mass   of the body [kg]

@@ -72,7 +72,7 @@ const Mat3& view() {
 // ── The mug ──
 
 constexpr double mug_scale = 1150, arrow_length = 0.087;  // [px/m], [m] of a column of length 1
-constexpr double out_of_the_picture = 5;                 // ‖M‖
+constexpr double out_of_the_picture = 5;                  // ‖M‖
 constexpr double middle_y = 225, left_x = 185, right_x = 565;
 
 support::Window window(double x) { return {x, middle_y, mug_scale * arrow_length}; }

@@ -22,7 +22,7 @@ namespace tumble {
 /// How the integrals over a mesh are computed.
 enum class Accuracy {
   fast,      ///< doubles, many triangles at once: 1e-15 for ordinary shapes, see the bounds
-  tight,     ///< pairs of doubles: right to the last bit for every shape, some four times as long
+  tight,     ///< pairs of doubles: right to the last bit for every shape, 3 to 4 times as long
   textbook,  ///< Mirtich's way over faces, shadows and edges: 1e-14, some 20 times as long
 };
 
