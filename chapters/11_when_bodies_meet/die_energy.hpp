@@ -72,7 +72,7 @@ inline void draw_energy(support::Sketch& sketch, const Throw& thrown, double lon
   sketch.curve({{per_second * t, -12}, {per_second * t, 150}}, {"ink", 1.2});
   sketch.words({0, per_millijoule * all[0].all}, {-6, 6},
                support::svg_number(all[0].all, 1) + " mJ", "ink", "end");
-  const double right = per_second * longest;
+  const double right = per_second * longest - 10;  // clear of the line at the end
   sketch.words({right, 140}, {0, 0}, "energy: height", "c2", "end");
   sketch.words({right, 117}, {0, 0}, "moving", "c0", "end");
   sketch.words({right, 94}, {0, 0}, "turning", "c1", "end");

@@ -22,7 +22,7 @@ using support::Vec2;
 enum Which { cost, time };
 constexpr double film = 10;  // of one revolution [s]
 constexpr std::array<Control, 2> controls{
-    {{"cost", "evaluations, 2ᵏ, k", "", 5, 14, 0.25, 10}, {"t", "time", "s", 0, film, 0.05, 8.5}}};
+    {{"cost", "evaluations, 2ᵏ, k", "", 5, 14, 0.25, 10}, {"t", "film", "s", 0, film, 0.05, 8.5}}};
 
 /// A method as the figure shows it.
 struct Shown {

@@ -104,9 +104,10 @@ void draw_z(support::Sketch& sketch, Complex z, const std::string& colour) {
   const Vec2 at(z.real(), z.imag());
   sketch.dot(at, "ink", 7);
   sketch.dot(at, colour, 4.5);
-  const bool left = z.real() > 6;
-  sketch.words(at, {left ? -12. : 12., z.imag() > 5.9 ? 20. : -8.}, "z = hλ", "ink",
-               left ? "end" : "start");
+  const bool by_axis_name = z.imag() > 5.4 && std::abs(z.real()) < 1.5;
+  const bool left = z.real() > 6 || by_axis_name;
+  const double down = by_axis_name ? 6 : z.imag() > 5.9 ? 20 : -8;
+  sketch.words(at, {left ? -12. : 12., down}, "z = hλ", "ink", left ? "end" : "start");
   sketch.grip({at});
 }
 

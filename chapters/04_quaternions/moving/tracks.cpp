@@ -105,8 +105,14 @@ void draw_tracks(support::Sketch& sketch, const Quat& b, double t) {
   sketch.look({220, 205, globe_radius});
   draw_globe(sketch);
   for (const Way& way : ways) draw_track(sketch, way, b, t);
-  for (const auto& [q, name] : {std::pair{a, "start"}, {b, "end"}})
-    sketch.words((globe() * to_matrix(q).col(0)).head<2>(), {10, -8}, name);
+  const auto seen = [](const Quat& q) -> Vec2 { return (globe() * to_matrix(q).col(0)).head<2>(); };
+  const bool apart = (seen(b) - seen(a)).norm() * globe_radius > 50;
+  if (apart) {
+    sketch.words(seen(a), {10, -8}, "start");
+    sketch.words(seen(b), {10, -8}, "end");
+  } else {
+    sketch.words(seen(a), {-12, -8}, "start, end", "ink", "end");
+  }
   sketch.grip({{0, 0}}, globe_radius);
   sketch.look({38, 385, 1});
   support::SpaceSketch(sketch, globe()).world_axes(Vec3::Zero(), 30);
@@ -135,9 +141,15 @@ void draw_circle(support::Sketch& sketch, const Quat& b, double half, double t) 
   const auto name = [&](double angle, const std::string& text) {
     sketch.words(1.15 * at(angle), {0, 6}, text, "ink", "middle");
   };
-  name(0, "a");
-  name(half, "b");
-  name(half + pi, "−b");
+  constexpr double near = 15 * degree;  // two names would be on each other
+  const bool with_b = half < near;
+  const bool with_other = half > pi - near;
+  if (with_b || with_other)
+    sketch.words(at(0), {10, 6}, with_b ? "a, b" : "a, −b");
+  else
+    name(0, "a");
+  if (!with_b) name(half, "b");
+  if (!with_other) name(half + pi, "−b");
   sketch.words({0, -1}, {0, 44}, where_to(a.dot(b)), "ink", "middle");
   sketch.words({0, -1}, {0, 66}, "Ω = " + support::svg_number(std::abs(end) / degree, 1) + "°",
                "ink", "middle");

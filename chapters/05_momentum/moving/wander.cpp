@@ -155,7 +155,9 @@ void draw_strip(support::Sketch& sketch, const Strip& strip, const std::vector<S
 }
 
 std::string percent(double part) {
-  const std::string number = support::svg_number(std::min(100 * std::abs(part), 999.), 1);
+  constexpr double most = 9.99;
+  if (std::abs(part) > most) return "> 999 %";
+  const std::string number = support::svg_number(100 * std::abs(part), 1);
   return (part < 0 && number != "0" ? "−" : "") + number + " %";
 }
 

@@ -74,15 +74,16 @@ constexpr support::ReadersAnswer by_reader{"work", question, take};
 
 // ── The diagram, both axes logarithmic ──
 
-constexpr double left = 70, bottom = 440, per_tenfold = 92, per_digit = 42;
-constexpr double least_drawn = 1e-10;
-constexpr int least_digits = 1, most_digits = 10, tenfolds = 5;
+constexpr double left = 70, bottom = 440, per_tenfold = 92, per_digit = 34;
+constexpr double least_drawn = 1e-12;
+constexpr int least_digits = 1, most_digits = 12, tenfolds = 5;
 
 /// Rounded to a hundredth of a digit: below it a browser's sine may differ.
 Vec2 at(const Work& run) {
   const double digits = std::round(-100 * std::log10(run.error)) / 100;
   const double down = per_digit * (std::min<double>(digits, most_digits) - least_digits);
-  return {left + per_tenfold * std::log10(run.evaluations), 20 - bottom + 9 * per_digit - down};
+  return {left + per_tenfold * std::log10(run.evaluations),
+          20 - bottom + per_digit * (most_digits - least_digits) - down};
 }
 
 double height_of(double error) { return at({1, error}).y(); }
@@ -90,8 +91,12 @@ double height_of(double error) { return at({1, error}).y(); }
 void draw_axes(Sketch& sketch) {
   const double right = left + per_tenfold * tenfolds, low = height_of(least_drawn),
                high = height_of(0.1);
-  for (const auto& [digits, name] :
-       {std::pair{2, "10⁻²"}, {4, "10⁻⁴"}, {6, "10⁻⁶"}, {8, "10⁻⁸"}, {10, "10⁻¹⁰"}}) {
+  for (const auto& [digits, name] : {std::pair{2, "10⁻²"},
+                                     {4, "10⁻⁴"},
+                                     {6, "10⁻⁶"},
+                                     {8, "10⁻⁸"},
+                                     {10, "10⁻¹⁰"},
+                                     {12, "10⁻¹²"}}) {
     const double y = height_of(std::pow(10, -digits));
     sketch.curve({{left, y}, {right, y}}, {"grid", 1});
     sketch.words({left, y}, {-12, 6}, name, "faint", "end");
@@ -152,13 +157,13 @@ void draw_curves(Sketch& sketch, const Scene& shown, double error, bool closed) 
     draw_method(sketch, line, {"your simulate", readers_runs()}, readers_colour, error, false);
 }
 
-/// One question, at the error that is promised.
+/// Drawn at one evaluation, as a logarithm has no 0, at the error that is promised.
 void draw_closed_form(Sketch& sketch, const Scene& shown, bool chosen) {
   if (!shown.promised) return draw_need(sketch, 0, "closed form", "is not known", "c4", false);
   const Vec2 place = at({1, *shown.promised});
   if (chosen) sketch.dot(place, "ink", 9);
   sketch.dot(place, "c4", 6);
-  draw_need(sketch, 0, "closed form", chosen ? "1" : "promises less", "c4", chosen);
+  draw_need(sketch, 0, "closed form", chosen ? "0" : "promises less", "c4", chosen);
 }
 
 std::string draw(Settings now) {

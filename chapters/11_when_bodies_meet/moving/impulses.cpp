@@ -44,7 +44,8 @@ void draw_velocity(Sketch& sketch, const Vec2& u, const std::string& colour,
   constexpr double farthest = 1.1;  // to the left, or the name would not be seen [m/s]
   if (u.norm() > 1e-3) sketch.arrow({0, 0}, u, {colour, 2.8});
   const Vec2 tip(left ? std::max(u.x(), -farthest) : u.x(), u.y());
-  sketch.words(tip, {left ? -8. : 8., u.y() < 0 ? 14. : -6.}, name, colour, left ? "end" : "start");
+  sketch.words(tip, {left ? -8. : 8., u.y() < -0.01 ? 14. : -6.}, name, colour,
+               left ? "end" : "start");
 }
 
 void draw_world(Sketch& sketch, const PlanarImpact& impact, const Answers& answers, double tilt) {
