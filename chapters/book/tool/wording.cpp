@@ -31,11 +31,11 @@ std::string with_units(const std::string& words) {
   static const std::regex number("([0-9]|½|¼|¾) (" + unit + ")"),
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
       counted("(Figure|Table|chapter|Chapter|order|DP|=) ((?:−)?[0-9])"),
-      behind_a_formula("^() (=|" + unit + ")"),
+      behind_a_formula("^() (=|" + unit + ")"), to("(→) ([^ ])"), from("([^ ]) (→)"),
       vector("(\\((?:(?:−)?[0-9.]+,(?: |\u00a0))*(?:−)?[0-9.]+,) ((?:−)?[0-9.]+[,)])");
-  static const std::regex exponent("([0-9]e-)([0-9])");
-  std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner + "$2");
-  for (const std::regex& pair : {number, product, counted, behind_a_formula, vector})
+  static const std::regex exponent("([0-9]e-(?=[0-9])|[|](?=²|³))");
+  std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner);
+  for (const std::regex& pair : {number, product, counted, behind_a_formula, to, from, vector})
     text = joined(text, pair);
   return text;
 }
@@ -74,7 +74,8 @@ std::string with_whole_formulas(const std::string& words) {
 }
 
 std::string on_the_site(const std::string& text) {
-  const bool has_tags = text.find('<') != std::string::npos;  // with quotes of their own
+  static const std::regex tag("<[A-Za-z/!]");
+  const bool has_tags = std::regex_search(text, tag);  // with quotes of their own
   std::string result, words;
   const auto finish_words = [&] {
     const char before = result.empty() ? ' ' : result.back();

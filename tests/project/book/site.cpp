@@ -162,6 +162,7 @@ TEST_CASE("a vector, and what a sum is equal to, stay in one line") {
       project.converted("At (3, −4, 0.5) N, (1, 2), f(x, 3) and 2 + 3 = 5, or so = −1 (a, b).\n") ==
       "At (3,\u00a0−4,\u00a00.5) N, (1,\u00a02), f(x, 3) and 2 + 3 =\u00a05, or so =\u00a0−1 "
       "(a, b).\n");
+  CHECK(project.converted("|q|², body → world\n") == "|q|\u2060², body\u00a0→\u00a0world\n");
   CHECK(project.converted("With $x$ = 8, ½ kg, $E$ J, or 1.5e-12.\n") ==
         "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> ½\u00a0kg, <span "
         "class='unbroken'>\\f$E\\f$\u00a0J,</span> or 1.5e-\u206012.\n");
@@ -176,6 +177,8 @@ TEST_CASE("the head of a column breaks between words, and not in a formula") {
 
 TEST_CASE("a symbol's index stands below, and names of the code stay as they are") {
   const Project project;
+  CHECK(project.converted("if v_z < 0 or |v_z| <= 1\n") ==
+        "if v<sub>z</sub> < 0 or |v<sub>z</sub>| <=\u00a01\n");
   CHECK(project.converted("K_nt and n_γ, (R_i), `K_nt`, I_body_inv, a_file.hpp, x_.\n") ==
         "K<sub>nt</sub> and n<sub>γ</sub>, (R<sub>i</sub>), `K_nt`, I_body_inv, a_file.hpp, x_.\n");
   CHECK(project.converted("- *n_γ and n_α*: two, *one*, **K_nt** and *2 v_z*.\n") ==
