@@ -132,12 +132,12 @@ void draw_count(Sketch& sketch, const Vec2& p, EdgeRule by, const Crossings& met
   const std::string sum = winding < 0 ? "−" + std::to_string(-winding) : std::to_string(winding);
   const bool odd = met.size() % 2 == 1, truth = inside(p, EdgeRule::one);
   sketch.look({0, 0, 1});
-  sketch.words(
-      {110, -545}, {0, 0},
-      (met.empty() ? "no"
-                   : signs + (met.size() == 1 ? "is " : "are ") + std::to_string(met.size())) +
-          (met.size() == 1 ? " crossing" : " crossings") + ", " +
-          (odd ? "odd: inside" : "even: outside") + "; the signs add up to " + sum);
+  const bool single = met.size() == 1;
+  const std::string count =
+      met.empty() ? "no" : signs + (single ? "is " : "are ") + std::to_string(met.size());
+  sketch.words({110, -545}, {0, 0},
+               count + (single ? " crossing, " : " crossings, ") +
+                   (odd ? "odd: inside" : "even: outside") + "; the signs add up to " + sum);
   const bool wrong = by != EdgeRule::one && odd != truth;
   sketch.words({110, -573}, {0, 0},
                std::string(wrong ? "Wrong: " : "Right: ") + "the point is " +
