@@ -164,7 +164,7 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       "Adaptive steps",
       with_factor([](double error, int order) { return 0.9 * std::pow(error, -1. / order); })},
      {"root of one order too high",
-      "You have taken the root of the number q + 2. The error norm goes as |h| to the power q + 1: "
+      "You have taken the (q + 2)-th root. The error norm goes as |h| to the power q + 1: "
       "take the root that undoes this power.",
       "Adaptive steps", with_factor([](double error, int order) {
         return 0.9 * std::pow(error, -1. / (order + 2));

@@ -24,7 +24,7 @@ std::string joined(std::string text, const std::regex& pair) {
 }
 
 /// Words between code and formulas, with numbers that stay with what they count, with the others of
-/// a vector, with what they are equal to, and with their exponents.
+/// a vector, with what they are equal to, and with their exponents. A sum in brackets stays whole.
 std::string with_units(const std::string& words) {
   static const std::string unit =
       "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])";
@@ -32,10 +32,13 @@ std::string with_units(const std::string& words) {
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
       counted("(Figure|Table|chapter|Chapter|order|DP|=) ((?:−)?[0-9])"),
       behind_a_formula("^() (=|" + unit + ")"), to("(→) ([^ ])"), from("([^ ]) (→)"),
-      vector("(\\((?:(?:−)?[0-9.]+,(?: |\u00a0))*(?:−)?[0-9.]+,) ((?:−)?[0-9.]+[,)])");
+      vector("(\\((?:(?:−)?[0-9.]+,(?: |\u00a0))*(?:−)?[0-9.]+,) ((?:−)?[0-9.]+[,)])"),
+      bracket_opens("(\\([^() ]{1,12}) ((?:−|\\+|×|/) )"),
+      bracket_closes("(−|\\+|×|/) ([^() ]{1,12}\\))");
   static const std::regex exponent("([0-9]e-(?=[0-9])|[|](?=²|³))");
   std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner);
-  for (const std::regex& pair : {number, product, counted, behind_a_formula, to, from, vector})
+  for (const std::regex& pair : {number, product, counted, behind_a_formula, to, from, vector,
+                                 bracket_opens, bracket_closes})
     text = joined(text, pair);
   return text;
 }
@@ -61,8 +64,10 @@ std::string with_indices(const std::string& words) {
       "(^|[^A-Za-z0-9_])([A-Za-z]|ω)_([a-z]{1,4}|α|β|γ)(?![A-Za-z0-9_]|[.][a-z])");
   // Doxygen sees no italics around a tag.
   static const std::regex italics(R"((^|[^*])\*([^* ][^*]*<sub>[^*]*)\*(?!\*))");
-  return std::regex_replace(std::regex_replace(words, index, "$1$2<sub>$3</sub>"), italics,
-                            "$1<em>$2</em>");
+  static const std::regex cross_matrix("\\]×");  // [ω]×
+  std::string text = std::regex_replace(words, index, "$1$2<sub>$3</sub>");
+  text = std::regex_replace(text, cross_matrix, "]<sub>×</sub>");
+  return std::regex_replace(text, italics, "$1<em>$2</em>");
 }
 
 std::string with_whole_formulas(const std::string& words) {

@@ -162,6 +162,8 @@ TEST_CASE("a vector, and what a sum is equal to, stay in one line") {
       project.converted("At (3, −4, 0.5) N, (1, 2), f(x, 3) and 2 + 3 = 5, or so = −1 (a, b).\n") ==
       "At (3,\u00a0−4,\u00a00.5) N, (1,\u00a02), f(x, 3) and 2 + 3 =\u00a05, or so =\u00a0−1 "
       "(a, b).\n");
+  CHECK(project.converted("(t + h)/2, (1 − 2 r), (a + b + c) or t + h\n") ==
+        "(t\u00a0+\u00a0h)/2, (1\u00a0− 2 r), (a\u00a0+ b +\u00a0c) or t + h\n");
   CHECK(project.converted("|q|², body → world\n") == "|q|\u2060², body\u00a0→\u00a0world\n");
   CHECK(project.converted("With $x$ = 8, ½ kg, $E$ J, or 1.5e-12.\n") ==
         "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> ½\u00a0kg, <span "
@@ -181,6 +183,7 @@ TEST_CASE("a symbol's index stands below, and names of the code stay as they are
         "if v<sub>z</sub> < 0 or |v<sub>z</sub>| <=\u00a01\n");
   CHECK(project.converted("K_nt and n_γ, (R_i), `K_nt`, I_body_inv, a_file.hpp, x_.\n") ==
         "K<sub>nt</sub> and n<sub>γ</sub>, (R<sub>i</sub>), `K_nt`, I_body_inv, a_file.hpp, x_.\n");
+  CHECK(project.converted("R [ω]× Rᵀ, [ω]×R\n") == "R [ω]<sub>×</sub> Rᵀ, [ω]<sub>×</sub>R\n");
   CHECK(project.converted("- *n_γ and n_α*: two, *one*, **K_nt** and *2 v_z*.\n") ==
         "- <em>n<sub>γ</sub> and n<sub>α</sub></em>: two, *one*, **K<sub>nt</sub>** and "
         "<em>2 v<sub>z</sub></em>.\n");
