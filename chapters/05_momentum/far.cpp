@@ -138,10 +138,11 @@ std::string far_figure() {
     }
     plot.series.push_back(series);
   };
+  add("by way of p", through_the_world<double>);  // its name has the first choice of a place
+  plot.series.back().colour = "c2";
   add("p × F − x × F",
       [](const Lever& l, const Vec3& x) { return given_in_the_world(l, x, false); });
   add("(p − x) × F", [](const Lever& l, const Vec3& x) { return given_in_the_world(l, x, true); });
-  add("by way of p", through_the_world<double>);
   add("(R p_body) × F", only_turned);
   add("by way of p, in float", through_the_world<float>);
   return support::to_svg(plot);

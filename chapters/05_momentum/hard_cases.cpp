@@ -92,14 +92,17 @@ std::string needle_figure() {
   const auto any_L = [](auto way) {
     return [way](double condition) { return worst_of_any_L(condition, way); };
   };
+  // The uppermost curve first, with a colour that leaves the others theirs: names find their places
+  // one after the other, and those of ends that lie close stand in this order.
+  add("L ⊥ needle", worst_of_tumbling);
+  plot.series.back().colour = "c3";
   add("(R I_body Rᵀ)⁻¹ L",
       any_L([](const Task<double>& task, const Mat3&) { return by_inverting_in_world(task); }));
-  add("body axes, not principal", any_L([](const Task<double>& task, const Mat3& S) {
+  add("axes not principal", any_L([](const Task<double>& task, const Mat3& S) {
         return by_three_products(in_other_axes(task, S));
       }));
   add("principal axes, any L",
       any_L([](const Task<double>& task, const Mat3&) { return by_three_products(task); }));
-  add("principal axes, L ⊥ needle", worst_of_tumbling);
   return support::to_svg(plot);
 }
 

@@ -4,12 +4,15 @@
 #include "common.hpp"
 #include "outline.hpp"
 #include "parts.hpp"
+#include "signs.hpp"
 
 namespace point_sampling_chapter {
 
 namespace {
 
 using support::Sketch;
+
+constexpr double sign_half = 0.02;  // as large as words at the scales of both figures
 
 /// A mug cut open, without its handle; anticlockwise, in its own heights.
 const Outline& profile() {
@@ -28,10 +31,10 @@ void draw_ray(Sketch& sketch, const Vec2& p, const std::string& where) {
   Crossings met;
   add_crossings(met, profile(), p, EdgeRule::one);
   for (const auto& [x, sign] : met) {
-    const std::string colour = sign > 0 ? "c0" : "c1", mark = sign > 0 ? "+" : "−";
-    sketch.dot({x, p.y()}, colour, 5);
-    sketch.words({x, p.y()}, {6, -7}, mark, colour);
-    sum += (sum.empty() ? "" : " ") + mark;
+    const Vec2 crossing(x, p.y());
+    sketch.dot(crossing, colour_of_sign(sign > 0), 5);
+    draw_sign(sketch, crossing + Vec2(0.05, 0.05), sign_half, sign > 0);
+    sum += (sum.empty() ? "" : " ") + std::string(sign > 0 ? "+" : "−");
     winding += sign;
   }
   sketch.words({end, p.y()}, {12, 6}, sum + "  =  " + number(winding) + ": " + where);
@@ -55,14 +58,11 @@ void draw_sides(Sketch& sketch, const std::array<Vec2, 3>& v, const Vec2& p) {
   const std::array<Vec2, 3> beside{Vec2(-20, 14), Vec2(8, 14), Vec2(-4, -10)};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2 &a = v[i], &b = v[(i + 1) % 3];
-    const bool left = turn_of(a, b, p) > 0;
-    const std::string colour = left ? "c0" : "c1";
-    sketch.curve({a, b, p, a}, {colour, 1, 1, 0.2});
+    sketch.curve({a, b, p, a}, {colour_of_sign(turn_of(a, b, p) > 0), 1, 1, 0.2});
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2 &a = v[i], &b = v[(i + 1) % 3];
-    const bool left = turn_of(a, b, p) > 0;
-    sketch.words((a + b + p) / 3, {-6, 6}, left ? "+" : "−", left ? "c0" : "c1");
+    draw_sign(sketch, (a + b + p) / 3, sign_half, turn_of(a, b, p) > 0);
     sketch.curve({a, b}, {"ink", 2.2});
     sketch.arrow(a, a + 0.56 * (b - a), {"ink", 2.2});
     sketch.words(a, beside[i], names[i]);
@@ -91,7 +91,7 @@ std::string sides_figure() {
   sketch.look({84, 290, 240});
   draw_sides(sketch, corners, {0.5, 0.42});
   sketch.look({430, 290, 240});
-  draw_sides(sketch, corners, {1.05, 0.75});
+  draw_sides(sketch, corners, {1.12, 0.55});
   draw_two_axes(sketch, {-0.2, 0.72}, 0.16, "y");
   return sketch.svg();
 }

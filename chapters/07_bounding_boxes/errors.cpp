@@ -1,6 +1,8 @@
 /// @file
 /// How far the boxes' mass, centre and inertia are from the objects', and what decides on it.
 
+#include <algorithm>
+
 #include "common.hpp"
 #include "parts.hpp"
 #include "support/plot.hpp"
@@ -96,6 +98,8 @@ std::string between_figure() {
     if (share_of_cube(r) < f - 1e-9) continue;  // fuller than the solid ball
     ball.x.push_back(f), ball.y.push_back(ball_to_cube(r));
   }
+  std::ranges::reverse(shrunk.x);  // a name stands at the end of its curve: here at the left,
+  std::ranges::reverse(shrunk.y);  // where no object is
   plot.series = {full, shrunk, ball};
   for (const Thing& body : things()) {
     const boxes::OrientedBox box = boxes::aligned_box(body.points());

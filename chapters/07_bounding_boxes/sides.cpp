@@ -25,8 +25,8 @@ std::vector<Vec2> rectangle(const boxes::OrientedBox& box, int i, int j, int vie
 // ── A racket on a court ──
 
 std::string lies_figure() {
-  support::Sketch sketch(760, 400, "A racket that lies askew, and two boxes around it", 20);
-  sketch.look({380, 200, 520});
+  support::Sketch sketch(600, 400, "A racket that lies askew, and two boxes around it", 20);
+  sketch.look({212, 200, 520});
   const Points points = turned(racket().points(), axis_rotation(2, 0.6));
   std::vector<Vec2> seen;
   for (const Vec3& p : points)
@@ -52,7 +52,7 @@ std::string lies_figure() {
   sketch.dot(mean, "c2", 5);
   const Vec2 corner = upright.size.head<2>().cwiseProduct(Vec2(-0.5, 0.5));
   sketch.words(corner, {0, -10}, "along the axes", "c0");
-  sketch.words({0.16, -0.27}, {0, 0}, "along the racket", "c1");
+  sketch.words({0.13, -0.27}, {0, 0}, "along the racket", "c1");
   return sketch.svg();
 }
 

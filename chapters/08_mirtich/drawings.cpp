@@ -101,14 +101,14 @@ std::string shadow_figure() {
 }
 
 std::string walk_figure() {
-  Sketch sketch(760, 380, "Once round a square with a dent", 19);
-  sketch.look({280, 320, 66});
+  Sketch sketch(680, 380, "Once round a square with a dent", 19);
+  sketch.look({150, 320, 66});
   std::vector<Vec2> outline = dented_square;
   outline.push_back(outline.front());
   sketch.curve(outline, {"faint", 0.5, 1, 0.15});
   for (std::size_t k = 0; k < dented_square.size(); ++k) draw_edge(sketch, k);
   for (const Vec2& p : dented_square) name_corner(sketch, p);
-  sketch.look({70, 320, 1});
+  sketch.look({560, 320, 1});
   sketch.arrow({0, 0}, {52, 0}, {"ink", 1.5});
   sketch.arrow({0, 0}, {0, 52}, {"ink", 1.5});
   sketch.words({52, 0}, {8, 5}, "α");

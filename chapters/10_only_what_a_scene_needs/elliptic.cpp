@@ -14,7 +14,8 @@ namespace scene_chapter {
 
 namespace {
 
-/// sn over one period and a little more, where the curves part again, for k'² = 1 − k².
+/// sn for k'² = 1 − k², over one period and a little more: the curves part again there, and none of
+/// them is at the last line of the grid yet.
 support::Series elliptic_sine(const std::string& name, double kc2) {
   const elliptic::Modulus modulus{1 - kc2, kc2};
   const elliptic::Amplitude eta{0, 1};
@@ -24,8 +25,8 @@ support::Series elliptic_sine(const std::string& name, double kc2) {
                                     : elliptic::ComplementaryThetaSeries(modulus, eta)(u).sn;
   };
   support::Series series{name, {}, {}};
-  for (int i = 0; i <= 252; ++i) {
-    const double turns = i / 240.0;
+  for (int i = 0; i <= 491; ++i) {
+    const double turns = i / 480.0;
     series.x.push_back(turns);
     series.y.push_back(sn(4 * K * turns));
   }
@@ -59,12 +60,22 @@ void draw_clock(support::Sketch& sketch, const Vec3& direction, const std::strin
   sketch.dots(near, colour, 3.6);
 }
 
+/// What its colours mean, at the right.
+void clock_words(support::Sketch& sketch) {
+  sketch.look({430, 215, 1});
+  sketch.words({0, 45}, {0, 0}, "around the axis of");
+  sketch.words({0, 15}, {0, 0}, "the largest moment", "c2");
+  sketch.words({0, -15}, {0, 0}, "the largest, near the middle axis", "c1");
+  sketch.words({0, -45}, {0, 0}, "the least", "c0");
+}
+
 }  // namespace
 
 std::string clock_figure() {
   support::Sketch sketch(760, 440, "The way of L in the body, with dots that are as long apart",
                          18);
-  sketch.look({380, 215, 190});
+  clock_words(sketch);
+  sketch.look({200, 215, 190});  // at the left, where a phone begins
   std::vector<Vec2> circle;
   for (int i = 0; i <= 90; ++i)
     circle.emplace_back(std::cos(2 * pi * i / 90), std::sin(2 * pi * i / 90));

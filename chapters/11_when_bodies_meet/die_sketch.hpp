@@ -37,7 +37,7 @@ inline void draw_face(tumble::support::Sketch& sketch, const tumble::support::Wi
   std::vector<Vec2> places;
   for (const Vec2& pip : pips(number_on(axis, side)))
     places.push_back(at(pip.x() / 2, pip.y() / 2));
-  sketch.dots(places, "ink", 0.7 + 1.2 * normal.z());
+  sketch.dots(places, "ink", sheet.scale * die_edge * (0.038 + 0.065 * normal.z()));
 }
 
 /// @param view to the viewer's axes: right, up, towards the viewer

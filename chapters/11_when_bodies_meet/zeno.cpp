@@ -38,10 +38,12 @@ Table zeno_table() {
 
 namespace {
 
-/// Height over time: of each flight a few points of its parabola.
+/// Height over time: of each flight a few points of its parabola. Flights that are too low to see
+/// would only push the name at their end against the other ball's path.
 Series zeno_path(double e) {
+  constexpr double lowest = 1e-4;  // [m]
   Series path{"e = " + number(e), {}, {}};
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; zeno_rise(e, k) > lowest; ++k) {
     const double speed = std::sqrt(2 * gravity * zeno_rise(e, k)), flight = 2 * speed / gravity;
     // It begins at the top of a flight.
     const double start = k == 0 ? -zeno_first() : zeno_contact(e, k);
@@ -65,10 +67,12 @@ Series zeno_stairs(double e) {
   return stairs;
 }
 
-/// The time after which it rests, from the floor of the plot to its top.
+/// The time after which it rests, from the floor of the plot nearly to its top: the name at its end
+/// stands below the grid's last line.
 Series zeno_wall(double e, double low, const std::string& colour) {
+  constexpr double high = 0.3;
   return {e == 0.5 ? "" : "t₀ (1 + e)/(1 − e)",  // the line beside it is another of the kind
-          {zeno_end(e), zeno_end(e)},           {low, 1}, support::Look::dashed, colour, 1.2};
+          {zeno_end(e), zeno_end(e)},           {low, high}, support::Look::dashed, colour, 1.2};
 }
 
 }  // namespace

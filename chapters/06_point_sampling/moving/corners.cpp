@@ -8,6 +8,7 @@
 
 #include "06_point_sampling/moving_figures.hpp"
 #include "06_point_sampling/outline.hpp"
+#include "06_point_sampling/signs.hpp"
 
 namespace point_sampling_chapter::corners_figure {
 
@@ -101,9 +102,9 @@ void draw_ray(Sketch& sketch, const Vec2& p, const Crossings& met) {
   for (const auto& [x, sign] : met) {
     here = x == last ? here + 1 : 0;
     last = x;
-    const std::string colour = sign > 0 ? "c0" : "c1";
-    sketch.dot({x, p.y()}, colour, 5);
-    sketch.words({x, p.y()}, {13 + 15. * here, -10}, sign > 0 ? "+" : "−", colour);
+    const Vec2 crossing(x, p.y()), beside(3 + 3.2 * here, 2.6);  // clear of rings and wall
+    sketch.dot(crossing, colour_of_sign(sign > 0), 5);
+    draw_sign(sketch, crossing + beside, 1.2, sign > 0);
   }
   sketch.dot(p, "ink", 7);
 }

@@ -102,12 +102,13 @@ void draw_box(Sketch& sketch, const Mat3& R, const boxes::OrientedBox& box, doub
   };
   sketch.look({0, 0, 1});
   line(24, "turn the racket in its box", "ink");
-  line(386,
+  line(382,
        millimetres(box.size[0]) + " × " + millimetres(box.size[1]) + " × " +
            millimetres(box.size[2]) + " mm",
        "c6");
-  line(410, svg_number(box.volume() / volume, 1) + " times the racket's volume", "c6");
-  line(434, "the tensors differ by δ = " + svg_number(difference, 3), "c6");
+  line(405, svg_number(box.volume() / volume, 1) + " times the racket's volume", "c6");
+  line(428, "the shape of its tensor is off", "c6");
+  line(451, "by δ = " + svg_number(difference, 3), "c6");
 }
 
 /// The racket in flight, and the axis that it was spun about.

@@ -33,7 +33,7 @@ constexpr std::array<Control, 5> controls{
 constexpr std::size_t count = 6, uppermost = 3;
 const Vec2 middle(2.2, 1.05);
 const Vec2 away(-0.98734, -0.15862);  // to the left, and round in no unit
-constexpr support::Window window{140, 250, 105};
+constexpr support::Window window{45, 250, 105};
 
 std::array<Vec2, count> outline(Settings now) {
   return {Vec2(1.2, 0.3), {3.4, -0.1}, {now[corner_x], now[corner_y]},
@@ -119,8 +119,8 @@ void draw_digits(support::Sketch& sketch, double y, const std::string& name, dou
   while (right < digits && error < 0.5 * std::pow(10., -right - 1)) ++right;
   const int wrong = digits - right + (right <= 0 ? 1 : 0);  // with the point
   const std::size_t part = text.size() - std::min(text.size(), static_cast<std::size_t>(wrong));
-  const double x = 480 + 9.6 * static_cast<double>(part);
-  sketch.words({0, 0}, {450, y}, name, "ink", "end");
+  const double x = 420 + 9.6 * static_cast<double>(part);
+  sketch.words({0, 0}, {390, y}, name, "ink", "end");
   sketch.words({0, 0}, {x, y}, text.substr(0, part), "ink", "end");
   sketch.words({0, 0}, {x, y}, text.substr(part), "c6");
 }
@@ -143,7 +143,7 @@ std::string draw(Settings now) {
   const std::array<Edge, count> edges = edges_of(now);
   const Vec2 apex = middle + std::pow(10., now[distance]) * away;
   const std::vector<Edge> done = so_far(edges, whole_round(now) ? count : now[around]);
-  support::Sketch sketch(760, 385, "Signed triangles over the edges of an outline", 17);
+  support::Sketch sketch(670, 385, "Signed triangles over the edges of an outline", 17);
   sketch.look(window);
   for (const Edge& edge : done) draw_triangle(sketch, edge, apex);
   draw_outline(sketch, edges);

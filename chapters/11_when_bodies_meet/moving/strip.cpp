@@ -76,12 +76,12 @@ constexpr support::ReadersAnswer by_reader{"die", question, take};
 // ── Where it is drawn ──
 
 /// Where the origin is drawn, and how large the world [px], [px/m].
-const support::Window sheet{165, 262, 1150};
+const support::Window sheet{220, 232, 830};
 Mat3 view() { return support::view_from(-80 * degree, 38 * degree); }
 
 // ── The throw, drawn ──
 
-constexpr double drawn_second = 0.08;  // [m] of an arrow for 1 m/s
+constexpr double drawn_second = 0.11;  // [m] of an arrow for 1 m/s
 
 /// The path of its centre until a time.
 void draw_path(support::SpaceSketch& space, const Throw& thrown, double end,
@@ -105,9 +105,9 @@ void draw_throw(Sketch& sketch, const Throw& thrown, const std::string& colour, 
   draw_die(sketch, sheet, view(), thrown.at(t));
 }
 
-/// A part of the floor, with a line every 2 cm.
+/// As much of the floor as the die can reach, with a line every 2 cm.
 void draw_floor(Sketch& sketch) {
-  constexpr double left = -0.14, right = 0.5, front = -0.12, back = 0.18, mesh = 0.02;
+  constexpr double left = -0.22, right = 0.6, front = -0.26, back = 0.28, mesh = 0.02;
   support::SpaceSketch space(sketch, view());
   space.curve({{left, front, 0}, {right, front, 0}, {right, back, 0}, {left, back, 0}},
               {"faint", 0, 1, 0.1});
@@ -117,10 +117,23 @@ void draw_floor(Sketch& sketch) {
     space.curve({{x, front, 0}, {x, back, 0}}, {"faint", 1, 0.35});
 }
 
+/// Which way it spins: an arrow up its back for forwards, the longer the faster. There v is never.
+void draw_spin(support::SpaceSketch& space, const Vec3& hand, double turns) {
+  if (turns == 0) return;
+  const double angle = (75 + 5 * std::abs(turns)) * degree;
+  const Vec3 axis = turns > 0 ? Vec3::UnitY() : Vec3(-Vec3::UnitY());
+  const Vec3 back(-1.5 * die_edge, 0, 0);
+  const Vec3 start = std::cos(angle / 2) * back - std::sin(angle / 2) * axis.cross(back);
+  const std::vector<Vec3> way = support::arc(hand, start, axis, angle);
+  space.curve(way, {"c6", 2});
+  space.arrow(way[way.size() - 2], way.back(), {"c6", 2});
+}
+
 void draw_hand(Sketch& sketch, Settings now) {
   support::SpaceSketch space(sketch, view());
   const Vec3 hand = scene_of(now).body(0).start.x,
              aim = hand + drawn_second * Vec3(now[along], 0, now[up]);
+  draw_spin(space, hand, now[spin]);
   sketch.grip({space.seen(aim)});
   if ((aim - hand).norm() < 1e-6) return;
   space.arrow(hand, aim, {"c6", 2.4});
