@@ -161,8 +161,8 @@ std::string work_figure() {
                  work_of_steps<MomentaFirst>("momenta first", 1),
                  work_of_steps<runge_kutta::Midpoint>("midpoint", 2),
                  work_of_steps<Rk4>("RK4", 4),
-                 work_to_tolerances<DormandPrince54>("DP 5(4), adaptive"),
-                 work_to_tolerances<Dop853>("DOP853, adaptive")};
+                 work_to_tolerances<Dop853>("DOP853, adaptive"),
+                 work_to_tolerances<DormandPrince54>("DP 5(4), adaptive")};
   return support::to_svg(plot);
 }
 

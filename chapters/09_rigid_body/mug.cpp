@@ -79,8 +79,8 @@ void draw_motion(support::Sketch& sketch, double from, double to,
     sketch.curve({{0, 0}, (view * point_position(now, spring.p_body)).head<2>()}, {"c2", 1.4});
     draw_mug(sketch, view, now);
     const bool at_the_edge = now.x.z() > -0.35, left = now.x.x() < 0;
-    const Vec2 beside = at_the_edge ? Vec2(0, 58) : Vec2(left ? -34 : 34, 40);
-    const std::string anchor = at_the_edge ? "middle" : left ? "end" : "start";
+    const Vec2 beside = at_the_edge ? Vec2(left ? -6 : 0, 58) : Vec2(left ? -34 : 34, 40);
+    const std::string anchor = left ? "end" : at_the_edge ? "middle" : "start";
     sketch.words((view * now.x).head<2>(), beside, support::svg_number(t, 2) + " s", "ink", anchor);
   }
   sketch.dot({0, 0}, "ink", 5);

@@ -9,8 +9,8 @@
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises. The judge
 /// supplies correct ones, even where yours don't pass yet. Other parts of Eigen are not there, so
-/// no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, from 3.2, which this header
-/// includes, or write the three components out.
+/// no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, from 3.2, which is included
+/// here, or write the three components out.
 ///
 /// "To rounding" means: your result may be off by some roundings of a double, not by more.
 

@@ -13,7 +13,7 @@
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises. The judge
 /// supplies correct ones, even where yours don't pass yet. Other parts of Eigen are not there, so
 /// no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`, your 3.2, or write the three
-/// components out. This header includes the one of chapter 3 already.
+/// components out. What chapter 3 declares is included here already.
 ///
 /// "To rounding" means: off by some roundings of a double, not more.
 

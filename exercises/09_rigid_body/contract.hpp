@@ -7,7 +7,7 @@
 /// chapter 5, and the solver of 1.5 moves it.
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
-/// those of chapters 1, 4 and 5, which this header includes. The judge supplies correct ones, even
+/// those of chapters 1, 4 and 5, which are included here. The judge supplies correct ones, even
 /// where yours don't pass yet. You may want `particles::rk4_step` (1.5), `quaternions::to_matrix`
 /// (4.5) and `quaternion_dot` (4.8), and `momentum::angular_velocity` (5.5). Other parts of Eigen
 /// are not there, so no `.cross()`: for a × b call `rotation_matrices::skew(a) * b`.

@@ -72,8 +72,8 @@ struct EnergyDrift {
 ///   body's turning in closed form: that of a ball and of a top with sines, that of a full body
 ///   with elliptic functions.
 ///
-/// The rule for equal moments is an estimate. It holds for bodies that don't spin perpendicular to
-/// an axis of near-symmetry: for those the error grows with the square of the angle. The scene
+/// The rule for equal moments is an estimate. It doesn't hold for a body that spins perpendicular
+/// to an axis of near-symmetry, where the error grows with the square of the angle. The scene
 /// doesn't say about which axis its body spins, so use the rule for all of them.
 /// @param scene     what happens
 /// @param tolerance by how much the orientation may be wrong at the end [rad]: 0 or more

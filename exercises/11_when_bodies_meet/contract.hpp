@@ -165,9 +165,9 @@ Eigen::Vector3d collide(const Eigen::Matrix3d& K, const Eigen::Vector3d& u,
 ///           no impulse, and is not jammed
 /// @param e  coefficient of restitution, 0 … 1
 /// @param mu coefficient of friction, 0 or more
-/// @return the impulse on the first body, to rounding. `jammed` if the slip with which the contact
-///         begins doesn't let u_n grow: K_nn ∓ μ K_nt ≤ 0. In this case, too, the
-///         impulse must be right
+/// @return the impulse on the first body, to rounding. `jammed` says that the slip with which the
+///         contact begins doesn't let u_n grow: K_nn ∓ μ K_nt ≤ 0. In this case, too, the impulse
+///         must be right
 PlanarImpulse collide_with_friction(const Eigen::Matrix2d& K, const Eigen::Vector2d& u, double e,
                                     double mu);
 

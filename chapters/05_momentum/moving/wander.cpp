@@ -97,7 +97,7 @@ void draw_in_space(support::Sketch& sketch, const Motion& motion, std::size_t no
   space.arrow(Vec3::Zero(), tip, {"c0", 3});
   space.words(tip, {12, 6}, "L", "c0", "start");
   space.arrow(Vec3::Zero(), path.back(), {"c1", 2.6});
-  space.words(path.back(), {10, -6}, "ω", "c1", "start");
+  space.words(0.6 * path.back(), {10, 6}, "ω", "c1", "start");  // clear of the way of its tip
   sketch.grip({{0, 0}, space.seen(path.back())}, 40);
   sketch.look({50, 520, 1});
   support::SpaceSketch(sketch, view).world_axes(Vec3::Zero(), 40);

@@ -94,7 +94,7 @@ void draw_box(Sketch& sketch, const Mat3& R, const boxes::OrientedBox& box, doub
   draw_racket(sketch, R, "c0");
   sketch.curves(support::box_edges(R * box.centre, edges, view()), {"c6", 1.8});
   sketch.grip({{0, 0}}, 120);
-  sketch.look({36, 345, 1});
+  sketch.look({36, 335, 1});
   support::SpaceSketch(sketch, view()).world_axes(Vec3::Zero(), 30);
   const double volume = racket_itself().truth.mass / objects::ash_wood;
   const auto line = [&](double y, const std::string& text, const std::string& colour) {
@@ -102,13 +102,12 @@ void draw_box(Sketch& sketch, const Mat3& R, const boxes::OrientedBox& box, doub
   };
   sketch.look({0, 0, 1});
   line(24, "turn the racket in its box", "ink");
-  line(382,
+  line(386,
        millimetres(box.size[0]) + " × " + millimetres(box.size[1]) + " × " +
            millimetres(box.size[2]) + " mm",
        "c6");
-  line(405, svg_number(box.volume() / volume, 1) + " times the racket's volume", "c6");
-  line(428, "the shape of its tensor is off", "c6");
-  line(451, "by δ = " + svg_number(difference, 3), "c6");
+  line(410, svg_number(box.volume() / volume, 1) + " times the racket's volume", "c6");
+  line(434, "its tensor's shape: off by δ = " + svg_number(difference, 3), "c6");
 }
 
 /// The racket in flight, and the axis that it was spun about.

@@ -6,6 +6,17 @@
 
 namespace tumble::book {
 
+namespace {
+
+/// What stands there without Doxygen's own links.
+std::string without_tags(std::string html) {
+  for (auto tag = html.find('<'); tag != std::string::npos; tag = html.find('<'))
+    html.erase(tag, html.find('>', tag) - tag + 1);
+  return html;
+}
+
+}  // namespace
+
 std::string with_reference_links(const std::string& html, const std::vector<Entry>& names) {
   std::map<std::string, std::string> addresses;
   for (const Entry& name : names) addresses.try_emplace(name.section, name.address);
@@ -14,7 +25,8 @@ std::string with_reference_links(const std::string& html, const std::vector<Entr
   std::size_t at = 0;
   for (auto begin = html.find(start); begin != std::string::npos; begin = html.find(start, at)) {
     const auto stop = html.find(end, begin);
-    const std::string name = html.substr(begin + start.size(), stop - begin - start.size());
+    const std::string name =
+        without_tags(html.substr(begin + start.size(), stop - begin - start.size()));
     if (name.starts_with("tumble::")) scope = name;
     const auto address = addresses.find(std::string(scope).append("::").append(name));
     const std::string code = html.substr(begin, stop + end.size() - begin);

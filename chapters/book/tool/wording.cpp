@@ -24,21 +24,24 @@ std::string joined(std::string text, const std::regex& pair) {
 }
 
 /// Words between code and formulas, with numbers that stay with what they count, with the others of
-/// a vector, with what they are equal to, and with their exponents. A sum in brackets stays whole.
+/// a vector and with their exponents, and with formulas of a few letters in one line.
 std::string with_units(const std::string& words) {
-  static const std::string unit =
-      "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])";
-  static const std::regex number("([0-9]|½|¼|¾) (" + unit + ")"),
+  static const std::string
+      unit = "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])",
+      component = "(?:−)?(?:[0-9.]+|[a-z])", letter = "(?:[b-hj-zB-HJ-Z]|ω)",
+      sign = "(?:−|\\+|×|=|/|±|∓|≤|≥)";
+  static const std::regex number("([0-9]|½|¼|¾|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹) (" + unit + ")"),
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
-      counted("(Figure|Table|chapter|Chapter|order|DP|=) ((?:−)?[0-9])"),
-      behind_a_formula("^() (=|" + unit + ")"), to("(→) ([^ ])"), from("([^ ]) (→)"),
-      vector("(\\((?:(?:−)?[0-9.]+,(?: |\u00a0))*(?:−)?[0-9.]+,) ((?:−)?[0-9.]+[,)])"),
-      bracket_opens("(\\([^() ]{1,12}) ((?:−|\\+|×|/) )"),
-      bracket_closes("(−|\\+|×|/) ([^() ]{1,12}\\))");
+      counted("(Figure|Table|chapter|Chapter|order|DP|<=) ((?:−)?[0-9])"),
+      behind_a_formula("^() (" + sign + "|" + unit + ")"), to("(→) ([^ ])"), from("([^ ]) (→)"),
+      vector("(\\((?:" + component + ",(?: |\u00a0))*" + component + ",) (" + component + "[,)])"),
+      behind_sign("((?:^| |\u00a0)" + sign + ") ([^ |])"),
+      ahead_of_sign("([^ |]) (" + sign + "(?: |\u00a0))"), half("(½) ([A-Z|]|ω)"),
+      letters("((?:^| |\u00a0|[(])" + letter + ") (" + letter + "(?![A-Za-z0-9'_]))");
   static const std::regex exponent("([0-9]e-(?=[0-9])|[|](?=²|³))");
   std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner);
   for (const std::regex& pair : {number, product, counted, behind_a_formula, to, from, vector,
-                                 bracket_opens, bracket_closes})
+                                 behind_sign, ahead_of_sign, half, letters})
     text = joined(text, pair);
   return text;
 }
@@ -71,10 +74,11 @@ std::string with_indices(const std::string& words) {
 }
 
 std::string with_whole_formulas(const std::string& words) {
-  static const std::regex behind("(−|\\+|×|·|=|/|±) ([^ ])"), ahead("([^ ]) (−|\\+|×|·|=|/|±)"),
+  static const std::regex behind("(·) ([^ ])"), ahead("([^ ]) (·)"),
+      times("((?:^| |\u00a0|[(])[A-HJ-Za-z0-9]) (\\(|[a-z]+\\()"),
       bracketed(R"((\[[^\]]{0,20}|\([^)]{0,20}) ([^\])]{0,20}[\])]))");
   std::string text = with_units(words);
-  for (const std::regex& pair : {behind, ahead, bracketed}) text = joined(text, pair);
+  for (const std::regex& pair : {behind, ahead, times, bracketed}) text = joined(text, pair);
   return text;
 }
 

@@ -156,14 +156,17 @@ TEST_CASE("what touches a formula stays in its line") {
   CHECK(project.converted("| $x$, | ($y$) |\n") == "| \\f$x\\f$, | (\\f$y\\f$) |\n");
 }
 
-TEST_CASE("a vector, and what a sum is equal to, stay in one line") {
+TEST_CASE("a vector and a formula of a few letters stay in one line") {
   const Project project;
   CHECK(
       project.converted("At (3, −4, 0.5) N, (1, 2), f(x, 3) and 2 + 3 = 5, or so = −1 (a, b).\n") ==
-      "At (3,\u00a0−4,\u00a00.5) N, (1,\u00a02), f(x, 3) and 2 + 3 =\u00a05, or so =\u00a0−1 "
-      "(a, b).\n");
-  CHECK(project.converted("(t + h)/2, (1 − 2 r), (a + b + c) or t + h\n") ==
-        "(t\u00a0+\u00a0h)/2, (1\u00a0− 2 r), (a\u00a0+ b +\u00a0c) or t + h\n");
+      "At (3,\u00a0−4,\u00a00.5) N, (1,\u00a02), f(x,\u00a03) and 2\u00a0+\u00a03\u00a0=\u00a05, "
+      "or "
+      "so\u00a0=\u00a0−1 (a,\u00a0b).\n");
+  CHECK(
+      project.converted("L = m r × (ω × r), t + h, a step h. B b, ½ L·ω, n ≤ 3 | = |\n") ==
+      "L\u00a0=\u00a0m\u00a0r\u00a0×\u00a0(ω\u00a0×\u00a0r), t\u00a0+\u00a0h, a step h. B\u00a0b, "
+      "½\u00a0L·ω, n\u00a0≤\u00a03 | = |\n");
   CHECK(project.converted("|q|², body → world\n") == "|q|\u2060², body\u00a0→\u00a0world\n");
   CHECK(project.converted("With $x$ = 8, ½ kg, $E$ J, or 1.5e-12.\n") ==
         "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> ½\u00a0kg, <span "
@@ -174,6 +177,8 @@ TEST_CASE("the head of a column breaks between words, and not in a formula") {
   CHECK(with_whole_formulas("‖RᵀR − 1‖ at most") == "‖RᵀR\u00a0−\u00a01‖ at most");
   CHECK(with_whole_formulas("inertia [kg m²]") == "inertia [kg\u00a0m²]");
   CHECK(with_whole_formulas("DP 5(4), x and z") == "DP\u00a05(4), x and z");
+  CHECK(with_whole_formulas("a (a⁻¹ b)ᵗ, q p conjugate(q)") ==
+        "a\u00a0(a⁻¹\u00a0b)ᵗ, q\u00a0p\u00a0conjugate(q)");
   CHECK(with_whole_formulas("v + ω × (R p_body)") == "v\u00a0+\u00a0ω\u00a0×\u00a0(R\u00a0p_body)");
 }
 
