@@ -30,8 +30,8 @@ struct Box {
 /// The axes of a symmetric matrix S, ready for use: a rotation R whose columns are three directions
 /// that S only stretches, so that Rᵀ S R is diagonal. Jacobi's method: one number off the diagonal
 /// after the other is turned to zero.
-/// @param S symmetric; if it stretches by equal amounts along two of the axes, those two are any of
-///          the plane of the two
+/// @param S symmetric; if it stretches by equal amounts along two of the axes, you get any two
+///          perpendicular directions of their plane
 inline Eigen::Matrix3d principal_axes(Eigen::Matrix3d S) {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   for (int round = 0; round < 24; ++round) {

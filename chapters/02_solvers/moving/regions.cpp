@@ -79,7 +79,7 @@ void draw_axes(support::Sketch& sketch) {
   sketch.curves(ticks, {"faint", 1});
   for (const int tick : {-6, -4, -2, 0, 2, 4, 6}) {
     sketch.words({tick, -6.5}, {0, 19}, tick_name(tick), "faint", "middle");
-    sketch.words({-8, tick}, {6, 6}, tick == 0 ? "0" : tick_name(tick) + "i", "faint");
+    if (tick != 0) sketch.words({-8, tick}, {6, 6}, tick_name(tick) + "i", "faint");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "book/tool/finish.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <string>
 
@@ -105,6 +106,20 @@ void close_up_formulas(std::string& text) {
   }
 }
 
+/// In a template's line Doxygen colours "id" in "solids", too.
+void uncolour_parts_of_words(std::string& text) {
+  const std::string start = "<span class=\"keywordtype\">", end = "</span>";
+  const auto in_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  for (auto at = text.find(start, 1); at != std::string::npos; at = text.find(start, at + 1)) {
+    const auto stop = text.find(end, at);
+    if (!in_word(text[at - 1]) && !in_word(text[stop + end.size()])) continue;
+    text.erase(stop, end.size());
+    text.erase(at, start.size());
+  }
+}
+
 /// Text whose links of a kind are words.
 std::string unlinked(std::string text, const std::string& link) {
   for (auto at = text.find(link); at != std::string::npos; at = text.find(link, at)) {
@@ -141,6 +156,7 @@ void finish_site(const fs::path& root, const fs::path& folder) {
     lower_sections(text);
     frame_tables(text);
     close_up_formulas(text);
+    uncolour_parts_of_words(text);
     unlink_signatures(text);
     write_text(entry.path(), text);
   }

@@ -29,19 +29,20 @@ std::string with_units(const std::string& words) {
   static const std::string
       unit = "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])",
       component = "(?:−)?(?:[0-9.]+|[a-z])", letter = "(?:[b-hj-zB-HJ-Z]|ω)",
-      sign = "(?:−|\\+|×|=|/|±|∓|≤|≥)";
+      sign = "(?:−|\\+|×|=|/|±|∓|≤|≥|<)", integral = "(?:−∫|∫|∬)";
   static const std::regex number("([0-9]|½|¼|¾|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹) (" + unit + ")"),
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
       counted("(Figure|Table|chapter|Chapter|order|DP|<=) ((?:−)?[0-9])"),
       behind_a_formula("^() (" + sign + "|" + unit + ")"), to("(→) ([^ ])"), from("([^ ]) (→)"),
       vector("(\\((?:" + component + ",(?: |\u00a0))*" + component + ",) (" + component + "[,)])"),
-      behind_sign("((?:^| |\u00a0)" + sign + ") ([^ |])"),
+      behind_sign("((?:^| |\u00a0)(?:" + sign + "|" + integral + ")) ([^ |])"),
       ahead_of_sign("([^ |]) (" + sign + "(?: |\u00a0))"), half("(½) ([A-Z|]|ω)"),
+      factor("(\\)|¹|ᵀ) (\\(|[A-Z](?:<sub>[a-z]</sub>)?\\()"),
       letters("((?:^| |\u00a0|[(])" + letter + ") (" + letter + "(?![A-Za-z0-9'_]))");
   static const std::regex exponent("([0-9]e-(?=[0-9])|[|](?=²|³))");
   std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner);
   for (const std::regex& pair : {number, product, counted, behind_a_formula, to, from, vector,
-                                 behind_sign, ahead_of_sign, half, letters})
+                                 behind_sign, ahead_of_sign, half, factor, letters})
     text = joined(text, pair);
   return text;
 }
@@ -74,8 +75,8 @@ std::string with_indices(const std::string& words) {
 }
 
 std::string with_whole_formulas(const std::string& words) {
-  static const std::regex behind("(·) ([^ ])"), ahead("([^ ]) (·)"),
-      times("((?:^| |\u00a0|[(])[A-HJ-Za-z0-9]) (\\(|[a-z]+\\()"),
+  static const std::regex behind("(−|·) ([^ ])"), ahead("([^ ]) (−|\\+|×|·|=|/|±)"),
+      times("((?:^| |\u00a0|[(]|−)[A-HJ-Za-z0-9]) (\\(|[a-z]+\\()"),
       bracketed(R"((\[[^\]]{0,20}|\([^)]{0,20}) ([^\])]{0,20}[\])]))");
   std::string text = with_units(words);
   for (const std::regex& pair : {behind, ahead, times, bracketed}) text = joined(text, pair);

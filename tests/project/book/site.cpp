@@ -167,6 +167,9 @@ TEST_CASE("a vector and a formula of a few letters stay in one line") {
       project.converted("L = m r × (ω × r), t + h, a step h. B b, ½ L·ω, n ≤ 3 | = |\n") ==
       "L\u00a0=\u00a0m\u00a0r\u00a0×\u00a0(ω\u00a0×\u00a0r), t\u00a0+\u00a0h, a step h. B\u00a0b, "
       "½\u00a0L·ω, n\u00a0≤\u00a03 | = |\n");
+  CHECK(project.converted("Σ (p − c) (p − c)ᵀ, R_i(α) R_j(β), −∫ x y dm, if v_z < 0\n") ==
+        "Σ (p\u00a0−\u00a0c)\u00a0(p\u00a0−\u00a0c)ᵀ, R<sub>i</sub>(α)\u00a0R<sub>j</sub>(β), "
+        "−∫\u00a0x\u00a0y dm, if v<sub>z</sub>\u00a0<\u00a00\n");
   CHECK(project.converted("|q|², body → world\n") == "|q|\u2060², body\u00a0→\u00a0world\n");
   CHECK(project.converted("With $x$ = 8, ½ kg, $E$ J, or 1.5e-12.\n") ==
         "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> ½\u00a0kg, <span "
@@ -177,6 +180,8 @@ TEST_CASE("the head of a column breaks between words, and not in a formula") {
   CHECK(with_whole_formulas("‖RᵀR − 1‖ at most") == "‖RᵀR\u00a0−\u00a01‖ at most");
   CHECK(with_whole_formulas("inertia [kg m²]") == "inertia [kg\u00a0m²]");
   CHECK(with_whole_formulas("DP 5(4), x and z") == "DP\u00a05(4), x and z");
+  CHECK(with_whole_formulas("y' = −1 (y − cos t)") ==
+        "y'\u00a0=\u00a0−1\u00a0(y\u00a0−\u00a0cos\u00a0t)");
   CHECK(with_whole_formulas("a (a⁻¹ b)ᵗ, q p conjugate(q)") ==
         "a\u00a0(a⁻¹\u00a0b)ᵗ, q\u00a0p\u00a0conjugate(q)");
   CHECK(with_whole_formulas("v + ω × (R p_body)") == "v\u00a0+\u00a0ω\u00a0×\u00a0(R\u00a0p_body)");
@@ -185,7 +190,7 @@ TEST_CASE("the head of a column breaks between words, and not in a formula") {
 TEST_CASE("a symbol's index stands below, and names of the code stay as they are") {
   const Project project;
   CHECK(project.converted("if v_z < 0 or |v_z| <= 1\n") ==
-        "if v<sub>z</sub> < 0 or |v<sub>z</sub>| <=\u00a01\n");
+        "if v<sub>z</sub>\u00a0<\u00a00 or |v<sub>z</sub>| <=\u00a01\n");
   CHECK(project.converted("K_nt and n_γ, (R_i), `K_nt`, I_body_inv, a_file.hpp, x_.\n") ==
         "K<sub>nt</sub> and n<sub>γ</sub>, (R<sub>i</sub>), `K_nt`, I_body_inv, a_file.hpp, x_.\n");
   CHECK(project.converted("R [ω]× Rᵀ, [ω]×R\n") == "R [ω]<sub>×</sub> Rᵀ, [ω]<sub>×</sub>R\n");
@@ -285,6 +290,14 @@ TEST_CASE("a finished page has a heading, its own link marked, and tables in fra
         "<nav id=\"sidebar\"><a href=\"b.html\">B</a><a aria-current=\"page\" href=\"a.html\">A</a>"
         "</nav><h1 class=\"title\">A </h1><p>A.</p><div class=\"scroll\" tabindex=\"0\"><table "
         "class=\"markdownTable\"></table></div>");
+}
+
+TEST_CASE("a type's colour is for whole words") {
+  const Project project;
+  const std::string coloured = "<span class=\"keywordtype\">int</span>";
+  project.write("html/a.html", " " + coloured + " po" + coloured + "s " + coloured + "eger\n");
+  finish_site(project.path(), project.path() / "html");
+  CHECK(text_of(project.path() / "html/a.html") == " " + coloured + " points integer\n");
 }
 
 TEST_CASE("the front page has a name that tells it from the others") {
