@@ -29,7 +29,7 @@ std::string with_units(const std::string& words) {
   static const std::string
       unit = "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])",
       component = "(?:−)?(?:[0-9.]+|[a-z])", letter = "(?:[b-hj-zB-HJ-Z]|ω)",
-      sign = "(?:−|\\+|×|=|/|±|∓|≤|≥|<)", integral = "(?:−∫|∫|∬)";
+      sign = "(?:−|\\+|×|=|/|±|∓|≤|≥)", integral = "(?:−∫|∫|∬)";
   static const std::regex number("([0-9]|½|¼|¾|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹) (" + unit + ")"),
       product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
       counted("(Figure|Table|chapter|Chapter|order|DP|<=) ((?:−)?[0-9])"),
