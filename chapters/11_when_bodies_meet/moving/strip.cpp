@@ -31,10 +31,10 @@ constexpr double mu = 0.4;
 
 enum Which { along, up, spin, restitution, time };
 constexpr std::array<Control, 5> controls{
-    {{"along", "thrown forwards", "m/s", 0, 0.8, 0.05, 0.5},
-     {"up", "and upwards", "m/s", -0.6, 0.6, 0.05, 0.4},
-     {"spin", "spin forwards", "turns/s", -15, 15, 0.5, 3},
-     {"e", "restitution e", "", 0.1, 0.7, 0.05, 0.6},
+    {{"along", "thrown forwards", "m/s", 0, 0.6, 0.05, 0.5},
+     {"up", "and upwards", "m/s", -0.5, 0.5, 0.05, 0.4},
+     {"spin", "spin forwards", "turns/s", -10, 10, 0.5, 3},
+     {"e", "restitution e", "", 0.1, 0.6, 0.05, 0.6},
      {"t", "time, ten times slower", "s", 0, longest, 0.005, 0.6}}};
 
 // ── The throw ──
@@ -76,7 +76,7 @@ constexpr support::ReadersAnswer by_reader{"die", question, take};
 // ── Where it is drawn ──
 
 /// Where the origin is drawn, and how large the world [px], [px/m].
-const support::Window sheet{220, 232, 830};
+const support::Window sheet{232, 230, 1400};
 Mat3 view() { return support::view_from(-80 * degree, 38 * degree); }
 
 // ── The throw, drawn ──
@@ -107,7 +107,7 @@ void draw_throw(Sketch& sketch, const Throw& thrown, const std::string& colour, 
 
 /// As much of the floor as the die can reach, with a line every 2 cm.
 void draw_floor(Sketch& sketch) {
-  constexpr double left = -0.22, right = 0.6, front = -0.26, back = 0.28, mesh = 0.02;
+  constexpr double left = -0.14, right = 0.36, front = -0.14, back = 0.12, mesh = 0.02;
   support::SpaceSketch space(sketch, view());
   space.curve({{left, front, 0}, {right, front, 0}, {right, back, 0}, {left, back, 0}},
               {"faint", 0, 1, 0.1});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <regex>
+#include <string>
+#include <vector>
 
 #include "book/tool/maths.hpp"
 
@@ -23,27 +25,42 @@ std::string joined(std::string text, const std::regex& pair) {
   return text;
 }
 
-/// Words between code and formulas, with numbers that stay with what they count, with the others of
-/// a vector and with their exponents, and with formulas of a few letters in one line.
-std::string with_units(const std::string& words) {
+/// What stays in one line, as two groups with the blank between them.
+const std::vector<std::regex>& pairs_in_words() {
   static const std::string
       unit = "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])",
       component = "(?:−)?(?:[0-9.]+|[a-z])", letter = "(?:[b-hj-zB-HJ-Z]|ω)",
-      sign = "(?:−|\\+|×|=|/|±|∓|≤|≥)", integral = "(?:−∫|∫|∬)";
-  static const std::regex number("([0-9]|½|¼|¾|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹) (" + unit + ")"),
-      product("(N|kg|Pa) ((?:m|s)(?:²|³)?(?![A-Za-z0-9]))"),
-      counted("(Figure|Table|chapter|Chapter|order|DP|<=) ((?:−)?[0-9])"),
-      behind_a_formula("^() (" + sign + "|" + unit + ")"), to("(→) ([^ ])"), from("([^ ]) (→)"),
-      vector("(\\((?:" + component + ",(?: |\u00a0))*" + component + ",) (" + component + "[,)])"),
-      behind_sign("((?:^| |\u00a0)(?:" + sign + "|" + integral + ")) ([^ |])"),
-      ahead_of_sign("([^ |]) (" + sign + "(?: |\u00a0))"), half("(½) ([A-Z|]|ω)"),
-      factor("(\\)|¹|ᵀ) (\\(|[A-Z](?:<sub>[a-z]</sub>)?\\()"),
-      letters("((?:^| |\u00a0|[(])" + letter + ") (" + letter + "(?![A-Za-z0-9'_]))");
-  static const std::regex exponent("([0-9]e-(?=[0-9])|[|](?=²|³))");
-  std::string text = std::regex_replace(words, exponent, std::string("$1") + joiner);
-  for (const std::regex& pair : {number, product, counted, behind_a_formula, to, from, vector,
-                                 behind_sign, ahead_of_sign, half, factor, letters})
-    text = joined(text, pair);
+      sign = "(?:−|\\+|×|=|/|±|∓|≤|≥)", sum = "(?:−∫|∫|∬|Σ)", blank = "(?: |\u00a0)",
+      opens = "(?:^| |\u00a0|[(])", ends = "(?![A-Za-z0-9'_])";
+  const auto pair = [](const std::string& first, const std::string& second) {
+    return std::regex("(" + first + ") (" + second + ")");
+  };
+  static const std::vector<std::regex> all{
+      pair("[0-9]|½|¼|¾|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹", unit),                    // 5 kg
+      pair("N|kg|Pa", "(?:m|s)(?:²|³)?(?![A-Za-z0-9])"),                // N m
+      pair("Figure|Table|chapter|Chapter|order|DP|<=", "(?:−)?[0-9]"),  // Figure 4.1
+      pair("^", sign + "|" + unit),                                     // a formula, then its unit
+      pair("→", "[^ ]"),
+      pair("[^ ]", "→"),  // 1 → 2
+      pair("\\((?:" + component + "," + blank + ")*" + component + ",",
+           component + "[,)]"),                               // (0, 0, 1)
+      pair(opens + "(?:" + sign + "|" + sum + ")", "[^ |]"),  // = b, Σ m
+      pair("[^ |]", sign + blank),                            // a =
+      pair("½", "[A-Z|]|ω"),                                  // ½ |v|²
+      pair("\\)|¹|ᵀ",
+           "\\(|[A-Z](?:<sub>[a-z]</sub>)?\\("),         // (a) (b), a⁻¹ R(b)
+      pair("sin|cos|tan", "[a-z]" + std::string(ends)),  // sin t
+      pair("±…", "i" + std::string(ends)),               // ±… i
+      pair(opens + letter, letter + ends)};              // m v
+  return all;
+}
+
+/// Words between code and formulas, with numbers that stay with what they count, with the others of
+/// a vector and with their exponents, and with formulas of a few letters in one line.
+std::string with_units(const std::string& words) {
+  static const std::regex without_blank("([0-9]e-(?=[0-9])|[|](?=²|³)|[)](?=[(]))");
+  std::string text = std::regex_replace(words, without_blank, std::string("$1") + joiner);
+  for (const std::regex& pair : pairs_in_words()) text = joined(text, pair);
   return text;
 }
 
@@ -76,7 +93,7 @@ std::string with_indices(const std::string& words) {
 
 std::string with_whole_formulas(const std::string& words) {
   static const std::regex behind("(−|·) ([^ ])"), ahead("([^ ]) (−|\\+|×|·|=|/|±)"),
-      times("((?:^| |\u00a0|[(]|−)[A-HJ-Za-z0-9]) (\\(|[a-z]+\\()"),
+      times("((?:^| |\u00a0|[(]|−)(?:[A-HJ-Za-z]|[0-9]+)) (\\(|[a-z]+\\()"),
       bracketed(R"((\[[^\]]{0,20}|\([^)]{0,20}) ([^\])]{0,20}[\])]))");
   std::string text = with_units(words);
   for (const std::regex& pair : {behind, ahead, times, bracketed}) text = joined(text, pair);

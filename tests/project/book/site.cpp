@@ -168,8 +168,10 @@ TEST_CASE("a vector and a formula of a few letters stay in one line") {
       "L\u00a0=\u00a0m\u00a0r\u00a0×\u00a0(ω\u00a0×\u00a0r), t\u00a0+\u00a0h, a step h. B\u00a0b, "
       "½\u00a0L·ω, n\u00a0≤\u00a03 | = |\n");
   CHECK(project.converted("Σ (p − c) (p − c)ᵀ, R_i(α) R_j(β), −∫ x y dm, if v_z < 0\n") ==
-        "Σ (p\u00a0−\u00a0c)\u00a0(p\u00a0−\u00a0c)ᵀ, R<sub>i</sub>(α)\u00a0R<sub>j</sub>(β), "
+        "Σ\u00a0(p\u00a0−\u00a0c)\u00a0(p\u00a0−\u00a0c)ᵀ, R<sub>i</sub>(α)\u00a0R<sub>j</sub>(β), "
         "−∫\u00a0x\u00a0y dm, if v<sub>z</sub> < 0\n");
+  CHECK(project.converted("(p − c)(p − c)ᵀ, − sin t, sin to\n") ==
+        "(p\u00a0−\u00a0c)\u2060(p\u00a0−\u00a0c)ᵀ,\u00a0−\u00a0sin\u00a0t, sin to\n");
   CHECK(project.converted("|q|², body → world\n") == "|q|\u2060², body\u00a0→\u00a0world\n");
   CHECK(project.converted("With $x$ = 8, ½ kg, $E$ J, or 1.5e-12.\n") ==
         "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> ½\u00a0kg, <span "
@@ -182,6 +184,8 @@ TEST_CASE("the head of a column breaks between words, and not in a formula") {
   CHECK(with_whole_formulas("DP 5(4), x and z") == "DP\u00a05(4), x and z");
   CHECK(with_whole_formulas("y' = −1 (y − cos t)") ==
         "y'\u00a0=\u00a0−1\u00a0(y\u00a0−\u00a0cos\u00a0t)");
+  CHECK(with_whole_formulas("y' = −1000 (y − t), to ±… i") ==
+        "y'\u00a0=\u00a0−1000\u00a0(y\u00a0−\u00a0t), to\u00a0±…\u00a0i");
   CHECK(with_whole_formulas("a (a⁻¹ b)ᵗ, q p conjugate(q)") ==
         "a\u00a0(a⁻¹\u00a0b)ᵗ, q\u00a0p\u00a0conjugate(q)");
   CHECK(with_whole_formulas("v + ω × (R p_body)") == "v\u00a0+\u00a0ω\u00a0×\u00a0(R\u00a0p_body)");
