@@ -99,7 +99,7 @@ double adaptive_step_size(double h, double error, int order);
 /// @param h    step [s]: positive, zero, or negative to go back in time
 /// @return y₁, as exactly as rounding allows: you may stop after a correction below 1e-8 of the
 ///         size of y or y₁, whichever is larger, since the next one would be about the square of
-///         that. The size of a state is that of its largest component
+///         that. The size of a state is the largest absolute value of its components
 Eigen::VectorXd backward_euler_step(const Rhs& f, const Jacobian& dfdy, double t,
                                     const Eigen::VectorXd& y, double h);
 

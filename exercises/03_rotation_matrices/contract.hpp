@@ -58,7 +58,8 @@ Eigen::Matrix3d gram_schmidt(const Eigen::Matrix3d& M);
 // == 3.5 nearest_rotation: the rotation that changes a matrix least
 /// @param M a matrix with a positive determinant. It may be a rotation that has drifted, or far
 ///          from any rotation: ten times too long in one direction, flattened to a tenth, sheared
-///          by twice its size, or as a whole 1000 times too large or too small
+///          by 2 (a column (0, 1, 0) becomes (2, 1, 0)), or as a whole 1000 times too large or too
+///          small
 /// @return the rotation R with the smallest ‖R − M‖, the root of the sum of the squares of all nine
 ///         differences. Each of its numbers may be off by some sixty roundings times the square of
 ///         M's condition number

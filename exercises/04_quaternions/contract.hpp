@@ -47,7 +47,7 @@ Quaternion from_axis_angle(const Eigen::Vector3d& axis, double angle);
 // == 4.5 to_matrix: the rotation matrix of a quaternion
 /// @param q any quaternion but zero, |q| between 1e-100 and 1e100: only its rotation counts
 /// @return R with R p = q p q⁻¹, body → world. It is orthonormal to rounding however far q has
-///         drifted, and a tiny turn keeps its digits off the diagonal
+///         drifted. For a tiny turn the entries off the diagonal are tiny, and right to all digits
 Eigen::Matrix3d to_matrix(const Quaternion& q);
 
 // == 4.6 from_matrix: the quaternion of a rotation matrix

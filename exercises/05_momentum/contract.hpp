@@ -72,7 +72,7 @@ Eigen::Vector3d torque(const Eigen::Vector3d& force, const Eigen::Vector3d& p,
 /// Add the weight yourself. It acts at the centre of mass, and it is not among the forces of the
 /// list.
 /// @param mass   of the body [kg]
-/// @param x      where the centre of mass is [m]
+/// @param x      where the centre of mass is [m]; you can do without it
 /// @param R      orientation, body → world
 /// @param g      acceleration of free fall [m/s²], in any direction, zero in orbit
 /// @param forces all other forces: none, one or many

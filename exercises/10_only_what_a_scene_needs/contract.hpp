@@ -89,7 +89,8 @@ Choice choose_model(const Scene& scene, double tolerance);
 ///           millionth of A, nearly A, or A.
 /// @param q0 orientation at time 0, of length 1 to rounding
 /// @param L  angular momentum in world axes [kg m²/s]: zero, or |L| is between 1e-60 and 1e60
-/// @param t  time [s], of any length, negative for what was before
+/// @param t  time [s], negative for what was before; of any length for which a double can hold the
+///           angle below
 /// @return q at time t, of length 1 to rounding; q or −q, as you like. Its error may be some
 ///         roundings, multiplied by the angle |t| |L| (1/A + 1/C) where that is more than 1.
 Quaternion free_symmetric_top(double A, double C, const Quaternion& q0, const Eigen::Vector3d& L,

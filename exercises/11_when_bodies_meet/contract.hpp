@@ -122,8 +122,8 @@ Separation separation(const Box& a, const Box& b);
 ///                  as jumps of d/speed need, which may be thousands of times
 /// @param speed     bound on |d gap/dt| [m/s], positive
 /// @param t0, t1    from when to when you look [s], t0 ≤ t1
-/// @param tolerance a gap that is not larger counts as touching [m]: positive, and larger than
-///                  the change of the gap when t is rounded
+/// @param tolerance a gap that is not larger counts as touching [m]: positive, and at least ten
+///                  times the change of the gap when t is rounded
 /// @return the first of the times that you looked at where gap(t) ≤ tolerance; `found` is false if
 ///         there is none up to t1. Between t0 and the answer the gap is nowhere below 0, however
 ///         fast they are. A gap ≤ tolerance at t0 is a contact at t0
