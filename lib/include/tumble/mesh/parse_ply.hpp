@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@ class PlyBodyReader {
       : header_(header), values_(std::move(values)), name_(name) {}
 
   PolygonMesh read() {
+    require(has("vertex"), name_, ": no element 'vertex' among ", element_names());
     for (const PlyElement& element : header_.elements) {
       require(element.count == 0 || !element.properties.empty(), name_, ": the element '",
               shown(element.name), "' has no properties");
@@ -34,7 +36,8 @@ class PlyBodyReader {
     values_.require_end();
     require(count_of("tristrips") == 0, name_,
             ": part of the surface is in strips of triangles ('tristrips'), which are not read");
-    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)");
+    require(mesh_.face_count() > 0, name_, ": no faces (", mesh_.vertices.size(), " vertices)",
+            has("face") ? "" : ": no element 'face' among " + element_names());
     return std::move(mesh_);
   }
 
@@ -151,6 +154,20 @@ class PlyBodyReader {
 
   void skip(const PlyProperty& property) {
     values_.skip(property, property.type, property.count ? read_length(property) : 1);
+  }
+
+  bool has(std::string_view name) const {
+    for (const PlyElement& element : header_.elements)
+      if (element.name == name) return true;
+    return false;
+  }
+
+  /// "'Vertex', 'face'": a name in another spelling is another name.
+  std::string element_names() const {
+    std::string names;
+    for (const PlyElement& element : header_.elements)
+      names += (names.empty() ? "'" : ", '") + shown(element.name) + "'";
+    return names.empty() ? "none" : names;
   }
 
   std::int64_t count_of(std::string_view name) const {

@@ -162,6 +162,15 @@ TEST_CASE("parse_ply: refuses elements that no mesh is made of") {
   ply_refused(ascii_ply(ply_vertices + strips, four_points + "4 0 1 2 3\n"),
               "part of the surface is in strips of triangles ('tristrips'), which are not read");
   ply_refused(ascii_ply(ply_vertices, four_points), "no faces (4 vertices)");
+  const auto renamed = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string mesh = ascii_ply(ply_vertices + ply_faces, four_points + "3 0 1 2\n");
+  ply_refused(renamed(mesh, "element vertex", "element Vertex"),
+              "no element 'vertex' among 'Vertex', 'face'");
+  ply_refused(renamed(mesh, "element face", "element faces"),
+              "no faces (4 vertices): no element 'face' among 'vertex', 'faces'");
+  ply_refused("ply\nformat ascii 1.0\nend_header\n", "no element 'vertex' among none");
 }
 
 TEST_CASE("parse_ply: refuses values, and says which element and where") {
