@@ -29,7 +29,7 @@ class FlipCounter {
 }  // namespace
 
 Table thousand_table() {
-  Table table({"by", "evaluations", "turned over", "orientation in the end off by"});
+  Table table({"by", "evaluations", "turned over", "orientation off at the end"});
   constexpr double duration = 1000;
   const RigidBodyRhs motion(handle());
   const PackedState<double> start = pack(handle_start());

@@ -8,7 +8,7 @@
 ///
 /// You may use the standard library, Eigen/Core and the functions of earlier exercises, such as
 /// those of chapter 6. The judge supplies correct ones, even where yours don't pass yet. Other
-/// parts of Eigen are not there, so no eigenvectors: principal_axes(), below, computes the axes
+/// parts of Eigen are not there, so no eigenvectors: `principal_axes`, below, computes the axes
 /// that you need.
 
 #include <Eigen/Core>

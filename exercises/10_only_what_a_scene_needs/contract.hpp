@@ -36,7 +36,7 @@ enum class Model {
 };
 
 /// What happens to a body, and what you want to know of it. No force of the scene depends on how
-/// fast the body spins, as that of the air on a ball with top-spin does.
+/// fast the body spins. (The air's force on a ball with top-spin does.)
 struct Scene {
   Eigen::Vector3d moments;            ///< principal moments of inertia, in any order [kg m²]:
                                       ///< positive, between 1e-110 and 1e110
@@ -114,7 +114,7 @@ Quaternion free_symmetric_top(double A, double C, const Quaternion& q0, const Ei
 /// @param h      time from each state to the next [s]: not zero, negative where the states lead
 ///               back in time
 /// @return both, to rounding of the energies: the errors of E may grow with the largest number of
-///         I_body_inv times |L|²
+///         `I_body_inv` times |L|²
 EnergyDrift energy_drift(const Body& body, const std::vector<State>& states, double h);
 
 }  // namespace only_what_a_scene_needs

@@ -178,14 +178,14 @@ PlanarImpulse collide_with_friction(const Eigen::Matrix2d& K, const Eigen::Vecto
 /// landing.
 ///
 /// With e < 1 it bounces infinitely often in a finite time. If v_z after a contact is at most a
-/// billionth (1e-9) of the speed of the first landing, list this contact and no more. The rest_time
-/// is the time of this contact and of the flights that are left, each e times as long as the one
-/// before.
+/// billionth (1e-9) of the speed of the first landing, list this contact and no more. Then
+/// `rest_time` is the time of this contact and of the flights that are left, each e times as long
+/// as the one before.
 /// @param scene the ball and the floor
 /// @param start the ball above the floor, or just on it. If it is on it, and v_z < 0, it lands at
-///              once; if v_z = 0, it is at rest since start.t
-/// @param t1    contacts after this time [s], which is start.t or later, don't count. If the
-///              rest_time would be later, the ball is not at rest, and rest_time is 0
+///              once; if v_z = 0, it is at rest since `start.t`
+/// @param t1    contacts after this time [s], which is `start.t` or later, don't count. If the
+///              `rest_time` would be later, the ball is not at rest, and `rest_time` is 0
 /// @return all contacts, to rounding: errors may grow with the number of contacts
 Bounces bounce(const BallAndFloor& scene, const BallState& start, double t1);
 

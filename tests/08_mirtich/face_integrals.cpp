@@ -326,8 +326,7 @@ const Misconceptions<decltype(mirtich::face_integrals)> misconceptions{
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         return reference(p, {plane.n, -plane.w}, gamma);
       }},
-     {"w left out",
-      "You are right for planes through the origin alone: you left out w, the distance.",
+     {"w left out", "You are right for planes through the origin alone: you left out w.",
       "From a face to its shadow",
       [](const ProjectionIntegrals& p, const Plane& plane, int gamma) {
         return reference(p, {plane.n, 0}, gamma);

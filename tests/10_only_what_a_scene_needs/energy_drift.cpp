@@ -336,7 +336,7 @@ const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconcept
         return {largest, slope_of(relative(E)) / h};
       }})},
      {"middle rounded down",
-      "Of an even number of states your line turns about the wrong middle: (n − 1)/2 of whole "
+      "With an even number of states your line turns about the wrong middle: (n − 1)/2 of whole "
       "numbers is rounded down. The middle lies between two states there.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const Numbers e = relative(E);
@@ -407,7 +407,7 @@ const Misconceptions<decltype(only_what_a_scene_needs::energy_drift)> misconcept
         return {largest_of(e), below > 0 ? above / below / h : 0};
       }})},
      {"no line through one point",
-      "Of a single state your slope is zero over zero. One point has no trend.",
+      "For a single state your slope is zero over zero. One point has no trend.",
       "Drift or oscillation", as({.law = [](const Numbers& E, double h) -> EnergyDrift {
         const EnergyDrift drift = right_law(E, h);
         return {drift.largest,

@@ -207,7 +207,7 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
         return turning + everywhere - Mat3(everywhere.diagonal().asDiagonal());
       })},
      {"turning divided by the mass",
-      "You have divided all of K by the mass. In the inverse tensor the mass is already.",
+      "You have divided all of K by the mass. The inverse tensor has the mass in it already.",
       "How a point responds to an impulse",
       with_turning(
           [](const Mat3& turning, const Body& body) -> Mat3 { return turning / body.mass; })},

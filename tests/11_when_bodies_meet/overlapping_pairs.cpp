@@ -291,7 +291,7 @@ const Misconceptions<decltype(when_bodies_meet::overlapping_pairs)> misconceptio
                           overlap_along(2, a, b);
                  }}},
      {"a corner must be inside",
-      "You look whether the lowest corner of one body is inside the other. Two planks laid "
+      "You check whether the lowest corner of one body is inside the other. Two planks laid "
       "crosswise "
       "overlap, and neither has a corner in the other one.",
       "Who can meet at all",

@@ -29,7 +29,7 @@ std::string joined(std::string text, const std::regex& pair) {
 const std::vector<std::regex>& pairs_in_words() {
   static const std::string
       unit = "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])",
-      component = "(?:−)?(?:[0-9.]+|[a-z])", letter = "(?:[b-hj-zB-HJ-Z]|ω)",
+      component = "(?:−)?(?:[0-9.]+|½|¼|¾|[a-z])", letter = "(?:[b-hj-zB-HJ-Z]|ω)",
       sign = "(?:−|\\+|×|=|/|±|∓|≤|≥)", sum = "(?:−∫|∫|∬|Σ)", blank = "(?: |\u00a0)",
       opens = "(?:^| |\u00a0|[(])", ends = "(?![A-Za-z0-9'_])";
   const auto pair = [](const std::string& first, const std::string& second) {
@@ -46,6 +46,7 @@ const std::vector<std::regex>& pairs_in_words() {
            component + "[,)]"),                               // (0, 0, 1)
       pair(opens + "(?:" + sign + "|" + sum + ")", "[^ |]"),  // = b, Σ m
       pair("[^ |]", sign + blank),                            // a =
+      pair("[0-9] ·", "[0-9(]"),                              // 8 · 0.6
       pair("½", "[A-Z|]|ω"),                                  // ½ |v|²
       pair("\\)|¹|ᵀ",
            "\\(|[A-Z](?:<sub>[a-z]</sub>)?\\("),         // (a) (b), a⁻¹ R(b)
@@ -58,7 +59,7 @@ const std::vector<std::regex>& pairs_in_words() {
 /// Words between code and formulas, with numbers that stay with what they count, with the others of
 /// a vector and with their exponents, and with formulas of a few letters in one line.
 std::string with_units(const std::string& words) {
-  static const std::regex without_blank("([0-9]e-(?=[0-9])|[|](?=²|³)|[)](?=[(]))");
+  static const std::regex without_blank("([0-9]e-(?=[0-9])|[0-9]–(?=[0-9])|[|](?=²|³)|[)](?=[(]))");
   std::string text = std::regex_replace(words, without_blank, std::string("$1") + joiner);
   for (const std::regex& pair : pairs_in_words()) text = joined(text, pair);
   return text;
@@ -76,6 +77,12 @@ std::string with_round_quotes(const std::string& words, char before) {
       text += words[i];
   }
   return text;
+}
+
+/// "a < b" in one line. As a letter '<' before an unbroken blank would be a tag for Doxygen.
+std::string with_whole_comparisons(const std::string& words) {
+  static const std::regex less("([^ |]) < ([^ ])");
+  return std::regex_replace(words, less, std::string("$1") + unbroken + "&lt;" + unbroken + "$2");
 }
 
 }  // namespace
@@ -106,7 +113,8 @@ std::string on_the_site(const std::string& text) {
   std::string result, words;
   const auto finish_words = [&] {
     const char before = result.empty() ? ' ' : result.back();
-    result += with_units(has_tags ? words : with_indices(with_round_quotes(words, before)));
+    result += with_whole_comparisons(
+        with_units(has_tags ? words : with_indices(with_round_quotes(words, before))));
     words.clear();
   };
   const auto formulas = formulas_in(text);

@@ -169,9 +169,11 @@ TEST_CASE("a vector and a formula of a few letters stay in one line") {
       "½\u00a0L·ω, n\u00a0≤\u00a03 | = |\n");
   CHECK(project.converted("Σ (p − c) (p − c)ᵀ, R_i(α) R_j(β), −∫ x y dm, if v_z < 0\n") ==
         "Σ\u00a0(p\u00a0−\u00a0c)\u00a0(p\u00a0−\u00a0c)ᵀ, R<sub>i</sub>(α)\u00a0R<sub>j</sub>(β), "
-        "−∫\u00a0x\u00a0y dm, if v<sub>z</sub> < 0\n");
+        "−∫\u00a0x\u00a0y dm, if v<sub>z</sub>\u00a0&lt;\u00a00\n");
   CHECK(project.converted("(p − c)(p − c)ᵀ, − sin t, sin to\n") ==
         "(p\u00a0−\u00a0c)\u2060(p\u00a0−\u00a0c)ᵀ,\u00a0−\u00a0sin\u00a0t, sin to\n");
+  CHECK(project.converted("8 · 0.6 · (1 + 2), (½, −½), 5–48\n") ==
+        "8 ·\u00a00.6 ·\u00a0(1\u00a0+\u00a02), (½,\u00a0−½), 5–\u206048\n");
   CHECK(project.converted("|q|², body → world\n") == "|q|\u2060², body\u00a0→\u00a0world\n");
   CHECK(project.converted("With $x$ = 8, ½ kg, $E$ J, or 1.5e-12.\n") ==
         "With <span class='unbroken'>\\f$x\\f$\u00a0=\u00a08,</span> ½\u00a0kg, <span "
@@ -194,7 +196,7 @@ TEST_CASE("the head of a column breaks between words, and not in a formula") {
 TEST_CASE("a symbol's index stands below, and names of the code stay as they are") {
   const Project project;
   CHECK(project.converted("if v_z < 0 or |v_z| <= 1\n") ==
-        "if v<sub>z</sub> < 0 or |v<sub>z</sub>| <=\u00a01\n");
+        "if v<sub>z</sub>\u00a0&lt;\u00a00 or |v<sub>z</sub>| <=\u00a01\n");
   CHECK(project.converted("K_nt and n_γ, (R_i), `K_nt`, I_body_inv, a_file.hpp, x_.\n") ==
         "K<sub>nt</sub> and n<sub>γ</sub>, (R<sub>i</sub>), `K_nt`, I_body_inv, a_file.hpp, x_.\n");
   CHECK(project.converted("R [ω]× Rᵀ, [ω]×R\n") == "R [ω]<sub>×</sub> Rᵀ, [ω]<sub>×</sub>R\n");
