@@ -13,6 +13,10 @@
 #include "support/sketch.hpp"
 #include "support/table.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mass/mirtich/mirtich.hpp"
+#include "tumble/mass/mirtich/volume_integrals.hpp"
+#include "tumble/mass/tetrahedron.hpp"
+#include "tumble/mesh/reference_point.hpp"
 #include "tumble/rotation.hpp"
 
 namespace mirtich_chapter {

@@ -8,6 +8,8 @@
 #include "support/counted.hpp"
 #include "support/stopwatch.hpp"
 #include "support/wrapped.hpp"
+#include "tumble/mass/rounding_sums.hpp"
+#include "tumble/mass/tetrahedron.hpp"
 
 namespace tumble::simd {
 

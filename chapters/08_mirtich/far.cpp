@@ -8,6 +8,7 @@
 #include "objects/mug.hpp"
 #include "parts.hpp"
 #include "support/plot.hpp"
+#include "tumble/mesh/reference_point.hpp"
 
 namespace mirtich_chapter {
 

@@ -7,7 +7,10 @@
 #include "scenes/mass_output.hpp"
 #include "scenes/mesh_in_unit.hpp"
 #include "tumble/mass/parallel_axis.hpp"
+#include "tumble/mass/parts/diagnose.hpp"
+#include "tumble/mass/require_volume.hpp"
 #include "tumble/mass/shell.hpp"
+#include "tumble/mesh/check_edges.hpp"
 #include "tumble/mesh/weld.hpp"
 
 namespace tumble::scenes {

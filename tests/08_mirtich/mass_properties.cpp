@@ -13,6 +13,7 @@
 #include "08_mirtich/contract.hpp"
 #include "judge/spec/spec.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mass/tetrahedron.hpp"
 #include "tumble/mass/transform.hpp"
 
 using namespace tumble::judge;

@@ -44,7 +44,7 @@ inline bool is_foreign(const fs::path& path) {
 }
 
 inline bool is_source(const fs::path& path) {
-  return path.extension() == ".hpp" || path.extension() == ".cpp";
+  return path.extension() == ".hpp" || path.extension() == ".inl" || path.extension() == ".cpp";
 }
 
 /// From the root; empty if the include leads out of the tree, or to no file.

@@ -34,7 +34,7 @@ check() {
 have() { command -v "$1" >/dev/null 2>&1 || { echo "left out: $1 is not installed"; return 1; }; }
 
 # Submissions are as their authors would write them.
-formatted() { git ls-files '*.hpp' '*.cpp' | grep -v '^tests/project/attacks/' | xargs clang-format --dry-run -Werror; }
+formatted() { git ls-files '*.hpp' '*.inl' '*.cpp' | grep -v '^tests/project/attacks/' | xargs clang-format --dry-run -Werror; }
 
 # By the first line: a page may quote a script.
 scripts() { git ls-files | xargs awk 'FNR == 1 && /^#!\/bin\/(ba)?sh/ { print FILENAME } { nextfile }' | xargs shellcheck; }

@@ -98,6 +98,7 @@ with_gcc() {
   plain g++
   umbrella g++ -std=c++23
   umbrella g++ -std=c++20 -fno-exceptions
+  umbrella g++ -std=c++20 -DTUMBLE_COMPILED
   refused g++
 }
 with_clang() {

@@ -107,15 +107,14 @@ struct TorqueAboutPoint {
 };
 
 /// The same of steady forces without linear drag, which are steady again.
-inline SteadyForces about_point(const HeldBody& held, const SteadyForces& forces) {
-  SteadyForces turning{.angular_drag = forces.angular_drag};
-  turning.at_point = forces.at_point;
-  turning.at_point.push_back({forces.force, -held.held()});
-  return turning;
-}
+SteadyForces about_point(const HeldBody& held, const SteadyForces& forces);
 
 }  // namespace detail
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/body/held_body.inl"
+#endif

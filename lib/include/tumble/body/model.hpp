@@ -10,12 +10,9 @@
 ///
 /// Source: Landau & Lifshitz, "Mechanics" (1976), §33 and §37.
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "tumble/body/rigid_body.hpp"
-#include "tumble/core/require.hpp"
 #include "tumble/mass/principal_axes.hpp"
 
 namespace tumble {
@@ -46,12 +43,7 @@ struct SymmetricMoments {
 };
 
 /// The symmetric top that is nearest to a body.
-inline SymmetricMoments nearest_symmetric_top(const PrincipalAxes& p) {
-  const double low = p.moments[1] - p.moments[0], high = p.moments[2] - p.moments[1];
-  const int odd = low < high ? 2 : 0;  // the axis of the moment that has no equal
-  const double a = p.moments[1], b = p.moments[odd == 2 ? 0 : 2];
-  return {p.moments[odd], (a + b) / 2, p.R.col(odd), std::abs(a - b) / std::max(a, b)};
-}
+SymmetricMoments nearest_symmetric_top(const PrincipalAxes& p);
 inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
   return nearest_symmetric_top(principal_axes(body.I_body()));
 }
@@ -61,15 +53,7 @@ inline SymmetricMoments nearest_symmetric_top(const RigidBody<>& body) {
 ///                  that it makes wrong grows as tolerance · |ω| · t, so choose it for the time
 ///                  span. For a spin perpendicular to the axis of a near-symmetry it grows as t²
 /// @throws std::invalid_argument if the tolerance is negative or not finite
-inline ModelChoice model_of_moments(const PrincipalAxes& axes, double tolerance = 0) {
-  require(tolerance >= 0 && std::isfinite(tolerance), "model_of_moments: the tolerance is ",
-          tolerance, ", not a finite number ≥ 0");
-  const SymmetricMoments top = nearest_symmetric_top(axes);
-  if (top.asymmetry > tolerance) return {Model::full_body, "no two principal moments are equal"};
-  if (std::abs(top.axial - top.transverse) > tolerance * std::max(top.axial, top.transverse))
-    return {Model::symmetric_top, "two principal moments are equal"};
-  return {Model::ball, "all principal moments are equal"};
-}
+ModelChoice model_of_moments(const PrincipalAxes& axes, double tolerance = 0);
 inline ModelChoice model_of_moments(const RigidBody<>& body, double tolerance = 0) {
   return model_of_moments(principal_axes(body.I_body()), tolerance);
 }
@@ -77,3 +61,7 @@ inline ModelChoice model_of_moments(const RigidBody<>& body, double tolerance = 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/body/model.inl"
+#endif

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tumble/collide/bounds.hpp"
+#include "tumble/core/require.hpp"
 
 namespace tumble::collide {
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tumble/collide/bounds.hpp"
+#include "tumble/core/require.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble::collide {
@@ -134,13 +135,12 @@ struct HalfSpace {
 };
 
 /// The bounds of a body that stands [m].
-inline Bounds bounds_of(const Convex& body, const Pose& pose) {
-  Bounds around;
-  for (const Vec3& p : body.points()) around.extend(Vec3(pose.R * p));
-  const Vec3 wider = Vec3::Constant(body.radius());
-  return {pose.x + around.min() - wider, pose.x + around.max() + wider};
-}
+Bounds bounds_of(const Convex& body, const Pose& pose);
 
 /// @}
 
 }  // namespace tumble::collide
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/collide/convex.inl"
+#endif

@@ -8,7 +8,7 @@
 /// its two bounds on the distance meet to rounding: one from two points, one from two planes.
 
 #include "tumble/collide/box_axes.hpp"
-#include "tumble/collide/penetration.hpp"
+#include "tumble/collide/nearest_in_simplex.hpp"
 
 namespace tumble::collide {
 
@@ -120,47 +120,12 @@ class Search {
 };
 
 /// The distance of the bodies with their radii: `gap` and `nearest` are those without.
-inline Distance with_radii(const Difference& difference, const Simplex& nearest, double gap,
-                           const Vec3& normal, const Convex& a, const Convex& b) {
-  Distance found{gap - a.radius() - b.radius(), normal, a.radius() * normal,
-                 -b.radius() * normal,          0,      0};
-  for (int i = 0; i < nearest.size; ++i) {
-    const Corner& corner = nearest.corners[static_cast<std::size_t>(i)];
-    found.arm_a += nearest.weight(i) * difference.arm_a(corner.on_a);
-    found.arm_b += nearest.weight(i) * difference.arm_b(corner.on_b);
-  }
-  return found;
-}
+Distance with_radii(const Difference& difference, const Simplex& nearest, double gap,
+                    const Vec3& normal, const Convex& a, const Convex& b);
 
 /// The distance of bodies whose hulls overlap or touch.
-inline Distance overlap(const Difference& difference, const Simplex& inside, const Convex& a,
-                        const Convex& b) {
-  if (a.points().size() == 1 && b.points().size() == 1)  // balls with one centre: all are nearest
-    return with_radii(difference, inside, 0, Vec3::UnitZ(), a, b);
-  Polytope polytope(difference, inside);
-  const Penetration deep = polytope.grow();
-  std::vector<Penetration> planes{deep};
-  if (const auto gap = largest_gap(difference); gap && -gap->size <= deep.depth) {
-    if (deep.depth + gap->size > rounding_of(difference)) planes.clear();
-    planes.insert(planes.begin(), {-gap->normal, -gap->size, 0, deep.rounds});
-  }
-  Distance best{};
-  best.uncertainty = std::numeric_limits<double>::infinity();
-  for (const Penetration& plane : planes) {
-    // Where faces are slivers, rounding moves their points, and those of the first touch are
-    // nearer.
-    for (const Simplex& points : {polytope.touched_by(plane), inside}) {
-      Distance found = with_radii(difference, points, -plane.depth, -plane.outwards, a, b);
-      const Vec3 off = difference.offset() + found.arm_b - found.arm_a - found.gap * found.normal;
-      found.uncertainty = std::max(plane.uncertain, off.norm());
-      found.rounds = plane.rounds;
-      if (found.uncertainty < best.uncertainty) best = found;
-    }
-    // Of planes that are as near, the polytope may have grown to one only.
-    if (best.uncertainty <= rounding_of(difference)) break;
-  }
-  return best;
-}
+Distance overlap(const Difference& difference, const Simplex& inside, const Convex& a,
+                 const Convex& b);
 
 }  // namespace tumble::collide::detail
 
@@ -170,30 +135,16 @@ namespace tumble::collide {
 /// @{
 
 /// The distance of two bodies, to rounding of their places relative to each other.
-inline Distance distance(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b) {
-  const detail::Difference difference(a, pose_a, b, pose_b);
-  detail::Search search(difference);
-  search.run();
-  if (search.apart()) {
-    Distance found =
-        detail::with_radii(difference, search.nearest(), search.gap(), search.normal(), a, b);
-    found.uncertainty = search.uncertainty();
-    found.rounds = search.rounds();
-    return found;
-  }
-  return detail::overlap(difference, search.nearest(), a, b);
-}
+Distance distance(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b);
 
 /// The distance of a body from a floor or a wall, to rounding. The nearest point of the half space
 /// is given from the half space's own point.
-inline Distance distance(const Convex& body, const Pose& pose, const HalfSpace& wall) {
-  const Vec3 arm = pose.R * body.point(body.farthest(pose.R.transpose() * -wall.normal)) -
-                   body.radius() * wall.normal;
-  const Vec3 from_wall = (pose.x - wall.point) + arm;
-  const double gap = from_wall.dot(wall.normal);
-  return {gap, -wall.normal, arm, from_wall - gap * wall.normal, 0, 1};
-}
+Distance distance(const Convex& body, const Pose& pose, const HalfSpace& wall);
 
 /// @}
 
 }  // namespace tumble::collide
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/collide/distance.inl"
+#endif

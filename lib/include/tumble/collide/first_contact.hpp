@@ -7,7 +7,6 @@
 /// Body Systems", PhD thesis, Berkeley (1996), §2.3.
 
 #include <cmath>
-#include <limits>
 
 #include "tumble/core/require.hpp"
 
@@ -30,14 +29,7 @@ struct FirstContact {
 /// @param h height [m]; what rounding made negative counts as 0
 /// @param v [m/s], @param a [m/s²], negative downwards
 /// @return [s], infinity if it never lands
-inline double landing_time(double h, double v, double a) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  const double height = std::fmax(h, 0);
-  const double square = v * v - 2 * a * height;
-  if (a < 0 && v > 0) return (v + std::sqrt(square)) / -a;
-  if (a >= 0 && (v >= 0 || square < 0)) return never;
-  return height == 0 ? 0 : 2 * height / (std::sqrt(square) - v);
-}
+double landing_time(double h, double v, double a);
 
 /// The first time at which a gap is no larger than the tolerance, of those that are looked at;
 /// before it the gap is nowhere below 0.
@@ -76,3 +68,7 @@ FirstContact first_contact(const Gap& gap, double speed, double t0, double t1, d
 /// @}
 
 }  // namespace tumble::collide
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/collide/first_contact.inl"
+#endif

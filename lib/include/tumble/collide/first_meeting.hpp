@@ -58,11 +58,7 @@ double time_balls_apart(const Things& things, const Vec3& n) {
 
 /// Whether bodies that neither meet nor part stay in touch, as two that spin on each other: what
 /// parts at a fraction f of the fastest point's speed takes some 4/f looks to leave the tolerance.
-inline bool stay_in_touch(int looks, double parting, double speed) {
-  constexpr int few = 100, most = 100'000;
-  constexpr double least = 4. / most;  // of the speed
-  return looks >= most || (looks >= few && parting < least * speed);
-}
+bool stay_in_touch(int looks, double parting, double speed);
 
 /// After so many looks, planes that turn are tried, too.
 inline constexpr int many_looks = 100;
@@ -132,3 +128,7 @@ Meeting first_meeting(const Moving<A>& a, const HalfSpace& wall, double t0, doub
 /// @}
 
 }  // namespace tumble::collide
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/collide/first_meeting.inl"
+#endif

@@ -3,7 +3,6 @@
 /// How a body moves over a time, with bounds that hold all the while, and what they say about how
 /// far it reaches along a direction.
 
-#include <cmath>
 #include <concepts>
 
 #include "tumble/body/derived.hpp"
@@ -47,11 +46,7 @@ struct Reach {
 
 /// The point that reaches farthest along n at the time s after `now`, if velocities stayed as they
 /// are: n·(v s + r + s ω × r) is a dot product with r.
-inline Reach farthest_reach(const Convex& body, const Derived<>& now, const Vec3& n, double s) {
-  const Vec3 along = now.R.transpose() * (n + s * n.cross(now.omega));
-  const Vec3 arm = now.R * body.point(body.farthest(along));
-  return {n.dot(arm) + body.radius(), n.dot(now.v + now.omega.cross(arm))};
-}
+Reach farthest_reach(const Convex& body, const Derived<>& now, const Vec3& n, double s);
 
 /// The gap along n between the points of two bodies that are nearest at the time s from now.
 inline Reach gap_between(const Convex& a, const Derived<>& now_a, const Convex& b,
@@ -78,3 +73,7 @@ double turning_along(const Moving<M>& moving, const Derived<>& now, const Vec3& 
 }
 
 }  // namespace tumble::collide::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/collide/motion.inl"
+#endif

@@ -41,32 +41,10 @@ struct SweepCost {
 namespace tumble::collide::detail {
 
 /// @throws std::invalid_argument if one is empty or not finite, naming it
-inline void require_bounds(std::span<const Bounds> bounds) {
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    require(bounds[i].min().allFinite() && bounds[i].max().allFinite(), "bounds ", i,
-            " are not finite");
-    require(!bounds[i].isEmpty(), "bounds ", i, " end before they begin");
-  }
-}
+void require_bounds(std::span<const Bounds> bounds);
 
 /// How many pairs of intervals overlap: each begins before as many as have begun when it ends.
-inline std::int64_t overlaps_along(std::span<const Bounds> bounds, int axis) {
-  std::vector<double> begins, ends;
-  for (const Bounds& box : bounds) {
-    begins.push_back(box.min()[axis]);
-    ends.push_back(box.max()[axis]);
-  }
-  std::sort(begins.begin(), begins.end());
-  std::sort(ends.begin(), ends.end());
-  std::int64_t pairs = 0, begun = 0, ended = 0;
-  const auto count = static_cast<std::int64_t>(bounds.size());
-  for (; begun < count; ++begun) {
-    const double begin = begins[static_cast<std::size_t>(begun)];
-    while (ends[static_cast<std::size_t>(ended)] < begin) ++ended;
-    pairs += begun - ended;
-  }
-  return pairs;
-}
+std::int64_t overlaps_along(std::span<const Bounds> bounds, int axis);
 
 }  // namespace tumble::collide::detail
 
@@ -103,13 +81,12 @@ SweepCost sort_and_sweep(std::span<const Bounds> bounds, const Visit& visit) {
 
 /// The pairs whose bounds overlap, in ascending order. Bounds that only touch overlap.
 /// @throws std::invalid_argument if bounds are empty or not finite
-inline std::vector<Pair> overlapping_pairs(std::span<const Bounds> bounds) {
-  std::vector<Pair> pairs;
-  sort_and_sweep(bounds, [&](int first, int second) { pairs.push_back({first, second}); });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
+std::vector<Pair> overlapping_pairs(std::span<const Bounds> bounds);
 
 /// @}
 
 }  // namespace tumble::collide
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/collide/sort_and_sweep.inl"
+#endif

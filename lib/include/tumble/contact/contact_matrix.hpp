@@ -7,7 +7,6 @@
 /// matrix").
 
 #include "tumble/body/derived.hpp"
-#include "tumble/rotation/skew.hpp"
 
 namespace tumble::contact {
 
@@ -18,23 +17,16 @@ namespace tumble::contact {
 /// @param now   its motion, for its place and orientation
 /// @param point in the world [m]
 /// @return symmetric and positive definite; of a body that nothing moves it is 0
-inline Mat3 contact_matrix(const RigidBody<>& body, const Derived<>& now, const Vec3& point) {
-  const Mat3 arm = rotation::skew<double>(point - now.x);
-  // I⁻¹ in the world; −[r]× I⁻¹ [r]× = [r]× I⁻¹ [r]×ᵀ, which rounding leaves symmetric.
-  const Mat3 inverse = now.R * body.I_body_inv() * now.R.transpose();
-  const Mat3 turning = arm * inverse * arm.transpose();
-  return Mat3::Identity() / body.mass() + (turning + turning.transpose()) / 2;
-}
+Mat3 contact_matrix(const RigidBody<>& body, const Derived<>& now, const Vec3& point);
 
 /// The state after an impulse [N s] at a point [m] of the body.
-inline RigidBodyState<> after_impulse(const RigidBodyState<>& state, const Vec3& impulse,
-                                      const Vec3& point) {
-  RigidBodyState<> after = state;
-  after.P += impulse;
-  after.L += (point - state.x).cross(impulse);
-  return after;
-}
+RigidBodyState<> after_impulse(const RigidBodyState<>& state, const Vec3& impulse,
+                               const Vec3& point);
 
 /// @}
 
 }  // namespace tumble::contact
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/contact/contact_matrix.inl"
+#endif

@@ -3,9 +3,6 @@
 /// The flight of a body between two contacts, in closed form: its centre falls, and it turns as a
 /// free body does. Bounds on its turning hold for all times.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
 #include "tumble/body/derived.hpp"
@@ -31,22 +28,7 @@ namespace tumble::contact::detail {
 
 /// The squares of L's principal components at the ends of what energy and |L| allow, with one of
 /// them 0: Lᵢ² + Lⱼ² = L², Lᵢ²/Iᵢ + Lⱼ²/Iⱼ = 2T.
-inline std::vector<Vec3> ends_of_polhodes(const Vec3& I, double L2, double twice_T) {
-  constexpr double rounding = 1e-9;
-  std::vector<Vec3> ends;
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const double over = twice_T - L2 / I[j], span = 1 / I[i] - 1 / I[j];
-    const double share = span == 0 ? 0 : over / span / L2;
-    if (!(share >= -rounding && share <= 1 + rounding)) continue;
-    if (span == 0 && std::abs(over) > rounding * twice_T) continue;
-    Vec3 squares = Vec3::Zero();
-    squares[i] = std::clamp(share, 0., 1.) * L2;
-    squares[j] = L2 - squares[i];
-    ends.push_back(squares);
-  }
-  return ends;
-}
+std::vector<Vec3> ends_of_polhodes(const Vec3& I, double L2, double twice_T);
 
 }  // namespace tumble::contact::detail
 
@@ -59,26 +41,7 @@ namespace tumble::contact {
 /// a segment, and both bounds are largest at its ends.
 /// @param axes  of the body
 /// @param L     [kg m²/s], in principal axes
-inline TurningBounds turning_bounds(const PrincipalAxes& axes, const Vec3& L) {
-  const Vec3 &I = axes.moments, omega = L.cwiseQuotient(I);
-  TurningBounds bounds{omega.norm(), 0};
-  if (L.isZero(0)) return bounds;
-  Vec3 most = L.cwiseAbs2();
-  for (const Vec3& squares : detail::ends_of_polhodes(I, L.squaredNorm(), L.dot(omega))) {
-    most = most.cwiseMax(squares);
-    bounds.spin = std::max(bounds.spin, squares.cwiseSqrt().cwiseQuotient(I).norm());
-  }
-  // Euler's equations: ω̇ᵢ = (Iⱼ − Iₖ)/(Iᵢ Iⱼ Iₖ) Lⱼ Lₖ
-  Vec3 rates;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    rates[i] = (I[j] - I[k]) / I[i] * (std::sqrt(most[j]) / I[j]) * (std::sqrt(most[k]) / I[k]);
-  }
-  constexpr double wider = 1 + 1e-8;  // than what the ends were rounded by
-  bounds.spin *= wider;
-  bounds.acceleration = wider * rates.norm();
-  return bounds;
-}
+TurningBounds turning_bounds(const PrincipalAxes& axes, const Vec3& L);
 
 /// A body in flight from a time on.
 class Flight {
@@ -137,3 +100,7 @@ class Flight {
 /// @}
 
 }  // namespace tumble::contact
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/contact/flight.inl"
+#endif

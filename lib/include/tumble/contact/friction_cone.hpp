@@ -5,12 +5,7 @@
 ///
 /// All in the contact's own axes: two along the surface, the third one along the normal.
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <cmath>
-
 #include "tumble/core/types.hpp"
-#include "tumble/ode/linear_solver.hpp"
 
 namespace tumble::contact::detail {
 
@@ -18,29 +13,13 @@ using Vec2 = Eigen::Vector2d;
 using Mat2 = Eigen::Matrix2d;
 
 /// Friction per normal impulse that keeps a contact at rest: K_tt f + K_tn = 0.
-inline Vec2 holding_friction(const Mat3& K) {
-  const Mat2 K_tt = K.topLeftCorner<2, 2>();
-  const Vec2 K_tn = K.topRightCorner<2, 1>();
-  return -tumble::detail::SmallLu<Mat2>(K_tt).solve(K_tn);
-}
+Vec2 holding_friction(const Mat3& K);
 
 /// The direction in which a contact begins to slide that friction cannot hold: the one in which it
 /// is accelerated, K_tn − μ K_tt s = λ s with λ > 0. There is exactly one: |(λ + μ K_tt)⁻¹ K_tn|
 /// falls with λ, and is above 1 at λ = 0 because μ does not suffice. Source for its being unique:
 /// Batlle, "Rough balanced collisions", J. Applied Mechanics 63 (1996).
-inline Vec2 direction_of_escape(const Mat3& K, double mu) {
-  const Mat2 stiffness = mu * K.topLeftCorner<2, 2>();
-  const Vec2 push = K.topRightCorner<2, 1>();
-  const auto slide = [&](double lambda) -> Vec2 {
-    return (stiffness + lambda * Mat2::Identity()).inverse() * push;
-  };
-  double low = 0, high = push.norm();  // |slide(|push|)| < 1
-  for (int i = 0; i < 200 && std::nextafter(low, high) < high; ++i) {
-    const double middle = low + (high - low) / 2;
-    (slide(middle).squaredNorm() > 1 ? low : high) = middle;
-  }
-  return slide(high).normalized();
-}
+Vec2 direction_of_escape(const Mat3& K, double mu);
 
 /// What presses per normal impulse: friction and the normal itself.
 inline Vec3 pressing(const Vec2& friction) { return {friction.x(), friction.y(), 1}; }
@@ -51,3 +30,7 @@ inline double speed_scale(const Mat3& K, const Vec3& u, const Vec3& j) {
 }
 
 }  // namespace tumble::contact::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/contact/friction_cone.inl"
+#endif

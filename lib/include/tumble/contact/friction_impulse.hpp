@@ -17,21 +17,13 @@
 /// collisions with friction", Proc. R. Soc. A 431 (1990); Mirtich, PhD thesis, Berkeley (1996),
 /// §3.4.
 
-#include <limits>
-
-#include "tumble/contact/sliding.hpp"
+#include "tumble/contact/impact.hpp"
 #include "tumble/simd/double_double.hpp"
 
 namespace tumble::contact::detail {
 
 /// The contact's own axes as the columns of a rotation, the last one the normal.
-inline Mat3 contact_axes(const Vec3& normal) {
-  Mat3 axes;
-  axes.col(2) = normal;
-  axes.col(0) = normal.unitOrthogonal();
-  axes.col(1) = normal.cross(axes.col(0));
-  return axes;
-}
+Mat3 contact_axes(const Vec3& normal);
 
 /// What an impulse makes of the velocity, and the energy that it brings, with twice the digits:
 /// where K is nearly singular, both are what is left of much larger numbers.
@@ -58,29 +50,12 @@ namespace tumble::contact {
 /// The impulse of a contact with friction. Where K is nearly singular, an impulse may be so large
 /// that its rounding would create energy: then it is shortened until it creates none.
 /// @throws std::invalid_argument if the impact is none
-inline ImpactResult collide_with_friction(const Impact& impact) {
-  if (impact.mu == 0) return collide(impact);
-  impact.require_valid();
-  if (impact.u.dot(impact.normal) >= 0) return {.u = impact.u};
-  const Mat3 axes = detail::contact_axes(impact.normal);
-  const double speed = impact.u.norm(), ease = impact.K.norm();
-  detail::Contact contact(axes.transpose() * (impact.K / ease) * axes,
-                          axes.transpose() * (impact.u / speed), impact.mu, impact.e);
-  contact.run();
-  Vec3 impulse = speed / ease * (axes * contact.impulse());
-  detail::Outcome outcome(impact, impulse);
-  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-  if (outcome.energy > rounding * speed * impulse.norm()) {
-    // E(c j) = c u·j + c² j·K j/2 is 0 for c = w/(w + E), w = −u·j, and below 0 for less: by what
-    // rounding c j adds.
-    const double w = -impact.u.dot(impulse);
-    constexpr double sum = 8 * std::numeric_limits<double>::epsilon();
-    impulse *= w / (w + outcome.energy) * (1 - sum * outcome.u.norm() * impulse.norm() / w);
-    outcome = detail::Outcome(impact, impulse);
-  }
-  return {impulse, outcome.u, outcome.energy, contact.slip(), contact.jammed()};
-}
+ImpactResult collide_with_friction(const Impact& impact);
 
 /// @}
 
 }  // namespace tumble::contact
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/contact/friction_impulse.inl"
+#endif

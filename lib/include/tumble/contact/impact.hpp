@@ -59,15 +59,12 @@ inline double energy_of(const Vec3& before, const Vec3& after, const Vec3& impul
 /// The impulse of a contact without friction: u'·n = −e u·n.
 /// Source: Baraff, "Rigid Body Simulation II" (1997), §8.
 /// @throws std::invalid_argument if the impact is none
-inline ImpactResult collide(const Impact& impact) {
-  impact.require_valid();
-  const double u_n = impact.u.dot(impact.normal);
-  if (u_n >= 0) return {.u = impact.u};
-  const double j = -(1 + impact.e) * u_n / impact.normal.dot(impact.K * impact.normal);
-  const Vec3 impulse = j * impact.normal, after = impact.u + impact.K * impulse;
-  return {impulse, after, energy_of(impact.u, after, impulse), Slip::kept, false};
-}
+ImpactResult collide(const Impact& impact);
 
 /// @}
 
 }  // namespace tumble::contact
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/contact/impact.inl"
+#endif

@@ -7,12 +7,11 @@
 /// energy is created, and a single point is what it was. Real bodies decide by how they deform,
 /// which rigid ones do not know.
 
-#include <algorithm>
 #include <vector>
 
 #include "tumble/collide/contact_points.hpp"
 #include "tumble/contact/contact_matrix.hpp"
-#include "tumble/contact/friction_impulse.hpp"
+#include "tumble/contact/impact.hpp"
 
 namespace tumble::contact {
 
@@ -89,19 +88,8 @@ struct MeanPoint {
   double fastest = 0;  ///< speed at which a point comes [m/s]
 };
 
-inline MeanPoint mean_of_coming(const Touching& touching, const collide::ContactPoints& points,
-                                const Vec3& normal) {
-  MeanPoint mean;
-  double sum = 0;
-  for (const Vec3& arm : points) {
-    const double coming = std::max(0., -normal.dot(touching.velocity(arm)));
-    mean.arm += coming * arm;
-    sum += coming;
-    mean.fastest = std::max(mean.fastest, coming);
-  }
-  if (sum > 0) mean.arm /= sum;
-  return mean;
-}
+MeanPoint mean_of_coming(const Touching& touching, const collide::ContactPoints& points,
+                         const Vec3& normal);
 
 }  // namespace tumble::contact::detail
 
@@ -115,35 +103,18 @@ namespace tumble::contact {
 /// @param b      the second body, or nullptr for a wall
 /// @param points from the centre of the first body, in world axes [m]
 /// @return the impulses, in turn; none if no point comes together
-inline std::vector<PointImpulse> collide_at_points(Colliding& a, Colliding* b,
-                                                   const collide::ContactPoints& points,
-                                                   const Surface& surface) {
-  constexpr int max_impulses = 100;
-  constexpr double nothing = 1e-12;  // of the speed at which the first point comes
-  detail::Touching touching(a, b);
-  std::vector<PointImpulse> impulses;
-  double first = 0;
-  for (int i = 0; i < max_impulses; ++i) {
-    const auto mean = detail::mean_of_coming(touching, points, surface.normal);
-    if (mean.fastest <= nothing * first) break;
-    first = std::max(first, mean.fastest);
-    const ImpactResult result = collide_with_friction(
-        {touching.K(mean.arm), touching.velocity(mean.arm), surface.normal, surface.e, surface.mu});
-    touching.push(result.impulse, mean.arm);
-    impulses.push_back({mean.arm, result});
-  }
-  return impulses;
-}
+std::vector<PointImpulse> collide_at_points(Colliding& a, Colliding* b,
+                                            const collide::ContactPoints& points,
+                                            const Surface& surface);
 
 /// The least speed at which one of the points parts [m/s]; below 0 where one comes together.
-inline double least_parting(Colliding& a, Colliding* b, const collide::ContactPoints& points,
-                            const Vec3& normal) {
-  const detail::Touching touching(a, b);
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec3& arm : points) least = std::min(least, normal.dot(touching.velocity(arm)));
-  return least;
-}
+double least_parting(Colliding& a, Colliding* b, const collide::ContactPoints& points,
+                     const Vec3& normal);
 
 /// @}
 
 }  // namespace tumble::contact
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/contact/several_points.inl"
+#endif

@@ -6,7 +6,8 @@
 /// Source of the scheme: Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", PhD
 /// thesis, Berkeley (1996), §2.
 
-#include "tumble/contact/contact_simulation.hpp"
+#include "tumble/contact/contact_run.hpp"
+#include "tumble/contact/scene.hpp"
 
 namespace tumble::contact {
 
@@ -21,19 +22,12 @@ namespace tumble::contact {
 /// nothing.
 /// @throws std::invalid_argument for a scene that is none (see ContactScene::require_valid()), or
 ///         settings that are none
-inline ContactRun simulate_contacts(const ContactScene& scene, const ContactSettings& settings) {
-  require(settings.until >= 0 && std::isfinite(settings.until),
-          "contacts: until = ", settings.until, " s is not finite and ≥ 0");
-  require(settings.tolerance > 0, "contacts: the tolerance ", settings.tolerance,
-          " m is not positive");
-  require(settings.hop > 0 && std::isfinite(settings.hop), "contacts: hop = ", settings.hop,
-          " is not positive and finite");
-  require(settings.max_impacts > 0, "contacts: max_impacts = ", settings.max_impacts,
-          " is not positive");
-  scene.require_valid(settings.tolerance);
-  return detail::ContactSimulation<detail::ContactEvents>(scene, settings).run();
-}
+ContactRun simulate_contacts(const ContactScene& scene, const ContactSettings& settings);
 
 /// @}
 
 }  // namespace tumble::contact
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/contact/simulate_contacts.inl"
+#endif

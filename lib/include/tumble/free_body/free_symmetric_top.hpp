@@ -8,7 +8,6 @@
 
 #include "tumble/body/model.hpp"
 #include "tumble/body/state.hpp"
-#include "tumble/core/require.hpp"
 #include "tumble/quaternion/exp_log.hpp"
 
 namespace tumble {
@@ -44,16 +43,13 @@ class FreeSymmetricTop {
 /// @param body two of its principal moments must be equal
 /// @param t    [s], any length, also negative
 /// @throws std::invalid_argument if the body is not symmetric to rounding
-inline RigidBodyState<> free_symmetric_top(const RigidBody<>& body, const RigidBodyState<>& start,
-                                           double t) {
-  const SymmetricMoments top = nearest_symmetric_top(body);
-  require(top.asymmetry <= 4 * detail::inertia_rounding,
-          "free_symmetric_top: no two principal moments are ", "equal; the nearest differ by ",
-          top.asymmetry, " of their size");
-  return {start.x + t / body.mass() * start.P,
-          detail::FreeSymmetricTop(top, start.q, start.L).at(t), start.P, start.L};
-}
+RigidBodyState<> free_symmetric_top(const RigidBody<>& body, const RigidBodyState<>& start,
+                                    double t);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/free_body/free_symmetric_top.inl"
+#endif

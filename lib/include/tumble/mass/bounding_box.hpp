@@ -11,9 +11,7 @@
 
 #include <numbers>
 
-#include "tumble/mass/extreme_points.hpp"
 #include "tumble/mass/oriented_box.hpp"
-#include "tumble/mass/principal_axes.hpp"
 
 namespace tumble::boxes {
 
@@ -22,18 +20,7 @@ namespace tumble::boxes {
 
 /// The box along the principal axes of the points: fast, good where the points spread evenly.
 /// @throws std::invalid_argument as box_around()
-inline OrientedBox principal_box(std::span<const Vec3> points) {
-  const Vec3 middle = aligned_box(points).centre;
-  Vec3 first = Vec3::Zero();
-  Mat3 second = Mat3::Zero();
-  for (const Vec3& x : points) {
-    const Vec3 r = x - middle;
-    first += r;
-    second += r * r.transpose();
-  }
-  const Mat3 spread = second - first * first.transpose() / static_cast<double>(points.size());
-  return box_around(points, principal_axes(spread).R);
-}
+OrientedBox principal_box(std::span<const Vec3> points);
 
 /// @}
 
@@ -43,18 +30,8 @@ namespace tumble::detail {
 
 /// The box turned by one of the six steps ±angle about its edges that makes it smallest; itself if
 /// none makes it smaller by a millionth.
-inline boxes::OrientedBox turned_smaller(std::span<const Vec3> points,
-                                         const boxes::OrientedBox& box, double angle) {
-  boxes::OrientedBox best = box;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double step : {angle, -angle}) {
-      const Mat3 R = box.R * Eigen::AngleAxisd(step, Vec3::Unit(axis)).toRotationMatrix();
-      const boxes::OrientedBox turned = boxes::box_around(points, R);
-      if (turned.volume() < best.volume() * (1 - 1e-6)) best = turned;
-    }
-  }
-  return best;
-}
+boxes::OrientedBox turned_smaller(std::span<const Vec3> points, const boxes::OrientedBox& box,
+                                  double angle);
 
 }  // namespace tumble::detail
 
@@ -82,26 +59,12 @@ inline OrientedBox refined_box(std::span<const Vec3> points, OrientedBox box) {
 /// A small box around points: the smallest of those found from the principal axes, the coordinate
 /// axes, and turns spread over all there are.
 /// @throws std::invalid_argument as box_around()
-inline OrientedBox small_oriented_box(std::span<const Vec3> points) {
-  constexpr int starts = 24;
-  OrientedBox best = aligned_box(points);
-  const std::vector<Vec3> extreme = detail::extreme_points(points);
-  const auto consider = [&](const Mat3& R) {
-    const OrientedBox found = refined_box(extreme, box_around(extreme, R));
-    const OrientedBox whole = box_around(points, found.R);
-    if (whole.volume() < best.volume()) best = whole;
-  };
-  consider(principal_box(points).R);
-  consider(Mat3::Identity());
-  for (const Vec3& axis : detail::half_sphere(starts)) {
-    const Vec3 across = axis.unitOrthogonal();
-    Mat3 R;
-    R << across, axis.cross(across), axis;
-    consider(R);
-  }
-  return refined_box(points, best);
-}
+OrientedBox small_oriented_box(std::span<const Vec3> points);
 
 /// @}
 
 }  // namespace tumble::boxes
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/bounding_box.inl"
+#endif

@@ -14,15 +14,10 @@
 /// the reduction is Mirtich's, "Fast and accurate computation of polyhedral mass properties", J.
 /// Graphics Tools 1(2), 1996, §3, stopped before the last integral.
 
-#include "tumble/core/require.hpp"
 #include "tumble/mass/moments.hpp"
-#include "tumble/mass/require_density.hpp"
-#include "tumble/mesh/closed_surface.hpp"
-#include "tumble/mesh/enclosed_volume.hpp"
-#include "tumble/mesh/jittered_lines.hpp"
 #include "tumble/mesh/line_height.hpp"
-#include "tumble/mesh/line_lattice.hpp"
 #include "tumble/mesh/orientation.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble::sampling {
 
@@ -80,26 +75,12 @@ sampling::ColumnMassProperties sum_of_columns(const PolygonMesh& mesh, double de
 }
 
 /// Refuses what columns cannot be drawn through.
-inline void require_columns(const PolygonMesh& mesh, double density, int columns) {
-  require_density(density);
-  constexpr int max_columns = 100'000'000;
-  require(columns > 0 && columns <= max_columns, "the number of columns is ", columns,
-          ", not in 1 … ", max_columns);
-  require_closed(mesh);
-}
+void require_columns(const PolygonMesh& mesh, double density, int columns);
 
 /// Passes on what the surface confirms: columns miss a thin body, or meet all of it at once, and
 /// nothing in their own numbers tells.
-inline sampling::ColumnMassProperties require_resolved(const PolygonMesh& mesh, double density,
-                                                       const sampling::ColumnMassProperties& body) {
-  require(body.crossings > 0, "none of ", body.columns, " columns met the mesh: take more");
-  const double mass = density * enclosed_volume(mesh);
-  require(mass > 0, "the mesh is inside out, or encloses no volume: mass ", mass, " kg");
-  require(std::abs(body.mass - mass) <= mass / 2, body.columns,
-          " columns are too few for so thin a body: they make ", body.mass,
-          " kg of it, its surface encloses ", mass, " kg");
-  return body;
-}
+sampling::ColumnMassProperties require_resolved(const PolygonMesh& mesh, double density,
+                                                const sampling::ColumnMassProperties& body);
 
 }  // namespace tumble::detail
 
@@ -116,24 +97,18 @@ namespace tumble::sampling {
 /// @throws std::invalid_argument if the density is not positive and finite, columns ≤ 0 or beyond
 ///         10⁸, the mesh is as require_closed() refuses, is inside out, or so thin that the columns
 ///         are wrong by half its mass or more
-inline ColumnMassProperties column_mass_properties(const PolygonMesh& mesh, double density,
-                                                   int columns) {
-  detail::require_columns(mesh, density, columns);
-  const detail::LineLattice lines =
-      detail::LineLattice::regular(detail::centred(bounds(mesh)), columns);
-  return detail::require_resolved(mesh, density, detail::sum_of_columns(mesh, density, lines));
-}
+ColumnMassProperties column_mass_properties(const PolygonMesh& mesh, double density, int columns);
 
 /// The same by columns at random, one in each cell: right on average, and as sets of points are
 /// (replicated_sampling.hpp) several with different seeds tell the error.
 /// @param seed the same seed gives the same columns
-inline ColumnMassProperties jittered_column_mass_properties(const PolygonMesh& mesh, double density,
-                                                            int columns, std::uint64_t seed = 1) {
-  detail::require_columns(mesh, density, columns);
-  const detail::JitteredLines lines(detail::centred(bounds(mesh)), columns, seed);
-  return detail::require_resolved(mesh, density, detail::sum_of_columns(mesh, density, lines));
-}
+ColumnMassProperties jittered_column_mass_properties(const PolygonMesh& mesh, double density,
+                                                     int columns, std::uint64_t seed = 1);
 
 /// @}
 
 }  // namespace tumble::sampling
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/column_mass_properties.inl"
+#endif

@@ -7,11 +7,8 @@
 
 #include <vector>
 
-#include "tumble/core/rounding.hpp"
-#include "tumble/mass/mirtich/mirtich.hpp"
-#include "tumble/mass/require_density.hpp"
-#include "tumble/mass/require_volume.hpp"
-#include "tumble/mass/tetrahedra.hpp"
+#include "tumble/mass/error_bound.hpp"
+#include "tumble/mass/mass_properties.hpp"
 #include "tumble/mesh/diagnose.hpp"
 
 namespace tumble {
@@ -49,17 +46,8 @@ struct MeshIntegrals {
 };
 
 /// @param mesh as unchecked_mass_properties() wants it
-inline MeshIntegrals integrals_over(const PolygonMesh& mesh, Accuracy accuracy,
-                                    const simd::LoopOptions& loop) {
-  const Vec3 p = reference_point(mesh);
-  if (accuracy == Accuracy::textbook)
-    return {mirtich::volume_integrals(mesh, p), p, mirtich_errors(mesh, p)};
-  const bool fast = accuracy == Accuracy::fast;
-  const TetrahedronSums sums = fast ? sum_in_doubles(mesh, p, loop) : sum_in_pairs(mesh, p, loop);
-  const double triangles = static_cast<double>(mesh.corners.size());  // no more
-  return {with_factors(sums.raw), p,
-          fast ? errors_in_doubles(sums.rounding) : errors_in_pairs(sums.rounding, triangles)};
-}
+MeshIntegrals integrals_over(const PolygonMesh& mesh, Accuracy accuracy,
+                             const simd::LoopOptions& loop);
 
 }  // namespace detail
 
@@ -86,16 +74,13 @@ struct MeshMassProperties : BoundedMassProperties {
 ///         also if the mesh is not the boundary of a body, is inside out, or encloses no volume,
 ///         and with Policy::accept if there is nothing to integrate over (no faces, vertices that
 ///         do not exist or are not finite); the message says what and where
-inline MeshMassProperties mesh_mass_properties(const PolygonMesh& mesh, double density,
-                                               const MassOptions& options = {}) {
-  require_density(density);
-  const std::vector<MeshDefect> findings = diagnose(mesh, options.loop, options.search);
-  require_body(findings, options.policy, options.tolerance);
-  const BoundedMassProperties body =
-      unchecked_mass_properties(mesh, density, options.accuracy, options.loop);
-  return {options.policy == Policy::refuse ? require_volume(body) : body, findings};
-}
+MeshMassProperties mesh_mass_properties(const PolygonMesh& mesh, double density,
+                                        const MassOptions& options = {});
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/mesh_mass_properties.inl"
+#endif

@@ -60,25 +60,8 @@ inline Vector3<simd::DoubleDouble> centre_from_reference(const Moments<simd::Dou
 /// Mass properties from moments about `reference`.
 /// @param reference the point p that the moments are about [m]
 /// @param density   [kg/m³], or 1 for moments that have masses in them already
-inline MassProperties mass_properties(const Moments<simd::DoubleDouble>& m, const Vec3& reference,
-                                      double density) {
-  using T = simd::DoubleDouble;
-  const Vector3<T> c = detail::centre_from_reference(m);
-  // ∫ (r − c)(r − c)ᵀ = ∫ r rᵀ − c ∫ rᵀ
-  const T xx = m.xx - c.x() * m.x, yy = m.yy - c.y() * m.y, zz = m.zz - c.z() * m.z;
-  const double xy = double(m.xy - c.x() * m.y), yz = double(m.yz - c.y() * m.z),
-               zx = double(m.zx - c.z() * m.x);
-  MassProperties result;
-  result.mass = density * double(m.one);
-  result.centre = detail::to_double(c + reference.cast<T>());
-  // clang-format off
-  result.inertia << double(yy + zz), -xy, -zx,
-                    -xy, double(zz + xx), -yz,
-                    -zx, -yz, double(xx + yy);
-  // clang-format on
-  result.inertia *= density;
-  return result;
-}
+MassProperties mass_properties(const Moments<simd::DoubleDouble>& m, const Vec3& reference,
+                               double density);
 
 namespace detail {
 
@@ -113,3 +96,7 @@ class BlockedMoments {
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/moments.inl"
+#endif

@@ -2,12 +2,9 @@
 /// @file
 /// A box in any position, as a stand-in for a body: I = R diag(b² + c², …) Rᵀ m/12.
 
-#include <cmath>
 #include <span>
 
-#include "tumble/mass/as_point.hpp"
 #include "tumble/mass/solids/box.hpp"
-#include "tumble/mass/transform.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble::boxes {
@@ -34,16 +31,7 @@ struct OrientedBox {
 /// The smallest box with the edge directions R around some points.
 /// @param R rotation, box to world
 /// @throws std::invalid_argument if there are no points or one is not finite
-inline OrientedBox box_around(std::span<const Vec3> points, const Mat3& R) {
-  require(!points.empty(), "there are no points to put a box around");
-  Eigen::AlignedBox3d box;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    require(points[i].allFinite(), "point ", i, " at ", detail::AsPoint{points[i]},
-            " is not finite");
-    box.extend(Vec3(R.transpose() * points[i]));
-  }
-  return {R * box.center(), R, box.sizes()};
-}
+OrientedBox box_around(std::span<const Vec3> points, const Mat3& R);
 
 /// The smallest box along the coordinate axes.
 /// @throws std::invalid_argument as box_around()
@@ -54,25 +42,19 @@ inline OrientedBox aligned_box(std::span<const Vec3> points) {
 /// Mass properties of a box that is full of mass.
 /// @param mass [kg]
 /// @throws std::invalid_argument if the mass or an edge is not positive and finite
-inline MassProperties box_mass_properties(const OrientedBox& box, double mass) {
-  detail::require_positive(mass, "the mass");
-  MassProperties body = mass_properties(Box{box.size}, 1);
-  body.inertia *= mass / body.mass;
-  body.mass = mass;
-  return translated(rotated(body, box.R), box.centre);
-}
+MassProperties box_mass_properties(const OrientedBox& box, double mass);
 
 /// The box with its proportions kept and its volume changed. With the true volume of a solid,
 /// rounded body in it its inertia is nearer to the truth than that of the box around the body (of
 /// an ellipsoid to 8 %); of a hollow one it is not.
 /// @param volume [m³]
 /// @throws std::invalid_argument if the volume, or that of the box, is not positive and finite
-inline OrientedBox shrunk_to(const OrientedBox& box, double volume) {
-  detail::require_positive(volume, "the volume");
-  detail::require_positive(box.volume(), "the box's volume");
-  return {box.centre, box.R, box.size * std::cbrt(volume / box.volume())};
-}
+OrientedBox shrunk_to(const OrientedBox& box, double volume);
 
 /// @}
 
 }  // namespace tumble::boxes
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/oriented_box.inl"
+#endif

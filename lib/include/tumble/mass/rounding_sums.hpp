@@ -29,6 +29,7 @@
 
 #include <cmath>
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/error_bound.hpp"
 #include "tumble/simd/point.hpp"
 

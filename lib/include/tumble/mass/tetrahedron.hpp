@@ -41,15 +41,10 @@ TUMBLE_INLINE Moments<T> raw_moments(const T& v, const simd::Point<T>& a, const 
 }
 
 /// The moments from sums of raw_moments().
-inline Moments<simd::DoubleDouble> with_factors(Moments<simd::DoubleDouble> m) {
-  const auto divide = [](simd::DoubleDouble& x, double factor) {
-    x = x / simd::DoubleDouble(factor);
-  };
-  divide(m.one, 6);
-  for (simd::DoubleDouble* first : {&m.x, &m.y, &m.z}) divide(*first, 24);
-  for (simd::DoubleDouble* second : {&m.xx, &m.yy, &m.zz, &m.xy, &m.yz, &m.zx})
-    divide(*second, 120);
-  return m;
-}
+Moments<simd::DoubleDouble> with_factors(Moments<simd::DoubleDouble> m);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/tetrahedron.inl"
+#endif

@@ -9,8 +9,8 @@
 #include <span>
 
 #include "tumble/core/require.hpp"
-#include "tumble/mass/as_point.hpp"
-#include "tumble/mass/parallel_axis.hpp"
+#include "tumble/core/types.hpp"
+#include "tumble/mass/mass_properties.hpp"
 
 namespace tumble {
 
@@ -38,16 +38,7 @@ inline MassProperties translated(const MassProperties& body, const Vec3& d) {
 /// The body stretched along the axes at the same density: x → (s_x x, s_y y, s_z z).
 /// @param s factors; a common factor gives mass s³ and inertia s⁵
 /// @throws std::invalid_argument if a factor is not positive and finite
-inline MassProperties scaled(const MassProperties& body, const Vec3& s) {
-  require(s.minCoeff() > 0 && s.allFinite(), "the scale factors ", detail::AsPoint{s},
-          " are not all positive and finite");
-  const double volume = s.prod();
-  // ∫ r rᵀ dm = ½ tr(I) 1 − I, and it stretches to det(D) D (∫ r rᵀ dm) D with D = diag(s).
-  const Mat3 second = body.inertia.trace() / 2 * Mat3::Identity() - body.inertia;
-  const Mat3 stretched = volume * (s.asDiagonal() * second * s.asDiagonal());
-  return {volume * body.mass, s.cwiseProduct(body.centre),
-          stretched.trace() * Mat3::Identity() - stretched};
-}
+MassProperties scaled(const MassProperties& body, const Vec3& s);
 
 /// The body enlarged s times in all directions at the same density.
 /// @throws std::invalid_argument if s is not positive and finite
@@ -58,27 +49,16 @@ inline MassProperties scaled(const MassProperties& body, double s) {
 
 /// Two bodies as one rigid body, both given in the same coordinates.
 /// @throws std::invalid_argument if a mass is not positive and finite
-inline MassProperties combine(const MassProperties& a, const MassProperties& b) {
-  for (const double mass : {a.mass, b.mass})
-    require(mass > 0 && std::isfinite(mass), "the mass ", mass, " kg is not positive and finite");
-  const double mass = a.mass + b.mass;
-  const Vec3 apart = b.centre - a.centre;
-  // Both offsets from the common centre lie along `apart`: their sum is the reduced
-  // mass at `apart`.
-  const double reduced = a.mass * (b.mass / mass);
-  return {mass, a.centre + (b.mass / mass) * apart,
-          a.inertia + b.inertia + point_inertia(reduced, apart)};
-}
+MassProperties combine(const MassProperties& a, const MassProperties& b);
 
 /// Any number of bodies as one rigid body, all given in the same coordinates.
 /// @throws std::invalid_argument if there are none, or a mass is not positive and finite
-inline MassProperties combine(std::span<const MassProperties> bodies) {
-  require(!bodies.empty(), "there are no bodies to combine");
-  MassProperties all = bodies[0];
-  for (const MassProperties& body : bodies.subspan(1)) all = combine(all, body);
-  return all;
-}
+MassProperties combine(std::span<const MassProperties> bodies);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/transform.inl"
+#endif

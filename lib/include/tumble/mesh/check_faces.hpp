@@ -2,123 +2,33 @@
 /// @file
 /// The faces one by one: do their vertices exist, are they numbers, is there an area?
 
-#include <algorithm>
 #include <span>
-#include <sstream>
 #include <vector>
 
-#include "tumble/core/rounding.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
-#include "tumble/mesh/orientation.hpp"
 
 namespace tumble::detail {
 
 /// Finds corners that name no vertex. Nothing else may be asked of a mesh that has any.
-inline std::vector<MeshDefect> find_bad_indices(const PolygonMesh& mesh) {
-  std::vector<MeshDefect> findings;
-  MeshDefectsOfOneKind bad(MeshDefectKind::index_out_of_range);
-  const int vertex_count = static_cast<int>(mesh.vertices.size());
-  // The table of faces itself: from 0 to the end, never back.
-  const std::vector<int>& first = mesh.first_corner;
-  if (first.empty() || first.front() != 0 ||
-      first.back() != static_cast<int>(mesh.corners.size()) ||
-      !std::is_sorted(first.begin(), first.end())) {
-    bad.add(-1, {-1, -1}, [&] {
-      return "first_corner must rise from 0 to the number of corners, " +
-             std::to_string(mesh.corners.size());
-    });
-    bad.append_to(findings);
-    return findings;
-  }
-  const auto exists = [=](int v) { return v >= 0 && v < vertex_count; };
-  int all_exist = 1;  // no way out of the loop: then the compiler makes packs of it
-  for (const int v : mesh.corners) all_exist &= exists(v);
-  if (all_exist) return findings;
-  for (int f = 0; f < mesh.face_count(); ++f)
-    for (const int v : mesh.face(f))
-      if (!exists(v))
-        bad.add(f, {-1, -1}, [&] {
-          return "face #" + std::to_string(f + 1) + " has vertex #" + std::to_string(v + 1LL) +
-                 (vertex_count == 0
-                      ? ", but the mesh has no vertices"
-                      : ", but the mesh has vertices #1 to #" + std::to_string(vertex_count));
-        });
-  bad.append_to(findings);
-  return findings;
-}
+std::vector<MeshDefect> find_bad_indices(const PolygonMesh& mesh);
 
 /// Finds vertices, used or not, with a coordinate that is NaN or infinite.
-inline std::vector<MeshDefect> find_not_finite(const PolygonMesh& mesh) {
-  MeshDefectsOfOneKind bad(MeshDefectKind::not_finite);
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    // x − x is 0 for a finite x, NaN otherwise
-    const Vec3& p = mesh.vertices[i];
-    if ((p.x() - p.x()) + (p.y() - p.y()) + (p.z() - p.z()) == 0) continue;
-    const int v = static_cast<int>(i);
-    bad.add(-1, {v, v}, [&] { return describe_vertex(mesh, v) + " is not at a finite position"; });
-  }
-  std::vector<MeshDefect> findings;
-  bad.append_to(findings);
-  return findings;
-}
+std::vector<MeshDefect> find_not_finite(const PolygonMesh& mesh);
 
 /// Whether a triangle has an area of exactly 0.
-inline bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 u = b - a, v = c - a, n = u.cross(v);
-  // Rounding moves no component of n by more than 8 ε |u| |v|: only below it the exact
-  // test is needed.
-  const double bound = 8 * unit_roundoff * u.lpNorm<1>() * v.lpNorm<1>();
-  return !(n.lpNorm<1>() > bound) && collinear(a, b, c);
-}
+bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Whether all triangles of a face have an area of exactly 0.
-inline bool has_no_area(const PolygonMesh& mesh, std::span<const int> face) {
-  for (std::size_t k = 2; k < face.size(); ++k)
-    if (!has_no_area(mesh.vertex(face[0]), mesh.vertex(face[k - 1]), mesh.vertex(face[k])))
-      return false;
-  return true;
-}
+bool has_no_area(const PolygonMesh& mesh, std::span<const int> face);
 
 /// What is degenerate about a face, in words; null when nothing is.
-inline const char* degeneracy(const PolygonMesh& mesh, std::span<const int> face) {
-  if (face.size() < 3) return "has fewer than 3 corners";
-  if (face.size() == 3) {
-    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
-      return "has the same vertex at two corners";
-    return has_no_area(mesh, face) ? "has an area of exactly 0" : nullptr;
-  }
-  std::vector<int> sorted(face.begin(), face.end());
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    return "has the same vertex at two corners";
-  return has_no_area(mesh, face) ? "has an area of exactly 0" : nullptr;
-}
+const char* degeneracy(const PolygonMesh& mesh, std::span<const int> face);
 
 /// Whether a face has less than three corners.
-inline bool has_short_faces(const PolygonMesh& mesh) {
-  int any = 0;
-  for (std::size_t f = 1; f < mesh.first_corner.size(); ++f)
-    any |= mesh.first_corner[f] - mesh.first_corner[f - 1] < 3;
-  return any;
-}
+bool has_short_faces(const PolygonMesh& mesh);
 
 /// Finds faces without area.
-inline std::vector<MeshDefect> find_degenerate_faces(const PolygonMesh& mesh) {
-  MeshDefectsOfOneKind bad(MeshDefectKind::degenerate_face);
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const char* what = degeneracy(mesh, mesh.face(f));
-    if (what == nullptr) continue;
-    bad.add(f, {-1, -1}, [&] {
-      std::string text = "face #" + std::to_string(f + 1) + " " + what;
-      for (std::size_t k = 0; k < mesh.face(f).size() && k < 3; ++k)
-        text += (k == 0 ? ": " : ", ") + describe_vertex(mesh, mesh.face(f)[k]);
-      return text;
-    });
-  }
-  std::vector<MeshDefect> findings;
-  bad.append_to(findings);
-  return findings;
-}
+std::vector<MeshDefect> find_degenerate_faces(const PolygonMesh& mesh);
 
 /// How a polygon lies to a plane.
 struct Planarity {
@@ -128,51 +38,14 @@ struct Planarity {
 };
 
 /// Measures against the plane through the mean of the corners, across their vector area (Newell).
-inline Planarity planarity(const PolygonMesh& mesh, std::span<const int> face) {
-  const Vec3& first = mesh.vertex(face[0]);
-  Vec3 area = Vec3::Zero(), mean = Vec3::Zero();  // from the first corner
-  Planarity result{0, 0, 0};
-  for (std::size_t k = 1; k < face.size(); ++k) {
-    const Vec3 r = mesh.vertex(face[k]) - first;
-    result.size = std::max(result.size, r.norm());
-    mean += r / static_cast<double>(face.size());
-    if (k > 1) area += (mesh.vertex(face[k - 1]) - first).cross(r);
-  }
-  const Vec3 n = area.normalized();
-  for (const int v : face)
-    result.distance = std::max(result.distance, std::abs(n.dot(mesh.vertex(v) - first - mean)));
-  // Each corner, itself rounded to ε |x|, and each product move the area by a few ε |x| size: the
-  // normal of a thin face is turned.
-  const double x = result.size + first.lpNorm<1>();
-  const double turned =
-      8 * unit_roundoff * static_cast<double>(face.size()) * x * result.size / area.norm();
-  result.rounding = turned * result.size;
-  return result;
-}
+Planarity planarity(const PolygonMesh& mesh, std::span<const int> face);
 
 /// Finds polygons that are not plane by more than a millionth of their size: what a file with seven
 /// digits makes of a plane one is not told.
-inline std::vector<MeshDefect> find_nonplanar_faces(const PolygonMesh& mesh) {
-  MeshDefectsOfOneKind bad(MeshDefectKind::nonplanar_face);
-  const std::size_t faces = mesh.first_corner.size() - 1;
-  if (mesh.corners.size() == 3 * faces && !has_short_faces(mesh)) return {};  // all triangles
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const std::span<const int> face = mesh.face(f);
-    if (face.size() < 4) continue;
-    const Planarity found = planarity(mesh, face);
-    if (!(found.distance > 1e-6 * found.size + found.rounding)) continue;
-    bad.add(f, {-1, -1}, [&] {
-      std::ostringstream text;
-      text.precision(3);
-      text << "face #" << f + 1 << " is not plane: its " << face.size() << " corners are up to "
-           << found.distance << " m (" << 100 * found.distance / found.size
-           << " % of its size) from a plane; it counts as triangles from its first corner";
-      return text.str();
-    });
-  }
-  std::vector<MeshDefect> findings;
-  bad.append_to(findings);
-  return findings;
-}
+std::vector<MeshDefect> find_nonplanar_faces(const PolygonMesh& mesh);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/check_faces.inl"
+#endif

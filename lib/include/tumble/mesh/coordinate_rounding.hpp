@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 #include <span>
 
 #include "tumble/mesh/polygon_mesh.hpp"
@@ -17,22 +15,13 @@
 namespace tumble::detail {
 
 /// 10^n, rounded once for |n| ≤ 22.
-inline double power_of_ten(int n) {
-  double power = 1;
-  for (int i = 0; i < std::abs(n); ++i) power *= 10;
-  return n < 0 ? 1 / power : power;
-}
+double power_of_ten(int n);
 
 /// The power of ten of the first digit of x ≠ 0: 0 for 1.5.
 inline int first_place(double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))); }
 
 /// Whether x is the double nearest to a decimal number whose last digit stands at 10^−places.
-inline bool is_decimal(double x, int places) {
-  constexpr double whole = 0x1p53;  // above it all doubles are
-  const double power = power_of_ten(std::abs(places));
-  const double scaled = std::nearbyint(places >= 0 ? x * power : x / power);
-  return std::abs(scaled) < whole && (places >= 0 ? scaled / power : scaled * power) == x;
-}
+bool is_decimal(double x, int places);
 
 /// Decimals that all coordinates of a mesh are written with.
 struct WrittenDigits {
@@ -65,49 +54,23 @@ struct WrittenDigits {
 
 /// Whether many different numbers need the last digit: one may have been chosen so, and of many
 /// numbers that were rounded nine in ten do.
-inline bool many_need_last(const WrittenDigits& digits, bool fixed,
-                           std::span<const Vec3> vertices) {
-  constexpr std::size_t many = 12;
-  std::set<double> numbers;
-  for (const Vec3& p : vertices)
-    for (const double x : p) {
-      if (x != 0 && !is_decimal(x, digits.last_place(first_place(x), fixed) - 1))
-        numbers.insert(std::abs(x));
-      if (numbers.size() >= many) return true;
-    }
-  return false;
-}
+bool many_need_last(const WrittenDigits& digits, bool fixed, std::span<const Vec3> vertices);
 
 /// Half of what lies between floats at the largest coordinate, if all are floats; else 0.
-inline double rounding_of_floats(std::span<const Vec3> vertices) {
-  constexpr int digits = std::numeric_limits<float>::digits;
-  double largest = 0;
-  for (const Vec3& p : vertices)
-    for (const double x : p) {
-      if (static_cast<double>(static_cast<float>(x)) != x) return 0;
-      largest = std::max(largest, std::abs(x));
-    }
-  return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - digits) : 0;
-}
+double rounding_of_floats(std::span<const Vec3> vertices);
 
 /// How far a coordinate may be from what it was before it was written: half a unit of the last
 /// decimal, or of the last bit of a float [m]; 0 if the coordinates are doubles like any others, or
 /// were chosen with so few digits (less than six, and not many with the last) that they may well be
 /// exact.
-inline double coordinate_rounding(std::span<const Vec3> vertices) {
-  constexpr int fewest = 6, least = 3;
-  WrittenDigits digits;
-  for (const Vec3& p : vertices)
-    for (const double x : p) digits.add(x);
-  if (digits.significant >= WrittenDigits::most) return rounding_of_floats(vertices);
-  const auto many = [&](bool fixed) { return many_need_last(digits, fixed, vertices); };
-  const bool fixed = digits.may_be_fixed() && (many(true) || !many(false));
-  const bool rounded = digits.significant >= fewest || (digits.significant >= least && many(fixed));
-  return rounded ? power_of_ten(-digits.last_place(digits.largest_place, fixed)) / 2 : 0;
-}
+double coordinate_rounding(std::span<const Vec3> vertices);
 
 inline double coordinate_rounding(const PolygonMesh& mesh) {
   return coordinate_rounding(mesh.vertices);
 }
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/coordinate_rounding.inl"
+#endif

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "tumble/mesh/space_grid.hpp"
@@ -42,13 +41,8 @@ inline std::vector<BoxedTriangle> boxed_triangles(const PolygonMesh& mesh) {
 }
 
 /// How many corners two triangles have in common, by number or by place.
-inline int common_corners(const PolygonMesh& mesh, const std::array<int, 3>& s,
-                          const std::array<int, 3>& t) {
-  int common = 0;
-  for (const int v : s)
-    for (const int w : t) common += v == w || mesh.vertex(v) == mesh.vertex(w);
-  return common;
-}
+int common_corners(const PolygonMesh& mesh, const std::array<int, 3>& s,
+                   const std::array<int, 3>& t);
 
 /// The corners of a triangle of a mesh.
 inline Triangle corners_of(const PolygonMesh& mesh, const BoxedTriangle& t) {
@@ -57,14 +51,7 @@ inline Triangle corners_of(const PolygonMesh& mesh, const BoxedTriangle& t) {
 
 /// How two triangles of a mesh lie to each other. Those with a corner in common touch there, which
 /// says nothing: they cross only if an edge goes through.
-inline Meeting meeting_of(const PolygonMesh& mesh, const BoxedTriangle& s, const BoxedTriangle& t) {
-  const int common = common_corners(mesh, s.vertices, t.vertices);
-  if (common > 1) return Meeting::apart;
-  const Triangle a = corners_of(mesh, s), b = corners_of(mesh, t);
-  if (common == 0) return triangles_meet(a, b);
-  const bool cross = triangles_meet_beside(a, b) == Meeting::through;
-  return cross ? Meeting::through : Meeting::apart;
-}
+Meeting meeting_of(const PolygonMesh& mesh, const BoxedTriangle& s, const BoxedTriangle& t);
 
 /// Where triangles meet that have no edge in common.
 struct TriangleMeetings {
@@ -103,17 +90,11 @@ struct TriangleMeetings {
 /// Finds them among some triangles of a mesh.
 /// @param most_pairs that a triangle may have on average with those in its cells: where there are
 ///                   more, as in a fan of thousands of triangles, nothing is looked for
-inline TriangleMeetings find_meetings(const PolygonMesh& mesh,
-                                      const std::vector<BoxedTriangle>& triangles,
-                                      double most_pairs = std::numeric_limits<double>::infinity()) {
-  TriangleMeetings found;
-  if (triangles.empty()) return found;
-  const SpaceGrid grid(triangles);
-  if (grid.pairs() > most_pairs * static_cast<double>(triangles.size())) return found;
-  for_each_close_pair(triangles, grid, [&](const BoxedTriangle& s, const BoxedTriangle& t) {
-    found.add(mesh, s, t);
-  });
-  return found;
-}
+TriangleMeetings find_meetings(const PolygonMesh& mesh, const std::vector<BoxedTriangle>& triangles,
+                               double most_pairs = std::numeric_limits<double>::infinity());
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/crossing_pairs.inl"
+#endif

@@ -10,12 +10,7 @@ namespace tumble::detail {
 
 /// The box around the places where triangles pass through each other, with as much again around it:
 /// a crossing that no line has met is looked for there.
-inline Eigen::AlignedBox3d box_around(const std::vector<TriangleMeeting>& meetings) {
-  Eigen::AlignedBox3d box;
-  for (const TriangleMeeting& meeting : meetings) box.extend(meeting.crossing.place);
-  const double margin = box.sizes().maxCoeff() / 2;
-  return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
-}
+Eigen::AlignedBox3d box_around(const std::vector<TriangleMeeting>& meetings);
 
 /// What is known of a crossing before its size is.
 struct CrossingEvidence {
@@ -134,3 +129,7 @@ WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
 }
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/crossing_size.inl"
+#endif

@@ -14,8 +14,11 @@
 
 #include <cstdint>
 
-#include "tumble/mesh/sum_over_blocks.hpp"
+#include "tumble/core/inline.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/mesh/triangle_blocks.hpp"
 #include "tumble/simd/corners.hpp"
+#include "tumble/simd/loop_options.hpp"
 
 namespace tumble::detail {
 
@@ -78,11 +81,10 @@ struct BlockBalance {
 /// Whether every edge is used equally often in both directions. Parts that touch at a vertex, an
 /// edge or a face are closed; a corner that is repeated makes no edge.
 /// @param mesh indices in range
-inline bool is_closed(const PolygonMesh& mesh, const simd::LoopOptions& options = {}) {
-  const auto add = [&](const TriangleBlock& block, std::uint64_t& sum) {
-    dispatch(options.instructions, BlockBalance{block, sum});
-  };
-  return sum_over_blocks<std::uint64_t>(mesh, options, add) == 0;
-}
+bool is_closed(const PolygonMesh& mesh, const simd::LoopOptions& options = {});
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/edge_balance.inl"
+#endif

@@ -6,9 +6,12 @@
 /// nothing is lost when it is small or far away. Source: the divergence theorem; the bound after
 /// Higham, "Accuracy and Stability of Numerical Algorithms" (2nd ed. 2002), §3.1.
 
-#include "tumble/mesh/sum_over_blocks.hpp"
+#include "tumble/core/inline.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
+#include "tumble/mesh/triangle_blocks.hpp"
 #include "tumble/simd/corners.hpp"
 #include "tumble/simd/double_double.hpp"
+#include "tumble/simd/loop_options.hpp"
 
 namespace tumble::detail {
 
@@ -72,13 +75,7 @@ struct BlockVolume {
 
 /// What a surface encloses.
 /// @param mesh closed, indices in range, positions finite, at least one face
-inline EnclosedVolume enclosed_by(const PolygonMesh& mesh, const simd::LoopOptions& options = {}) {
-  const Vec3 origin = mesh.vertex(mesh.corners[0]);
-  const auto add = [&](const TriangleBlock& block, EnclosedVolume& sum) {
-    dispatch(options.instructions, BlockVolume{block, origin, sum});
-  };
-  return sum_over_blocks<EnclosedVolume>(mesh, options, add);
-}
+EnclosedVolume enclosed_by(const PolygonMesh& mesh, const simd::LoopOptions& options = {});
 
 /// The volume that a surface encloses, negative when its faces look inwards [m³].
 /// @param mesh closed, indices in range, positions finite, at least one face
@@ -88,12 +85,10 @@ inline double enclosed_volume(const PolygonMesh& mesh, const simd::LoopOptions& 
 
 /// 6V of the tetrahedron on the triangle a, b, c with apex o, to about 2⁻¹⁰⁴ |b − a|₁ |c − a|₁
 /// |a − o|₁ [m³]: so thin a one that doubles cancel has a volume too.
-inline simd::DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3& c,
-                                             const Vec3& o) {
-  const auto exact = [](const Vec3& p, const Vec3& q) -> simd::Point<Pair<double>> {
-    return {two_diff(p.x(), q.x()), two_diff(p.y(), q.y()), two_diff(p.z(), q.z())};
-  };
-  return simd::dot(cross(exact(b, a), exact(c, a)), exact(a, o));
-}
+simd::DoubleDouble precise_six_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& o);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/enclosed_volume.inl"
+#endif

@@ -52,11 +52,11 @@ struct VertexBounds {
 };
 
 /// The box around all vertices, used or not, and whether all are finite.
-inline FiniteBounds finite_bounds(
-    const PolygonMesh& mesh, simd::InstructionSet instructions = simd::best_instruction_set()) {
-  FiniteBounds result;
-  dispatch(instructions, VertexBounds{mesh, result});
-  return result;
-}
+FiniteBounds finite_bounds(const PolygonMesh& mesh,
+                           simd::InstructionSet instructions = simd::best_instruction_set());
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/finite_bounds.inl"
+#endif

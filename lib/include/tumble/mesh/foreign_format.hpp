@@ -32,11 +32,10 @@ inline constexpr std::array<Beginning, 12> beginnings = {
       "a program"}}};
 
 /// ": it begins like …", or nothing if it is not known.
-inline std::string about_foreign_format(std::string_view bytes) {
-  for (const Beginning& beginning : beginnings)
-    if (bytes.starts_with(beginning.bytes))
-      return std::string(": it begins like ") + beginning.what;
-  return "";
-}
+std::string about_foreign_format(std::string_view bytes);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/foreign_format.inl"
+#endif

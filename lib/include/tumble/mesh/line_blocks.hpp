@@ -9,25 +9,14 @@
 #include <string>
 #include <string_view>
 
-#include "tumble/mesh/text_scanner.hpp"
-
 namespace tumble::detail {
 
 /// Whether a line ends with the first `length` letters. Of \r\n, both belong to it; a \r at the
 /// very end of the text may be the first of them. A line that ends with a backslash goes on.
-inline bool ends_line(std::string_view text, std::size_t length) {
-  const char last = text[length - 1];
-  const std::size_t body = text.substr(0, length).find_last_not_of("\r\n");
-  if (body != std::string_view::npos && text[body] == '\\') return false;
-  return last == '\n' || (last == '\r' && length < text.size() && text[length] != '\n');
-}
+bool ends_line(std::string_view text, std::size_t length);
 
 /// The length of the whole lines at the beginning.
-inline std::size_t whole_lines(std::string_view text) {
-  std::size_t length = text.size();
-  while (length > 0 && !ends_line(text, length)) --length;
-  return length;
-}
+std::size_t whole_lines(std::string_view text);
 
 /// Calls `visit(block)` for all of the stream, block by block; a block ends with a line. Of an
 /// empty stream there is one empty block.
@@ -51,3 +40,7 @@ bool for_each_block_of_lines(std::istream& in, std::size_t size, Visit&& visit) 
 }
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/line_blocks.inl"
+#endif

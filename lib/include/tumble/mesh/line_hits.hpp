@@ -4,13 +4,9 @@
 ///
 /// Source: Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH (1988).
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include "tumble/core/rounding.hpp"
 #include "tumble/mesh/components.hpp"
-#include "tumble/mesh/line_height.hpp"
 #include "tumble/mesh/near_lines.hpp"
 #include "tumble/mesh/orientation.hpp"
 #include "tumble/mesh/view.hpp"
@@ -42,34 +38,11 @@ struct LineHits {
 
 /// Fills in z and error of a hit on the triangle a, b, c.
 /// @param blur how far rounding may have moved a coordinate of a vertex [m]
-inline void set_height(LineHit& hit, const Vec3& a, const Vec3& b, const Vec3& c, double blur) {
-  const LineWeights weights(a, b, c, hit.line);
-  const double low = std::min({a.z(), b.z(), c.z()}), high = std::max({a.z(), b.z(), c.z()});
-  // A shift sideways moves z by as much times the slope, at most height / width.
-  const double all = weights.area;
-  const double slope =
-      all > 0 ? (high - low) * ((b - a).lpNorm<1>() + (c - a).lpNorm<1>()) / all : 0;
-  hit.z = weights.height(a, b, c);
-  hit.error = std::min(blur * (1 + slope), high - low + blur);
-}
+void set_height(LineHit& hit, const Vec3& a, const Vec3& b, const Vec3& c, double blur);
 
 /// Sorts hits by line (a counting sort) and, on each line, by height.
-inline LineHits sort_hits(const std::vector<LineHit>& hits, const std::vector<int>& line_of_hit,
-                          int line_count) {
-  LineHits sorted;
-  sorted.first.assign(static_cast<std::size_t>(line_count) + 1, 0);
-  for (const int line : line_of_hit) ++sorted.first[static_cast<std::size_t>(line)];
-  std::size_t sum = 0;
-  for (std::size_t& n : sorted.first) n = sum += n;
-  sorted.hits.resize(hits.size());
-  for (std::size_t k = hits.size(); k-- > 0;)
-    sorted.hits[--sorted.first[static_cast<std::size_t>(line_of_hit[k])]] = hits[k];
-  for (std::size_t i = 0; i < sorted.line_count(); ++i)
-    std::sort(sorted.hits.begin() + static_cast<std::ptrdiff_t>(sorted.first[i]),
-              sorted.hits.begin() + static_cast<std::ptrdiff_t>(sorted.first[i + 1]),
-              [](const LineHit& g, const LineHit& h) { return g.z < h.z; });
-  return sorted;
-}
+LineHits sort_hits(const std::vector<LineHit>& hits, const std::vector<int>& line_of_hit,
+                   int line_count);
 
 /// What the lines of a view meet.
 struct LinesOnMesh {
@@ -109,31 +82,18 @@ class HitCollector {
 };
 
 /// Where lines anywhere meet the mesh.
-inline LineHits hits_of_lines(const LinesOnMesh& what, const LineList& lines) {
-  HitCollector collector(what, lines);
-  for_each_triangle(what.mesh, [&](int f, const std::array<int, 3>& t) { collector.add(f, t); });
-  return collector.sorted();
-}
+LineHits hits_of_lines(const LinesOnMesh& what, const LineList& lines);
 
 /// Where the lines of a lattice meet the mesh.
 /// @param near all triangles that may meet one
-inline LineHits hits_of_lattice(const LinesOnMesh& what, const LineLattice& lattice,
-                                const std::vector<FaceTriangle>& near) {
-  HitCollector collector(what, lattice);
-  for (const FaceTriangle& triangle : near) collector.add(triangle.face, triangle.vertices);
-  return collector.sorted();
-}
+LineHits hits_of_lattice(const LinesOnMesh& what, const LineLattice& lattice,
+                         const std::vector<FaceTriangle>& near);
 
 /// A vertical line through each part: through the middle of its widest triangle.
-inline std::vector<PlanePoint> lines_through_parts(const PolygonMesh& mesh,
-                                                   const Components& surface) {
-  std::vector<PlanePoint> lines;
-  for (const std::array<int, 3>& t : widest_triangles(mesh, surface)) {
-    const Vec3& a = mesh.vertex(t[0]);
-    const Vec3 middle = a + (mesh.vertex(t[1]) - a) / 3 + (mesh.vertex(t[2]) - a) / 3;
-    lines.emplace_back(middle.x(), middle.y());
-  }
-  return lines;
-}
+std::vector<PlanePoint> lines_through_parts(const PolygonMesh& mesh, const Components& surface);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/line_hits.inl"
+#endif

@@ -8,7 +8,6 @@
 #include <array>
 #include <limits>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -53,37 +52,7 @@ struct MeshDefect {
 };
 
 /// The name of a kind, as in the code.
-inline const char* name_of(MeshDefectKind kind) {
-  switch (kind) {
-    case MeshDefectKind::no_faces:
-      return "no_faces";
-    case MeshDefectKind::index_out_of_range:
-      return "index_out_of_range";
-    case MeshDefectKind::not_finite:
-      return "not_finite";
-    case MeshDefectKind::degenerate_face:
-      return "degenerate_face";
-    case MeshDefectKind::nonplanar_face:
-      return "nonplanar_face";
-    case MeshDefectKind::open_edge:
-      return "open_edge";
-    case MeshDefectKind::inconsistent_orientation:
-      return "inconsistent_orientation";
-    case MeshDefectKind::duplicate_face:
-      return "duplicate_face";
-    case MeshDefectKind::uneven_edge:
-      return "uneven_edge";
-    case MeshDefectKind::flat:
-      return "flat";
-    case MeshDefectKind::inverted:
-      return "inverted";
-    case MeshDefectKind::nested_wrong:
-      return "nested_wrong";
-    case MeshDefectKind::self_crossing:
-      return "self_crossing";
-  }
-  return "?";
-}
+const char* name_of(MeshDefectKind kind);
 
 inline std::ostream& operator<<(std::ostream& out, MeshDefectKind kind) {
   return out << name_of(kind);
@@ -125,13 +94,7 @@ inline bool prevents_integrals(MeshDefectKind kind) {
 namespace detail {
 
 /// "vertex #3 at (0, 1, 0.5)".
-inline std::string describe_vertex(const PolygonMesh& mesh, int v) {
-  std::ostringstream text;
-  text.precision(9);
-  const Vec3& p = mesh.vertex(v);
-  text << "vertex #" << v + 1 << " at (" << p.x() << ", " << p.y() << ", " << p.z() << ")";
-  return text.str();
-}
+std::string describe_vertex(const PolygonMesh& mesh, int v);
 
 /// Findings of one kind: the first few in words, the others counted.
 class MeshDefectsOfOneKind {
@@ -165,3 +128,7 @@ class MeshDefectsOfOneKind {
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/mesh_defect.inl"
+#endif

@@ -4,7 +4,6 @@
 
 #include <string_view>
 
-#include "tumble/mesh/parse_stl.hpp"
 #include "tumble/mesh/text_scanner.hpp"
 
 namespace tumble::detail {
@@ -18,12 +17,10 @@ inline bool ends_with(std::string_view name, std::string_view ending) {
 
 /// @param head the first bytes of the file, at least 84 if it has so many
 /// @param size of the file [bytes]
-inline MeshFormat format_of(std::string_view head, std::size_t size, std::string_view name) {
-  TextScanner text(head, name);
-  if (text.peek_word() == "ply") return MeshFormat::ply;
-  if (is_binary_stl(head, size) || is_text_stl(head)) return MeshFormat::stl;
-  if (ends_with(name, ".stl")) return MeshFormat::stl;
-  return ends_with(name, ".ply") ? MeshFormat::ply : MeshFormat::obj;
-}
+MeshFormat format_of(std::string_view head, std::size_t size, std::string_view name);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/mesh_format.inl"
+#endif

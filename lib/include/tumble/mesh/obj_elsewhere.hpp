@@ -25,10 +25,10 @@ inline constexpr std::array<ObjElsewhere, 7> obj_elsewhere = {
      {"fo", "is an old name of 'f': write 'f'"}}};
 
 /// What a line with this keyword would add to the body, or null if nothing.
-inline const char* what_is_elsewhere(std::string_view keyword) {
-  for (const ObjElsewhere& line : obj_elsewhere)
-    if (line.keyword == keyword) return line.what;
-  return nullptr;
-}
+const char* what_is_elsewhere(std::string_view keyword);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/obj_elsewhere.inl"
+#endif

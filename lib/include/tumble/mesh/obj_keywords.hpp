@@ -9,8 +9,6 @@
 #include <array>
 #include <string_view>
 
-#include "tumble/mesh/text_scanner.hpp"
-
 namespace tumble::detail {
 
 /// Lines that are passed over, the frequent ones first; at the end two that are younger than the
@@ -30,12 +28,10 @@ inline bool is_passed_over(std::string_view keyword) {
 }
 
 /// The keyword that differs from this word in capitals only, or nothing.
-inline std::string_view obj_keyword_like(std::string_view word) {
-  for (const std::string_view keyword : obj_read)
-    if (is_keyword(word, keyword)) return keyword;
-  for (const std::string_view keyword : obj_passed_over)
-    if (is_keyword(word, keyword)) return keyword;
-  return {};
-}
+std::string_view obj_keyword_like(std::string_view word);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/obj_keywords.inl"
+#endif

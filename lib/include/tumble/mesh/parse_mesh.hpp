@@ -4,10 +4,7 @@
 
 #include <string_view>
 
-#include "tumble/mesh/mesh_format.hpp"
-#include "tumble/mesh/parse_obj.hpp"
-#include "tumble/mesh/parse_ply.hpp"
-#include "tumble/mesh/parse_stl.hpp"
+#include "tumble/mesh/labelled_mesh.hpp"
 
 namespace tumble {
 
@@ -20,17 +17,12 @@ namespace tumble {
 /// @param name  what the file is called in messages; its ending counts only where the content says
 ///              nothing
 /// @throws std::invalid_argument as parse_obj(), parse_stl() and parse_ply() do
-inline parts::LabelledMesh parse_mesh(std::string_view bytes, std::string_view name) {
-  switch (detail::format_of(bytes, bytes.size(), name)) {
-    case detail::MeshFormat::stl:
-      return parts::LabelledMesh(detail::parse_stl(bytes, name));
-    case detail::MeshFormat::ply:
-      return parts::LabelledMesh(detail::parse_ply(bytes, name));
-    default:
-      return detail::parse_obj(bytes, name);
-  }
-}
+parts::LabelledMesh parse_mesh(std::string_view bytes, std::string_view name);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/parse_mesh.inl"
+#endif

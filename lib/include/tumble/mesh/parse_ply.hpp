@@ -4,7 +4,6 @@
 ///
 /// Source: G. Turk, The PLY polygon file format, Stanford 1994.
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -12,9 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tumble/mesh/ply_bytes.hpp"
 #include "tumble/mesh/ply_header.hpp"
-#include "tumble/mesh/ply_text.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble::detail {
@@ -193,15 +190,10 @@ class PlyBodyReader {
 ///         is not one of PLY, a file that is shorter or longer than its elements, a coordinate that
 ///         is not a finite number, a face of fewer than 3 corners, a vertex that is not there, no
 ///         faces
-inline PolygonMesh parse_ply(std::string_view bytes, std::string_view name) {
-  detail::TextScanner text(bytes, name);
-  const detail::PlyHeader header = detail::PlyHeaderReader(text).read();
-  if (header.format == detail::PlyFormat::ascii)
-    return detail::PlyBodyReader(header, detail::PlyText(text), name).read();
-  const bool little = header.format == detail::PlyFormat::little_endian;
-  const auto order = little ? detail::ByteOrder::little : detail::ByteOrder::big;
-  const std::size_t begin = bytes.size() - text.bytes_left();
-  return detail::PlyBodyReader(header, detail::PlyBytes(bytes, begin, order, name), name).read();
-}
+PolygonMesh parse_ply(std::string_view bytes, std::string_view name);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/parse_ply.inl"
+#endif

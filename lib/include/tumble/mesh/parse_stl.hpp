@@ -4,19 +4,13 @@
 
 #include <string_view>
 
-#include "tumble/mesh/parse_binary_stl.hpp"
-#include "tumble/mesh/parse_text_stl.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble::detail {
 /// Whether the first word is `solid` and no byte is 0, as in no text, but those that fill up the
 /// end.
 /// @param head the first bytes of the file, or all
-inline bool is_text_stl(std::string_view head) {
-  TextScanner text(head, "");
-  text.skip_to_word();
-  return is_keyword(text.peek_word(), "solid") &&
-         without_padding(head).find('\0') == std::string_view::npos;
-}
+bool is_text_stl(std::string_view head);
 
 /// Reads an STL file. Vertices at equal positions become one (0 and −0 are equal, nothing else is
 /// moved); normals, names and colours are passed over. STL states no unit: coordinates are taken
@@ -27,12 +21,10 @@ inline bool is_text_stl(std::string_view head) {
 /// @throws std::invalid_argument naming the facet, and the line or the byte, for: a file that is
 ///         shorter or longer than its facets, a facet without three vertices, a coordinate that is
 ///         not a finite number, a word that does not belong there, a file without facets
-inline PolygonMesh parse_stl(std::string_view bytes, std::string_view name) {
-  const bool is_text =
-      is_text_stl(bytes) || (!bytes.empty() && bytes.find('\0') == std::string_view::npos);
-  if (is_text && !detail::is_binary_stl(bytes, bytes.size()))
-    return detail::StlTextReader(without_padding(bytes), name).read();
-  return detail::parse_binary_stl(bytes, name);
-}
+PolygonMesh parse_stl(std::string_view bytes, std::string_view name);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/parse_stl.inl"
+#endif

@@ -56,12 +56,12 @@ void for_each_triangle(const PolygonMesh& mesh, Visit&& visit) {
 }
 
 /// The smallest box along the axes that holds all vertices [m]; empty for a mesh without vertices.
-inline Eigen::AlignedBox3d bounds(const PolygonMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& v : mesh.vertices) box.extend(v);
-  return box;
-}
+Eigen::AlignedBox3d bounds(const PolygonMesh& mesh);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/polygon_mesh.inl"
+#endif

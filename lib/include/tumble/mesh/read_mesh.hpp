@@ -5,9 +5,11 @@
 
 #include <string>
 
-#include "tumble/mesh/parse_mesh.hpp"
+#include "tumble/mesh/labelled_mesh.hpp"
+#include "tumble/mesh/parse_ply.hpp"
+#include "tumble/mesh/parse_stl.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/mesh/read_file.hpp"
-#include "tumble/mesh/read_obj.hpp"
 
 #ifndef __wasi__  // there are no files: parse_mesh() reads from memory
 namespace tumble {
@@ -38,22 +40,13 @@ inline PolygonMesh read_ply(const std::string& path) {
 /// @param path its ending counts only where the content says nothing
 /// @throws std::runtime_error when the file cannot be read
 /// @throws std::invalid_argument as parse_obj(), parse_stl() and parse_ply() do
-inline parts::LabelledMesh read_mesh(const std::string& path) {
-  std::ifstream file = detail::open_file(path);
-  const std::size_t size = detail::size_of(file);
-  std::string head(512, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  file.clear();
-  if (size > 0 && detail::format_of(head, size, path) == detail::MeshFormat::obj) {
-    file.seekg(0);
-    return detail::read_obj(file, path);
-  }
-  // A pipe cannot go back to its beginning.
-  return parse_mesh(head + detail::read_all(file, size, path), path);
-}
+parts::LabelledMesh read_mesh(const std::string& path);
 
 /// @}
 
 }  // namespace tumble
+#endif
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/read_mesh.inl"
 #endif

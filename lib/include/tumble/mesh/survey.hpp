@@ -58,13 +58,11 @@ struct BlockSurvey {
 
 /// Goes over all triangles once.
 /// @param mesh indices in range, positions finite
-inline Survey survey(const PolygonMesh& mesh, const LatticeFilters& filters,
-                     const simd::LoopOptions& options) {
-  const Vec3 origin = mesh.corners.empty() ? Vec3(0, 0, 0) : mesh.vertex(mesh.corners[0]);
-  const auto add = [&](const TriangleBlock& block, Survey& sum) {
-    dispatch(options.instructions, BlockSurvey{block, origin, filters, sum});
-  };
-  return sum_over_blocks<Survey>(mesh, options, add);
-}
+Survey survey(const PolygonMesh& mesh, const LatticeFilters& filters,
+              const simd::LoopOptions& options);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/survey.inl"
+#endif

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "tumble/mesh/edge_use.hpp"
-#include "tumble/mesh/mesh_defect.hpp"
 
 namespace tumble::detail {
 
@@ -19,38 +18,20 @@ struct TJunction {
 };
 
 /// Whether a vertex lies between the ends of an edge, and next to neither.
-inline bool lies_in_middle(const PolygonMesh& mesh, const EdgeUse& edge, int vertex) {
-  constexpr double rounding = 1e-6;  // of the length: more than single precision needs
-  const Vec3& a = mesh.vertex(edge.low);
-  const Vec3 along = mesh.vertex(edge.high) - a, p = mesh.vertex(vertex) - a;
-  const double t = p.dot(along) / along.squaredNorm();
-  return t > rounding && t < 1 - rounding && (p - t * along).norm() <= rounding * along.norm();
-}
+bool lies_in_middle(const PolygonMesh& mesh, const EdgeUse& edge, int vertex);
 
 /// The T-junction that an open edge is at: with a vertex in its middle, or an end in the middle of
 /// another one.
 /// @param open all open edges
-inline std::optional<TJunction> t_junction_at(const PolygonMesh& mesh, const EdgeUse& edge,
-                                              std::span<const EdgeUse> open) {
-  for (const EdgeUse& other : open) {
-    for (const int v : {other.low, other.high})
-      if (lies_in_middle(mesh, edge, v)) return TJunction{v, edge};
-    for (const int v : {edge.low, edge.high})
-      if (lies_in_middle(mesh, other, v)) return TJunction{v, other};
-  }
-  return {};
-}
+std::optional<TJunction> t_junction_at(const PolygonMesh& mesh, const EdgeUse& edge,
+                                       std::span<const EdgeUse> open);
 
 /// "; vertex #9 at (…) lies in the middle of the edge from … to …", or nothing.
-inline std::string describe_t_junction(const PolygonMesh& mesh, const EdgeUse& edge,
-                                       std::span<const EdgeUse> open) {
-  const std::optional<TJunction> junction = t_junction_at(mesh, edge, open);
-  if (!junction) return "";
-  const EdgeUse& cut = junction->edge;
-  return "; " + describe_vertex(mesh, junction->vertex) + " lies in the middle of " +
-         (cut.same_edge(edge) ? "this edge" : describe_edge(mesh, cut)) + ", and face #" +
-         std::to_string(cut.face + 1) +
-         " has no corner there (a T-junction): give it one, or divide it there";
-}
+std::string describe_t_junction(const PolygonMesh& mesh, const EdgeUse& edge,
+                                std::span<const EdgeUse> open);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/t_junction.inl"
+#endif

@@ -2,7 +2,6 @@
 /// @file
 /// A text in memory, read word by word.
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -15,20 +14,11 @@ inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
 inline bool is_newline(char c) { return c == '\n' || c == '\r'; }
 
 /// Whether a word is this keyword; capitals do not matter.
-inline bool is_keyword(std::string_view word, std::string_view keyword) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  if (word == keyword) return true;
-  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
-                    [&](char a, char b) { return lower(a) == b; });
-}
+bool is_keyword(std::string_view word, std::string_view keyword);
 
 /// A text without what some programs fill it up with behind its end: bytes 0, and the mark with
 /// which DOS ended a text; blanks may stand between these.
-inline std::string_view without_padding(std::string_view text) {
-  const std::size_t last = text.find_last_not_of(std::string_view("\0\x1A \t\r\n", 6));
-  const std::size_t end = last == std::string_view::npos ? 0 : last + 1;
-  return text.substr(0, text.find_first_of(std::string_view("\0\x1A", 2), end));
-}
+std::string_view without_padding(std::string_view text);
 
 /// Lines end with \n, \r\n, or (on old machines) \r; words with a space, a tab or their line. A
 /// byte order mark is passed over.
@@ -111,19 +101,10 @@ class TextScanner {
 };
 
 /// A word as it can be shown: its beginning, if it is long; \x00 for a byte that is not a letter.
-inline std::string shown(std::string_view word) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string text;
-  std::size_t most = 40;
-  while (most > 0 && most < word.size() && (word[most] & 0xC0) == 0x80) --most;  // between letters
-  for (const char c : word.substr(0, most)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte != 0x7F)
-      text += c;
-    else
-      text += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
-  }
-  return text;
-}
+std::string shown(std::string_view word);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/text_scanner.inl"
+#endif

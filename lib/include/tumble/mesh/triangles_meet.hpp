@@ -14,7 +14,6 @@
 #include <tuple>
 
 #include "tumble/mesh/orientation.hpp"
-#include "tumble/simd/pair.hpp"
 
 namespace tumble::detail {
 
@@ -32,43 +31,15 @@ void add_determinant(ExactSum<n>& sum, double sign, const Vec3& p, const Vec3& q
 }
 
 /// Whether the difference of two points has no rounding; one that overflows has some (NaN).
-inline bool has_exact_difference(const Vec3& p, const Vec3& q) {
-  for (int i = 0; i < 3; ++i)
-    if (two_diff(p[i], q[i]).lo != 0) return false;
-  return true;
-}
+bool has_exact_difference(const Vec3& p, const Vec3& q);
 
 /// The exact sign of (a − d) · ((b − d) × (c − d)): from the differences where these are exact, as
 /// between points that are near each other, else from the 24 products of the points themselves.
-inline int exact_side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  if (has_exact_difference(a, d) && has_exact_difference(b, d) && has_exact_difference(c, d)) {
-    ExactSum<24> sum;
-    add_determinant(sum, 1, a - d, b - d, c - d);
-    return sum.sign();
-  }
-  ExactSum<96> sum;
-  add_determinant(sum, 1, a, b, c);
-  add_determinant(sum, -1, a, b, d);
-  add_determinant(sum, 1, a, c, d);
-  add_determinant(sum, -1, b, c, d);
-  return sum.sign();
-}
+int exact_side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// On which side of the plane through a, b and c the point d is: the sign of (a − d) · ((b − d) ×
 /// (c − d)), 0 when on it.
-inline int side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = a - d, v = b - d, w = c - d;
-  const double bc = v.x() * w.y(), cb = w.x() * v.y(), ca = w.x() * u.y(), ac = u.x() * w.y(),
-               ab = u.x() * v.y(), ba = v.x() * u.y();
-  const double det = u.z() * (bc - cb) + v.z() * (ca - ac) + w.z() * (ab - ba);
-  const double size = std::abs(u.z()) * (std::abs(bc) + std::abs(cb)) +
-                      std::abs(v.z()) * (std::abs(ca) + std::abs(ac)) +
-                      std::abs(w.z()) * (std::abs(ab) + std::abs(ba));
-  if (std::abs(det) > (7 + 56 * unit_roundoff) * unit_roundoff * size) return det > 0 ? 1 : -1;
-  if (size == 0) return 0;  // differences that are 0 are so exactly
-  if (d == a || d == b || d == c) return 0;
-  return exact_side_of_plane(a, b, c, d);
-}
+int side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -76,44 +47,15 @@ using Triangle = std::array<Vec3, 3>;
 enum class Meeting { apart, touching, through };
 
 /// Whether the edge from p to q meets a triangle: inside both, or where one of them ends.
-inline Meeting edge_meets(const Vec3& p, const Vec3& q, const Triangle& t) {
-  const int of_p = side_of_plane(t[0], t[1], t[2], p), of_q = side_of_plane(t[0], t[1], t[2], q);
-  if (of_p * of_q > 0) return Meeting::apart;
-  if (of_p == 0 && of_q == 0) return Meeting::touching;  // in one plane: it may
-  std::array<int, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k) sides[k] = side_of_plane(p, q, t[k], t[(k + 1) % 3]);
-  const bool left = sides[0] > 0 || sides[1] > 0 || sides[2] > 0;
-  const bool right = sides[0] < 0 || sides[1] < 0 || sides[2] < 0;
-  if (left && right) return Meeting::apart;
-  const bool inside = sides[0] * sides[1] * sides[2] != 0 && of_p * of_q != 0;
-  return inside ? Meeting::through : Meeting::touching;
-}
+Meeting edge_meets(const Vec3& p, const Vec3& q, const Triangle& t);
 
 /// How two triangles lie to each other that have one corner in common: their edges opposite
 /// to it count.
-inline Meeting triangles_meet_beside(const Triangle& s, const Triangle& t) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (s[i] == t[j])
-        return std::max(edge_meets(s[(i + 1) % 3], s[(i + 2) % 3], t),
-                        edge_meets(t[(j + 1) % 3], t[(j + 2) % 3], s));
-  return Meeting::apart;
-}
+Meeting triangles_meet_beside(const Triangle& s, const Triangle& t);
 
 /// How two triangles lie to each other: the closest that an edge of one comes to the other. Where
 /// they are in one plane, or only touch, they may.
-inline Meeting triangles_meet(const Triangle& s, const Triangle& t) {
-  std::array<int, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k) sides[k] = side_of_plane(t[0], t[1], t[2], s[k]);
-  const auto [least, most] = std::minmax({sides[0], sides[1], sides[2]});
-  if (least > 0 || most < 0) return Meeting::apart;
-  if (least == 0 && most == 0) return Meeting::touching;  // in one plane: they may
-  Meeting closest = Meeting::apart;
-  for (std::size_t k = 0; k < 3 && closest != Meeting::through; ++k)
-    closest = std::max(
-        {closest, edge_meets(s[k], s[(k + 1) % 3], t), edge_meets(t[k], t[(k + 1) % 3], s)});
-  return closest;
-}
+Meeting triangles_meet(const Triangle& s, const Triangle& t);
 
 /// Where two triangles pass through each other, and how far.
 struct TriangleCrossing {
@@ -128,24 +70,10 @@ inline double depth_of_edge(const Vec3& p, const Vec3& q, const Triangle& t) {
 }
 
 /// Measures two triangles that pass through each other, in doubles.
-inline TriangleCrossing measure_crossing(const Triangle& s, const Triangle& t) {
-  TriangleCrossing result{Vec3::Zero(), 0};
-  int count = 0;
-  const auto add = [&](const Vec3& p, const Vec3& q, const Triangle& of) {
-    if (edge_meets(p, q, of) != Meeting::through) return;
-    const Vec3 n = (of[1] - of[0]).cross(of[2] - of[0]);
-    const double above = n.dot(p - of[0]), below = n.dot(q - of[0]);
-    const double part = above / (above - below);  // of the way; rounding may have made it anything
-    result.place += p + std::clamp(std::isfinite(part) ? part : 0.5, 0.0, 1.0) * (q - p);
-    result.depth = std::max(result.depth, depth_of_edge(p, q, of));
-    ++count;
-  };
-  for (std::size_t k = 0; k < 3; ++k) {
-    add(s[k], s[(k + 1) % 3], t);
-    add(t[k], t[(k + 1) % 3], s);
-  }
-  result.place /= count;
-  return result;
-}
+TriangleCrossing measure_crossing(const Triangle& s, const Triangle& t);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/triangles_meet.inl"
+#endif

@@ -3,8 +3,6 @@
 /// Makes one vertex of several at the same position: many files (STL, scans, exports with texture
 /// seams) give each face its own corners, so that no two faces share an edge.
 
-#include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "tumble/mesh/polygon_mesh.hpp"
@@ -15,24 +13,7 @@ namespace detail {
 
 /// For each vertex the first one at exactly the same position: itself, if there is none before it.
 /// @param mesh positions finite
-inline std::vector<int> first_at_same_position(const PolygonMesh& mesh) {
-  std::vector<int> by_position(mesh.vertices.size()), first(mesh.vertices.size());
-  std::iota(by_position.begin(), by_position.end(), 0);
-  std::sort(by_position.begin(), by_position.end(), [&](int i, int j) {
-    const Vec3 &a = mesh.vertex(i), &b = mesh.vertex(j);
-    for (int k = 0; k < 3; ++k)
-      if (a[k] != b[k]) return a[k] < b[k];
-    return i < j;
-  });
-  // The first of each run of equal positions speaks for the run.
-  int speaker = 0;
-  for (std::size_t k = 0; k < by_position.size(); ++k) {
-    const int i = by_position[k];
-    if (k == 0 || mesh.vertex(speaker) != mesh.vertex(i)) speaker = i;
-    first[static_cast<std::size_t>(i)] = speaker;
-  }
-  return first;
-}
+std::vector<int> first_at_same_position(const PolygonMesh& mesh);
 
 }  // namespace detail
 
@@ -42,21 +23,12 @@ inline std::vector<int> first_at_same_position(const PolygonMesh& mesh) {
 /// The mesh with vertices at exactly equal positions merged (0 and −0 are equal). Vertices keep
 /// their order, the first of equal ones stays; faces keep their order and their corners.
 /// @param mesh indices in range, positions finite
-inline PolygonMesh weld(const PolygonMesh& mesh) {
-  const std::vector<int> first = detail::first_at_same_position(mesh);
-  PolygonMesh welded;
-  std::vector<int> new_index(first.size());
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const auto speaker = static_cast<std::size_t>(first[i]);
-    if (speaker == i) welded.vertices.push_back(mesh.vertices[i]);
-    new_index[i] = speaker == i ? static_cast<int>(welded.vertices.size()) - 1 : new_index[speaker];
-  }
-  welded.first_corner = mesh.first_corner;
-  welded.corners.reserve(mesh.corners.size());
-  for (const int v : mesh.corners) welded.corners.push_back(new_index[static_cast<std::size_t>(v)]);
-  return welded;
-}
+PolygonMesh weld(const PolygonMesh& mesh);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/weld.inl"
+#endif

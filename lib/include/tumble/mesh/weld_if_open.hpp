@@ -3,37 +3,21 @@
 /// Makes neighbours of faces that have vertices of their own at the same positions, where the
 /// surface would not be closed else. The vertices keep their numbers, which are those of the file.
 
-#include <algorithm>
-#include <vector>
-
-#include "tumble/mesh/edge_balance.hpp"
-#include "tumble/mesh/stray_faces.hpp"
-#include "tumble/mesh/weld.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble::detail {
 
 /// Whether the surface is closed, or would be without faces that have no area.
 /// @param mesh indices in range, positions finite
-inline bool is_closed_but_for_strays(const PolygonMesh& mesh) {
-  if (is_closed(mesh)) return true;
-  bool flat = false;
-  for (int f = 0; f < mesh.face_count() && !flat; ++f) flat = has_no_area(mesh, mesh.face(f));
-  return flat && without_stray_faces(mesh);
-}
+bool is_closed_but_for_strays(const PolygonMesh& mesh);
 
 /// Lets faces take the first of the vertices at exactly equal positions, if the surface is open.
 /// @param mesh indices in range, positions finite
 /// @return how many vertices no face has any more
-inline int weld_if_open(PolygonMesh& mesh) {
-  if (is_closed_but_for_strays(mesh)) return 0;
-  const std::vector<int> first = first_at_same_position(mesh);
-  std::vector<char> replaced(first.size());
-  for (int& corner : mesh.corners) {
-    const int v = first[static_cast<std::size_t>(corner)];
-    if (v != corner) replaced[static_cast<std::size_t>(corner)] = 1;
-    corner = v;
-  }
-  return static_cast<int>(std::count(replaced.begin(), replaced.end(), 1));
-}
+int weld_if_open(PolygonMesh& mesh);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mesh/weld_if_open.inl"
+#endif

@@ -21,13 +21,7 @@
 namespace tumble::detail {
 
 /// The breaks inside the span, ascending [s after t0].
-inline std::vector<double> breaks_within(const SimulationTask& task) {
-  std::vector<double> inside;
-  for (const double t : task.breaks)
-    if (t > task.t0 && t < task.t1) inside.push_back(t - task.t0);
-  std::sort(inside.begin(), inside.end());
-  return inside;
-}
+std::vector<double> breaks_within(const SimulationTask& task);
 
 /// Runs under any forces, rougher and finer.
 /// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
@@ -192,3 +186,7 @@ class AnyForces {
 };
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/any_forces.inl"
+#endif

@@ -68,18 +68,7 @@ struct Look {
 
 /// Where the parabola through three looks at one side of 0 comes nearest to it, if that is between
 /// them, and near enough that the function may be beyond 0 there.
-inline std::optional<double> nearest_to_zero(const std::array<Look, 3>& looks) {
-  const auto& [a, b, c] = looks;
-  const double side = std::signbit(a.g) ? -1 : 1, span = c.t - a.t;
-  const double rise = side * (b.g - a.g) / (b.t - a.t),
-               next_rise = side * (c.g - b.g) / (c.t - b.t);
-  const double curve = (next_rise - rise) / span;
-  const double t = (a.t + b.t - rise / curve) / 2;
-  if (!(curve > 0 && t > std::min(a.t, c.t) && t < std::max(a.t, c.t))) return {};
-  constexpr double doubt = 0.25;  // of how far the parabola bends
-  const double least = side * a.g + (t - a.t) * (rise + curve * (t - b.t));
-  return least <= doubt * curve * span * span ? std::optional(t) : std::nullopt;
-}
+std::optional<double> nearest_to_zero(const std::array<Look, 3>& looks);
 
 /// Whether a function is beyond 0 somewhere between three looks at one side of it, and where.
 template <class Value>
@@ -168,3 +157,7 @@ std::vector<detail::EventOf<State>> every_event(const TrajectoryOf<State>& traje
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/first_event.inl"
+#endif

@@ -8,14 +8,8 @@
 namespace tumble::detail {
 
 /// Of one body: the angle between orientations [rad], and all else a part of its size; the largest.
-inline double difference_of_body(const PackedState<double>& a, const PackedState<double>& b,
-                                 const Eigen::Vector4d& per_size) {
-  const Eigen::Vector4d p = a.segment<4>(3).normalized(), q = b.segment<4>(3).normalized();
-  const double angle = 2 * (p.dot(q) < 0 ? Eigen::Vector4d(p + q) : Eigen::Vector4d(p - q)).norm();
-  const PackedState<double> off = a - b;
-  return largest({angle, per_size[0] * off.head<3>().norm(), per_size[2] * off.segment<3>(7).norm(),
-                  per_size[3] * off.tail<3>().norm() + angle});
-}
+double difference_of_body(const PackedState<double>& a, const PackedState<double>& b,
+                          const Eigen::Vector4d& per_size);
 
 /// Of all bodies, thirteen numbers each.
 /// @param per_size one over the sizes of x, q, P and L, of one body after the other
@@ -35,3 +29,7 @@ double motion_difference(const Numbers& a, const Numbers& b,
 }
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/motion_difference.inl"
+#endif

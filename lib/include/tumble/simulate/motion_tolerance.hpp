@@ -10,7 +10,6 @@
 
 #include "tumble/body/rigid_body.hpp"
 #include "tumble/body/state.hpp"
-#include "tumble/core/rounding.hpp"
 
 namespace tumble::detail {
 
@@ -21,20 +20,11 @@ struct MotionScale {
 
 /// What is too small to matter, in a span of time: a thousandth of the motion through the body's
 /// own size, and of a turn by a radian.
-inline MotionScale least_sizes(const RigidBody<>& body, double span) {
-  constexpr double small = 1e-3;
-  const double inertia = body.I_body().trace() / 3;
-  const double length = small * std::sqrt(inertia / body.mass());
-  return {length, body.mass() * length / span, small * inertia / span};
-}
+MotionScale least_sizes(const RigidBody<>& body, double span);
 
 /// How much of the moments a tensor in turned axes has lost to rounding: finding its axes, or its
 /// inverse, leaves of the smallest moment what rounding leaves of the largest.
-inline double rounding_of_moments(const Mat3& I_body, double smallest_moment) {
-  if (I_body.isDiagonal(0)) return 0;
-  constexpr double roundings = 4;
-  return roundings * unit_roundoff * I_body.trace() / smallest_moment;
-}
+double rounding_of_moments(const Mat3& I_body, double smallest_moment);
 
 /// |x|², |q|², |P|², |L|² of one body after the other.
 template <class Numbers>
@@ -80,3 +70,7 @@ double error_norm(const Numbers& error, const Numbers&, const Numbers& y1,
 }
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/motion_tolerance.inl"
+#endif

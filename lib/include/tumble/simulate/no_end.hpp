@@ -3,13 +3,9 @@
 /// Why a run does not come to its end: where it takes more steps than there is time for, and where
 /// the motion leaves the range of doubles.
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 
-#include "tumble/core/require.hpp"
 #include "tumble/core/step_budget.hpp"
 
 namespace tumble::detail {
@@ -20,43 +16,18 @@ inline double rounding_at(double t) { return std::nextafter(t, 2 * t + 1) - t; }
 /// What makes the steps so short, as far as they show it, and what to do.
 /// @param breaks at which steps begin anew
 /// @param s      where the run is [s after t0]
-inline std::string why_so_many(std::size_t breaks, const StepBudget& budget, double t0, double s) {
-  constexpr double steps_a_break = 100, roundings_a_step = 1e4;
-  const double steps = std::max<double>(budget.steps(), budget.predicted());
-  const double rounding = rounding_at(std::abs(t0 + s));
-  std::ostringstream why;
-  if (steps < steps_a_break * static_cast<double>(breaks))
-    why << "its forces begin, end or jump at " << breaks
-        << " times, and each takes some steps; ask for a shorter time";
-  else if (s < roundings_a_step * rounding * budget.steps())
-    why << "doubles near this time lie " << rounding
-        << " s apart, and forces that depend on the time jump as often; count the time from a "
-           "moment near t0";
-  else
-    why << "the body turns or swings too often, or its forces switch to and fro, as dry friction "
-           "does; ask for a shorter time";
-  return why.str();
-}
+std::string why_so_many(std::size_t breaks, const StepBudget& budget, double t0, double s);
 
 /// @param jumps by what part forces change where the time t is rounded
 /// @throws std::runtime_error if they are unknown because of that
-inline void require_moments(double jumps, double t) {
-  constexpr double most = 0.2;
-  if (jumps > most)
-    throw_error<std::runtime_error>("simulate: doubles near t = ", t, " lie ", rounding_at(t),
-                                    " s apart, and meanwhile the forces change by ", jumps,
-                                    " of themselves; count the time from a moment near t0");
-}
+void require_moments(double jumps, double t);
 
 /// @param square the largest of the squares of a motion's sizes
 /// @throws std::runtime_error if they would soon be infinite
-inline void require_range(double square, double t) {
-  constexpr double most = 1e300;
-  if (!(square < most))
-    throw_error<std::runtime_error>(
-        "simulate: the motion grows to 1e150 times what its start and the forces there make of "
-        "it, at t = ",
-        t, ": ask for a shorter time");
-}
+void require_range(double square, double t);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/no_end.inl"
+#endif

@@ -11,8 +11,6 @@
 /// or as a difference of products, l × ω would have no right digit about the needle's axis.
 /// Source: Euler's equations, Landau & Lifshitz, "Mechanics" (1976), §36.
 
-#include <algorithm>
-
 #include "tumble/body/derived.hpp"
 #include "tumble/body/wrench.hpp"
 #include "tumble/free_body/polhode.hpp"
@@ -24,16 +22,8 @@ namespace tumble::detail {
 
 /// What may become of a motion in the whole time: units, not more.
 /// @param net what acts on the body at the start
-inline MotionScale units_of(const RigidBody<>& body, const RigidBodyState<>& start,
-                            const Wrench<>& net, double span) {
-  const MotionScale least = least_sizes(body, span);
-  MotionScale scale;
-  scale.momentum = std::max({start.P.norm(), net.force.norm() * span, least.momentum});
-  scale.length = std::max({start.x.norm(), scale.momentum / body.mass() * span, least.length});
-  scale.angular_momentum =
-      std::max({start.L.norm(), net.torque.norm() * span, least.angular_momentum});
-  return scale;
-}
+MotionScale units_of(const RigidBody<>& body, const RigidBodyState<>& start, const Wrench<>& net,
+                     double span);
 
 /// The axes in which a body's tensor is diagonal: its own where it is, so that nothing is turned.
 inline PrincipalAxes diagonal_axes(const Mat3& I_body) {
@@ -135,3 +125,7 @@ class ScaledBody {
 };
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/scaled_body.inl"
+#endif

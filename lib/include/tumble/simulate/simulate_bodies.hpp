@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 
-#include "tumble/body/forces_between.hpp"
 #include "tumble/simulate/scaled_scene_rhs.hpp"
 #include "tumble/simulate/simulate.hpp"
 
@@ -50,19 +48,10 @@ class ApartTrajectory final : public AnyTrajectory<std::vector<RigidBodyState<>>
   std::vector<Trajectory> bodies_;
 };
 
-inline SimulationReport report_of(const std::vector<Trajectory>& bodies) {
-  SimulationReport all = bodies.front().report();
-  for (const Trajectory& body : std::span(bodies).subspan(1)) add_report(all, body.report());
-  return all;
-}
+SimulationReport report_of(const std::vector<Trajectory>& bodies);
 
 /// @throws std::invalid_argument naming the body whose start means nothing
-inline std::vector<RigidBodyState<>> valid_starts(const std::vector<RigidBodyState<>>& starts) {
-  std::vector<RigidBodyState<>> from;
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    require_at([&] { from.push_back(valid_start(starts[i])); }, "body ", i, ": ");
-  return from;
-}
+std::vector<RigidBodyState<>> valid_starts(const std::vector<RigidBodyState<>>& starts);
 
 /// A force on a body, or between bodies.
 template <class F>
@@ -118,3 +107,7 @@ SceneTrajectory simulate(const std::vector<RigidBody<>>& bodies,
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/simulate_bodies.inl"
+#endif

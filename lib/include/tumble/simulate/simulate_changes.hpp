@@ -7,7 +7,6 @@
 /// The whole is computed twice, with a rough and with a fine tolerance: what the two differ by
 /// holds what the events make of errors, too.
 
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -128,11 +127,7 @@ events::ChangedTrajectory<State> changed_trajectory(const Go& go, const State& s
   }
 }
 
-inline void require_forwards(const SimulationTask& task) {
-  require_valid_task(task);
-  require(task.t1 >= task.t0, "simulate_changes: t1 = ", task.t1, " is before t0 = ", task.t0,
-          "; what an event has changed can't be undone");
-}
+void require_forwards(const SimulationTask& task);
 
 }  // namespace tumble::detail
 
@@ -178,3 +173,7 @@ ChangedTrajectory<std::vector<RigidBodyState<>>> simulate_changes(
 /// @}
 
 }  // namespace tumble::events
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/simulate_changes.inl"
+#endif

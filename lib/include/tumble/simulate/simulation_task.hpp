@@ -2,11 +2,8 @@
 /// @file
 /// What simulate() is asked for.
 
-#include <cmath>
 #include <limits>
 #include <vector>
-
-#include "tumble/core/require.hpp"
 
 namespace tumble {
 
@@ -37,17 +34,12 @@ struct SimulationTask {
 namespace detail {
 
 /// @throws std::invalid_argument if the task means nothing
-inline void require_valid_task(const SimulationTask& task) {
-  require(std::isfinite(task.t0) && std::isfinite(task.t1), "simulate: from t0 = ", task.t0,
-          " to t1 = ", task.t1, " is not a span of time");
-  require(task.tolerance > 0 && std::isfinite(task.tolerance), "simulate: the tolerance ",
-          task.tolerance, " is not positive and finite");
-  require(task.longest_step > 0, "simulate: longest_step = ", task.longest_step,
-          " s is not positive");
-  for (const double t : task.breaks)
-    require(std::isfinite(t), "simulate: a break at t = ", t, " is not a time");
-}
+void require_valid_task(const SimulationTask& task);
 
 }  // namespace detail
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/simulation_task.inl"
+#endif

@@ -30,19 +30,7 @@ enum class Zeros { stay, move };
 /// A start beside the start. Each number of x and P moves by up to a part of itself, each of q and
 /// L by one of the whole: turning mixes them, so what rounding makes of the large ones is in the
 /// small ones.
-inline RigidBodyState<> beside(const RigidBodyState<>& start, double part,
-                               Zeros zeros = Zeros::stay) {
-  // Of both signs and all sizes.
-  constexpr double share[13] = {0.83, -0.67, 0.91,  -0.74, 0.97,  0.62, -0.88,
-                                0.71, 0.93,  -0.79, 0.86,  -0.95, 0.69};
-  PackedState<double> y = pack(start);
-  PackedState<double> sizes = y.cwiseAbs();
-  sizes.segment<4>(3).setConstant(start.q.norm() / 2);          // as each of four that are equal
-  sizes.tail<3>().setConstant(start.L.norm() / std::sqrt(3.));  // and of three
-  for (int i = 0; i < y.size(); ++i)
-    if (y[i] != 0 || zeros == Zeros::move) y[i] += part * share[i] * sizes[i];
-  return unpack<double>(y);
-}
+RigidBodyState<> beside(const RigidBodyState<>& start, double part, Zeros zeros = Zeros::stay);
 inline std::vector<RigidBodyState<>> beside(std::vector<RigidBodyState<>> starts, double part) {
   for (RigidBodyState<>& start : starts) start = beside(start, part);
   return starts;
@@ -96,3 +84,7 @@ inline double next_epsilon(double epsilon, double asked, double error, double lo
 }
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/stated_error.inl"
+#endif

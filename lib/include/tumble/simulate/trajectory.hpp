@@ -38,16 +38,7 @@ struct SimulationReport {
 namespace detail {
 
 /// Of parts of a motion, or of bodies beside each other: the largest error, and the costs of all.
-inline void add_report(SimulationReport& all, const SimulationReport& one) {
-  if (one.method != all.method) all.method = "each part by itself";
-  if (one.why != all.why) all.why = "each part for its own reasons";
-  all.model = std::max(all.model, one.model);
-  all.error_estimate = std::max(all.error_estimate, one.error_estimate);
-  all.runs += one.runs;
-  all.steps += one.steps;
-  all.rejected += one.rejected;
-  all.evaluations += one.evaluations;
-}
+void add_report(SimulationReport& all, const SimulationReport& one);
 
 /// A motion of a span of time, however it is known.
 template <class State>
@@ -102,3 +93,7 @@ using Trajectory = TrajectoryOf<RigidBodyState<>>;
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/trajectory.inl"
+#endif

@@ -3,20 +3,15 @@
 /// The start of a simulation: refused if it means nothing, with a quaternion of moderate length.
 
 #include "tumble/body/state.hpp"
-#include "tumble/core/require.hpp"
-#include "tumble/quaternion/normalize.hpp"
 
 namespace tumble::detail {
 
 /// The start, its quaternion with numbers of about 1.
 /// @throws std::invalid_argument if a number is not finite, or the quaternion zero
-inline RigidBodyState<> valid_start(const RigidBodyState<>& start) {
-  require(pack(start).allFinite(), "simulate: the state (", pack(start).transpose(),
-          ") is not finite");
-  require(!start.q.coeffs().isZero(0), "simulate: the quaternion is zero");
-  RigidBodyState<> from = start;
-  from.q = of_moderate_length(start.q);
-  return from;
-}
+RigidBodyState<> valid_start(const RigidBodyState<>& start);
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/valid_start.inl"
+#endif

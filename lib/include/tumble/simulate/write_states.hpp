@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "tumble/body/derived.hpp"
 #include "tumble/simulate/simulate_bodies.hpp"
 
 namespace tumble::output {
@@ -54,35 +53,10 @@ void write_numbers(std::ostream& out, const Numbers& numbers) {
 }
 
 /// The numbers of output::csv_columns.
-inline void write_csv_numbers(std::ostream& out, const RigidBody<>& body,
-                              const RigidBodyState<>& state) {
-  const Derived<> now = derived(body, state);
-  Eigen::Matrix<double, 19, 1> numbers;
-  numbers << state.x, coefficients(state.q), now.v, now.omega, state.P, state.L;
-  write_numbers(out, numbers);
-}
+void write_csv_numbers(std::ostream& out, const RigidBody<>& body, const RigidBodyState<>& state);
 
 /// "position":[…],"orientation":[w,x,y,z], … with the names that ./tumble simulate --json uses.
-inline void write_json_members(std::ostream& out, const RigidBody<>& body,
-                               const RigidBodyState<>& state) {
-  const Derived<> now = derived(body, state);
-  const auto member = [&](const char* name, const auto& numbers) {
-    out << '"' << name << "\":[";
-    write_numbers(out, numbers);
-    out << ']';
-  };
-  member("position", state.x);
-  out << ',';
-  member("orientation", coefficients(state.q));
-  const std::pair<const char*, Vec3> rest[] = {{"velocity", now.v},
-                                               {"angular_velocity", now.omega},
-                                               {"linear_momentum", state.P},
-                                               {"angular_momentum", state.L}};
-  for (const auto& [name, numbers] : rest) {
-    out << ',';
-    member(name, numbers);
-  }
-}
+void write_json_members(std::ostream& out, const RigidBody<>& body, const RigidBodyState<>& state);
 
 }  // namespace tumble::detail
 
@@ -94,68 +68,28 @@ namespace tumble::output {
 /// A line of names, then one for each time.
 /// @param times [s] within the trajectory
 /// @throws std::invalid_argument for a time that is not
-inline void write_csv(std::ostream& out, const RigidBody<>& body, const Trajectory& trajectory,
-                      std::span<const double> times) {
-  const detail::AllDigits all(out);
-  out << "time," << csv_columns << '\n';
-  for (const double t : times) {
-    out << t << ',';
-    detail::write_csv_numbers(out, body, trajectory.at(t));
-    out << '\n';
-  }
-}
+void write_csv(std::ostream& out, const RigidBody<>& body, const Trajectory& trajectory,
+               std::span<const double> times);
 
 /// The same of several bodies: one line for each time and body, with the body's number from 0.
-inline void write_csv(std::ostream& out, const std::vector<RigidBody<>>& bodies,
-                      const SceneTrajectory& trajectory, std::span<const double> times) {
-  const detail::AllDigits all(out);
-  out << "time,body," << csv_columns << '\n';
-  for (const double t : times) {
-    const std::vector<RigidBodyState<>> states = trajectory.at(t);
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      out << t << ',' << i << ',';
-      detail::write_csv_numbers(out, bodies[i], states[i]);
-      out << '\n';
-    }
-  }
-}
+void write_csv(std::ostream& out, const std::vector<RigidBody<>>& bodies,
+               const SceneTrajectory& trajectory, std::span<const double> times);
 
 /// A list of objects, one for each time: {"time", "position", "orientation" as [w, x, y, z],
 /// "velocity", "angular_velocity", "linear_momentum", "angular_momentum"}.
 /// @param times [s] within the trajectory
 /// @throws std::invalid_argument for a time that is not
-inline void write_json(std::ostream& out, const RigidBody<>& body, const Trajectory& trajectory,
-                       std::span<const double> times) {
-  const detail::AllDigits all(out);
-  const char* separator = "[\n";
-  for (const double t : times) {
-    out << separator << "{\"time\":" << t << ',';
-    detail::write_json_members(out, body, trajectory.at(t));
-    out << '}';
-    separator = ",\n";
-  }
-  out << (times.empty() ? "[]\n" : "\n]\n");
-}
+void write_json(std::ostream& out, const RigidBody<>& body, const Trajectory& trajectory,
+                std::span<const double> times);
 
 /// The same of several bodies: {"time", "bodies": a list of objects}.
-inline void write_json(std::ostream& out, const std::vector<RigidBody<>>& bodies,
-                       const SceneTrajectory& trajectory, std::span<const double> times) {
-  const detail::AllDigits all(out);
-  const char* separator = "[\n";
-  for (const double t : times) {
-    const std::vector<RigidBodyState<>> states = trajectory.at(t);
-    out << separator << "{\"time\":" << t << ",\"bodies\":[";
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      out << (i == 0 ? "{" : ",{");
-      detail::write_json_members(out, bodies[i], states[i]);
-      out << '}';
-    }
-    out << "]}";
-    separator = ",\n";
-  }
-  out << (times.empty() ? "[]\n" : "\n]\n");
-}
+void write_json(std::ostream& out, const std::vector<RigidBody<>>& bodies,
+                const SceneTrajectory& trajectory, std::span<const double> times);
 
 /// @}
 
 }  // namespace tumble::output
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/simulate/write_states.inl"
+#endif

@@ -18,13 +18,7 @@ namespace tumble::detail {
 inline double phi1(double y) { return y == 0 ? 1 : std::expm1(y) / y; }
 
 /// (e^y − 1 − y)/y², ½ at y = 0.
-inline double phi2(double y) {
-  if (y == 0) return 0.5;
-  if (std::abs(y) > 1) return (phi1(y) - 1) / y;
-  double sum = 0;
-  for (int k = 18; k >= 2; --k) sum = (sum * y + 1) / k;  // Σ y^(k−2)/k!, from the smallest term
-  return sum;
-}
+double phi2(double y);
 
 }  // namespace tumble::detail
 
@@ -62,3 +56,7 @@ class SteadyPath {
 /// @}
 
 }  // namespace tumble::steady
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/steady/steady_path.inl"
+#endif

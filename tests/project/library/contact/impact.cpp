@@ -1,4 +1,5 @@
 #include "tumble/contact/impact.hpp"
+#include "tumble/contact/friction_cone.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,6 +5,7 @@
 /// where it does must be the same for every body. The namespace gets another name here, so that no
 /// other file of this program, which all are compiled without, shares a function with this one.
 #define tumble tumble_fused
+#undef TUMBLE_COMPILED
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
 #include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mass/require_volume.hpp"
 
 #include <doctest/doctest.h>
 

@@ -6,6 +6,7 @@
 
 #include "project/harness/refusal.hpp"
 #include "project/library/mass/part_meshes.hpp"
+#include "tumble/mass/parts/diagnose.hpp"
 #include "tumble/mass/parts/mass_properties.hpp"
 
 using namespace tumble;

@@ -10,6 +10,7 @@
 #include "project/harness/scanned_meshes.hpp"
 #include "project/library/mesh/shapes.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mesh/coordinate_rounding.hpp"
 #include "tumble/mesh/diagnose.hpp"
 #include "tumble/mesh/read_obj.hpp"
 

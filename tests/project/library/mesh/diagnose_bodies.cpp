@@ -5,6 +5,7 @@
 
 #include "project/library/mesh/shapes.hpp"
 #include "tumble/mesh/diagnose.hpp"
+#include "tumble/mesh/weld.hpp"
 
 using namespace tumble;
 

@@ -8,6 +8,7 @@
 #include "project/harness/inputs.hpp"
 #include "project/library/mesh/shapes.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mesh/weld.hpp"
 
 using namespace tumble;
 

@@ -1,4 +1,7 @@
 #include "tumble/mesh/read_obj.hpp"
+#include "tumble/mesh/line_blocks.hpp"
+#include "tumble/mesh/obj_keywords.hpp"
+#include "tumble/mesh/parse_obj.hpp"
 
 #include <doctest/doctest.h>
 

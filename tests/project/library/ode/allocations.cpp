@@ -10,6 +10,7 @@ int& heap_uses();
 #define eigen_assert(condition) ((condition) ? void() : void(++heap_uses()))
 #define Eigen Eigen_that_counts
 #define tumble tumble_that_counts
+#undef TUMBLE_COMPILED
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "project/harness/refusal.hpp"
+#include "tumble/body/forces_between.hpp"
 #include "tumble/ode/dop853.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
 #include "tumble/simulate/first_event.hpp"

@@ -1,4 +1,5 @@
 #include "tumble/simulate/simulate_changes.hpp"
+#include "tumble/body/forces_between.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,7 +7,9 @@
 
 #include "project/harness/inputs.hpp"
 #include "project/library/mesh/shapes.hpp"
+#include "tumble/mesh/check_edges.hpp"
 #include "tumble/mesh/diagnose.hpp"
+#include "tumble/mesh/edge_use.hpp"
 
 using namespace tumble;
 using objects::Object;

@@ -3,9 +3,6 @@
 /// What is wrong with the parts of a mesh, each by itself and all together, in words that name
 /// them.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <set>
@@ -14,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "tumble/mass/mesh_mass_properties.hpp"
 #include "tumble/mass/parts/renumbered.hpp"
 #include "tumble/mass/parts/split.hpp"
 #include "tumble/mesh/diagnose.hpp"
@@ -26,16 +22,7 @@ inline int number_at(const std::vector<int>& numbers, int i) {
 }
 
 /// A finding of a part's own mesh as one of the whole mesh.
-inline MeshDefect in_the_whole(MeshDefect finding, const parts::Part& part) {
-  const auto number = [](const std::vector<int>& of_whole) {
-    return [&of_whole](int i) { return std::to_string(number_at(of_whole, i) + 1); };
-  };
-  finding.message = "\"" + part.name +
-                    "\": " + renumbered(finding.message, number(part.faces), number(part.vertices));
-  finding.face = number_at(part.faces, finding.face);
-  for (int& v : finding.edge) v = number_at(part.vertices, v);
-  return finding;
-}
+MeshDefect in_the_whole(MeshDefect finding, const parts::Part& part);
 
 /// The parts side by side, as if they shared no vertices: where they touch there is no edge of four
 /// faces.
@@ -86,43 +73,16 @@ class SideBySide {
 
 /// By how much a share of the mass may be larger than the same share of the volume, if it counts
 /// for the densest of the parts: 1 if all densities are equal.
-inline double densest_to_mean(std::span<const parts::Part> parts) {
-  double volume = 0, mass = 0, densest = 0;
-  for (const parts::Part& part : parts) {
-    const double v = unchecked_mass_properties(part.mesh, 1, Accuracy::fast).mass;
-    volume += v;
-    mass += v * part.density;
-    densest = std::max(densest, part.density);
-  }
-  return densest * volume / mass;
-}
+double densest_to_mean(std::span<const parts::Part> parts);
 
 /// A crossing of parts is judged by the mass that counts wrongly.
 /// @param factor as densest_to_mean() gives it
-inline void weigh_share(MeshDefect& crossing, double factor) {
-  if (std::isnan(crossing.share)) return;
-  crossing.share *= factor;
-  crossing.share_uncertainty *= factor;
-  std::array<char, 40> share{};
-  std::snprintf(share.data(), share.size(), "%.2g", crossing.share);
-  crossing.message += ", up to " + std::string(share.data()) + " of the mass";
-}
+void weigh_share(MeshDefect& crossing, double factor);
 
 /// Where parts pass through each other, or one lies in the inside of another.
-inline std::vector<MeshDefect> find_overlaps(std::span<const parts::Part> parts,
-                                             const simd::LoopOptions& options,
-                                             crossings::Search search,
-                                             std::optional<double> rounding) {
-  const SideBySide all(parts);
-  std::vector<MeshDefect> findings;
-  for (const MeshDefect& finding : tumble::diagnose(all.mesh, options, search, rounding))
-    if (finding.kind == MeshDefectKind::self_crossing ||
-        finding.kind == MeshDefectKind::nested_wrong)
-      findings.push_back(all.in_the_whole(finding));
-  for (MeshDefect& finding : findings)
-    if (finding.kind == MeshDefectKind::self_crossing) weigh_share(finding, densest_to_mean(parts));
-  return findings;
-}
+std::vector<MeshDefect> find_overlaps(std::span<const parts::Part> parts,
+                                      const simd::LoopOptions& options, crossings::Search search,
+                                      std::optional<double> rounding);
 
 }  // namespace tumble::detail
 
@@ -137,24 +97,14 @@ namespace tumble::parts {
 /// closed, and as closely as whether one mesh crosses itself; the share of such a finding is the
 /// largest share of the mass that may count wrongly.
 /// @param rounding of the coordinates, as tumble::diagnose() takes it
-inline std::vector<MeshDefect> diagnose(std::span<const Part> parts,
-                                        const simd::LoopOptions& options = {},
-                                        crossings::Search search = crossings::Search::usual,
-                                        std::optional<double> rounding = {}) {
-  std::vector<MeshDefect> findings;
-  for (const Part& part : parts)
-    for (const MeshDefect& finding : tumble::diagnose(part.mesh, options, search, rounding))
-      findings.push_back(detail::in_the_whole(finding, part));
-  const bool all_closed =
-      std::none_of(findings.begin(), findings.end(), [](const MeshDefect& finding) {
-        return spoils_integrals(finding) && finding.kind != MeshDefectKind::self_crossing;
-      });
-  if (parts.size() < 2 || !all_closed) return findings;
-  for (const MeshDefect& overlap : detail::find_overlaps(parts, options, search, rounding))
-    findings.push_back(overlap);
-  return findings;
-}
+std::vector<MeshDefect> diagnose(std::span<const Part> parts, const simd::LoopOptions& options = {},
+                                 crossings::Search search = crossings::Search::usual,
+                                 std::optional<double> rounding = {});
 
 /// @}
 
 }  // namespace tumble::parts
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/parts/diagnose.inl"
+#endif

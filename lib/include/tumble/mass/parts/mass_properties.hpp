@@ -4,11 +4,11 @@
 
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tumble/mass/mesh_mass_properties.hpp"
-#include "tumble/mass/parts/diagnose.hpp"
+#include "tumble/mass/parts/split.hpp"
+#include "tumble/mesh/labelled_mesh.hpp"
 
 namespace tumble::parts {
 
@@ -91,31 +91,12 @@ namespace tumble::parts {
 /// @{
 
 /// Mass properties of parts that are known to be closed, and not to overlap; nothing is checked.
-inline Assembly unchecked_mass_properties(std::span<const Part> parts,
-                                          Accuracy accuracy = Accuracy::tight,
-                                          const simd::LoopOptions& loop = {}) {
-  Assembly result;
-  std::vector<detail::MeshIntegrals> integrals;
-  Eigen::AlignedBox3d box;
-  for (const Part& part : parts) {
-    integrals.push_back(detail::integrals_over(part.mesh, accuracy, loop));
-    box.extend(integrals.back().reference);
-    result.parts.push_back(
-        {integrals.back().at(part.density), part.name, part.density, part.mesh.face_count()});
-  }
-  detail::WeightedIntegrals sum(box.center(), parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) sum.add(integrals[i], parts[i].density);
-  static_cast<BoundedMassProperties&>(result) = sum.body();
-  return result;
-}
+Assembly unchecked_mass_properties(std::span<const Part> parts, Accuracy accuracy = Accuracy::tight,
+                                   const simd::LoopOptions& loop = {});
 
 /// Refuses parts of which no digit is certain, and says which.
 /// @throws std::invalid_argument as require_volume() does
-inline void require_volumes(const Assembly& body) {
-  for (const PartMass& part : body.parts)
-    detail::require_at([&] { require_volume(part); }, "the part \"", part.name, "\": ");
-  require_volume(body);
-}
+void require_volumes(const Assembly& body);
 
 /// Mass, centre of mass and inertia of a body whose parts have densities of their own, with bounds
 /// of their rounding errors: of each part and of the whole. Holes in a part are surfaces of this
@@ -125,17 +106,13 @@ inline void require_volumes(const Assembly& body) {
 /// @param densities of all faces, by the names of materials, groups or objects [kg/m³]
 /// @throws std::invalid_argument as split() does; and as tumble::mesh_mass_properties() does, of
 ///         each part and also if parts overlap
-inline Assembly mass_properties(const LabelledMesh& mesh, const Densities& densities,
-                                const MassOptions& options = {}) {
-  const std::vector<Part> all = split(mesh, densities);
-  std::vector<MeshDefect> findings = diagnose(all, options.loop, options.search);
-  require_body(findings, options.policy, options.tolerance);
-  Assembly body = unchecked_mass_properties(all, options.accuracy, options.loop);
-  if (options.policy == Policy::refuse) require_volumes(body);
-  body.findings = std::move(findings);
-  return body;
-}
+Assembly mass_properties(const LabelledMesh& mesh, const Densities& densities,
+                         const MassOptions& options = {});
 
 /// @}
 
 }  // namespace tumble::parts
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/parts/mass_properties.inl"
+#endif

@@ -7,19 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "tumble/mesh/mesh_defect.hpp"
-
 namespace tumble::detail {
 
 /// Whether a number sign behind some words stands before a vertex: they say what it counts, as in
 /// "edge #3–#7 of the faces #1 and #2".
-inline bool counts_vertices(std::string_view words) {
-  const auto last = [words](const char* noun) {
-    const std::size_t at = words.rfind(noun);
-    return at == std::string_view::npos ? -1 : static_cast<std::ptrdiff_t>(at);
-  };
-  return std::max(last("edge"), last("vertex")) > last("face");
-}
+bool counts_vertices(std::string_view words);
 
 /// The message with other numbers behind its number signs.
 /// @param face   what stands there instead, of the index of a face from 0
@@ -42,3 +34,7 @@ std::string renumbered(const std::string& message, const FaceText& face, const V
 }
 
 }  // namespace tumble::detail
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/parts/renumbered.inl"
+#endif

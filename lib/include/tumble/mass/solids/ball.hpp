@@ -5,8 +5,6 @@
 /// Source: any table of moments of inertia, e.g. Meriam & Kraige, "Engineering Mechanics: Dynamics"
 /// (7th ed. 2012), table D/4.
 
-#include <numbers>
-
 #include "tumble/mass/solids/solid_checks.hpp"
 
 namespace tumble {
@@ -29,14 +27,12 @@ struct Ball {
 /// Mass properties of a homogeneous ball.
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if the radius or the density is not positive and finite
-inline MassProperties mass_properties(const Ball& ball, double density) {
-  detail::require_positive(density, "the density");
-  detail::require_positive(ball.radius, "the ball's radius");
-  const double r = ball.radius, mass = density * (4 * std::numbers::pi / 3 * r * r * r);
-  const double I = 0.4 * mass * r * r;
-  return detail::symmetric_body(mass, 0, I, I, I);
-}
+MassProperties mass_properties(const Ball& ball, double density);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/solids/ball.inl"
+#endif

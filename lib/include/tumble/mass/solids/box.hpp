@@ -28,15 +28,12 @@ struct Box {
 /// Mass properties of a homogeneous box.
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a length or the density is not positive and finite
-inline MassProperties mass_properties(const Box& box, double density) {
-  detail::require_positive(density, "the density");
-  const Vec3 squares = box.bounds().sizes().cwiseAbs2();
-  const double mass = density * box.size.prod();
-  return detail::symmetric_body(mass, 0, mass * (squares.y() + squares.z()) / 12,
-                                mass * (squares.z() + squares.x()) / 12,
-                                mass * (squares.x() + squares.y()) / 12);
-}
+MassProperties mass_properties(const Box& box, double density);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/solids/box.inl"
+#endif

@@ -7,8 +7,6 @@
 /// base. Source: the parts from Meriam & Kraige, "Engineering Mechanics: Dynamics" (7th ed. 2012),
 /// table D/4, joined by the parallel axis theorem.
 
-#include <numbers>
-
 #include "tumble/mass/solids/solid_checks.hpp"
 
 namespace tumble {
@@ -39,17 +37,12 @@ struct Capsule {
 /// Mass properties of a homogeneous capsule.
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a dimension or the density is wrong
-inline MassProperties mass_properties(const Capsule& capsule, double density) {
-  detail::require_positive(density, "the density");
-  const double r = capsule.bounds().max().x(), r2 = r * r, h = capsule.height;
-  const double cylinder = density * (std::numbers::pi * r2 * h);
-  const double caps = density * (4 * std::numbers::pi / 3 * r2 * r);
-  const double across =
-      cylinder * (3 * r2 + h * h) / 12 + caps * (0.4 * r2 + h * h / 4 + 0.375 * h * r);
-  return detail::symmetric_body(cylinder + caps, 0, across, across,
-                                cylinder * r2 / 2 + 0.4 * caps * r2);
-}
+MassProperties mass_properties(const Capsule& capsule, double density);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/solids/capsule.inl"
+#endif

@@ -6,8 +6,6 @@
 /// Source: any table of moments of inertia, e.g. Meriam & Kraige, "Engineering Mechanics: Dynamics"
 /// (7th ed. 2012), table D/4.
 
-#include <numbers>
-
 #include "tumble/mass/solids/solid_checks.hpp"
 
 namespace tumble {
@@ -36,15 +34,12 @@ struct Cone {
 /// Mass properties of a homogeneous cone.
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a dimension or the density is not positive and finite
-inline MassProperties mass_properties(const Cone& cone, double density) {
-  detail::require_positive(density, "the density");
-  const Vec3 corner = cone.bounds().max();
-  const double r2 = corner.x() * corner.x(), h = corner.z();
-  const double mass = density * (std::numbers::pi * r2 * h / 3);
-  const double across = 3 * mass * (4 * r2 + h * h) / 80;
-  return detail::symmetric_body(mass, h / 4, across, across, 3 * mass * r2 / 10);
-}
+MassProperties mass_properties(const Cone& cone, double density);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/solids/cone.inl"
+#endif

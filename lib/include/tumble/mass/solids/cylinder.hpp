@@ -5,8 +5,6 @@
 /// Source: any table of moments of inertia, e.g. Meriam & Kraige, "Engineering Mechanics: Dynamics"
 /// (7th ed. 2012), table D/4.
 
-#include <numbers>
-
 #include "tumble/mass/solids/solid_checks.hpp"
 
 namespace tumble {
@@ -33,15 +31,12 @@ struct Cylinder {
 /// Mass properties of a homogeneous cylinder.
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a dimension or the density is not positive and finite
-inline MassProperties mass_properties(const Cylinder& cylinder, double density) {
-  detail::require_positive(density, "the density");
-  const Vec3 corner = cylinder.bounds().max();
-  const double r2 = corner.x() * corner.x(), h = 2 * corner.z();
-  const double mass = density * (std::numbers::pi * r2 * h);
-  const double across = mass * (3 * r2 + h * h) / 12;
-  return detail::symmetric_body(mass, 0, across, across, mass * r2 / 2);
-}
+MassProperties mass_properties(const Cylinder& cylinder, double density);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/solids/cylinder.inl"
+#endif

@@ -5,8 +5,6 @@
 /// Source: any table of moments of inertia, e.g. Meriam & Kraige, "Engineering Mechanics: Dynamics"
 /// (7th ed. 2012), table D/4.
 
-#include <numbers>
-
 #include "tumble/mass/solids/solid_checks.hpp"
 
 namespace tumble {
@@ -30,15 +28,12 @@ struct Ellipsoid {
 /// Mass properties of a homogeneous ellipsoid.
 /// @param density [kg/m³]
 /// @throws std::invalid_argument if a half axis or the density is not positive and finite
-inline MassProperties mass_properties(const Ellipsoid& ellipsoid, double density) {
-  detail::require_positive(density, "the density");
-  const Vec3 squares = ellipsoid.bounds().max().cwiseAbs2();
-  const double mass = density * (4 * std::numbers::pi / 3 * ellipsoid.radii.prod());
-  return detail::symmetric_body(mass, 0, mass * (squares.y() + squares.z()) / 5,
-                                mass * (squares.z() + squares.x()) / 5,
-                                mass * (squares.x() + squares.y()) / 5);
-}
+MassProperties mass_properties(const Ellipsoid& ellipsoid, double density);
 
 /// @}
 
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED
+#include "tumble/mass/solids/ellipsoid.inl"
+#endif

@@ -1,0 +1,138 @@
+#pragma once
+
+#include "tumble/mesh/check_crossing.hpp"
+
+#include <array>
+#include <sstream>
+
+#include "tumble/core/compiled.hpp"
+#include "tumble/mesh/check_parts.hpp"
+
+namespace tumble::detail {
+
+TUMBLE_BODY std::string describe_line(const LineHit& hit) {
+  std::ostringstream text;
+  text.precision(9);
+  if (hit.view.axis == 2)
+    text << "going up the line ";
+  else
+    text << "going along " << hit.view.name(2) << " on the line ";
+  text << hit.view.name(0) << " = " << hit.line.x() << ", " << hit.view.name(1) << " = "
+       << hit.line.y();
+  return text.str();
+}
+
+TUMBLE_BODY std::string describe_wrong_depth(const WrongDepth& wrong) {
+  std::ostringstream text;
+  text.precision(9);
+  const auto place = [&](const LineHit& hit) {
+    std::ostringstream at;
+    at.precision(9);
+    at << hit.view.name(2) << " = " << hit.z << " (face #" << hit.face + 1 << ")";
+    return at.str();
+  };
+  text << "the surface passes through itself: " << describe_line(wrong.here);
+  if (wrong.depth < 0)
+    text << ", you leave the body at " << place(wrong.here) << " without having entered it";
+  else
+    text << ", you enter the body at " << place(wrong.before) << " and again at "
+         << place(wrong.here) << " without leaving it in between; what lies "
+         << (wrong.here.view.axis == 2 ? "above" : "behind") << " counts " << wrong.depth
+         << " times";
+  return text.str();
+}
+
+TUMBLE_BODY std::string describe_share(double share, double uncertainty) {
+  std::array<char, 80> text;
+  std::snprintf(text.data(), text.size(), "; %.2g ± %.1g of the volume count wrongly", share,
+                uncertainty);
+  return text.data();
+}
+
+TUMBLE_BODY std::vector<WrongDepth> all_wrong_depths(const LineBundle& bundle) {
+  std::vector<WrongDepth> all;
+  bundle.for_each([&](const LineHits& hits) {
+    const std::vector<WrongDepth> some = find_wrong_depths(hits);
+    all.insert(all.end(), some.begin(), some.end());
+  });
+  return all;
+}
+
+TUMBLE_BODY std::string describe_meeting(const TriangleMeeting& meeting) {
+  std::ostringstream text;
+  text.precision(9);
+  const Vec3& p = meeting.crossing.place;
+  text << "the surface passes through itself: faces #" << meeting.faces[0] + 1 << " and #"
+       << meeting.faces[1] + 1 << " meet at about (" << p.x() << ", " << p.y() << ", " << p.z()
+       << ")";
+  return text.str();
+}
+
+TUMBLE_BODY MeshDefect crossing_defect(const CrossingQuestion& of, const CrossingEvidence& evidence,
+                                       const WrongDepth* longest, const WrongVolume& found) {
+  const auto& meetings =
+      evidence.meetings.through.empty() ? evidence.meetings.touching : evidence.meetings.through;
+  MeshDefect crossing{.kind = MeshDefectKind::self_crossing,
+                      .face = longest ? longest->here.face : meetings.front().faces[0]};
+  crossing.message = longest ? describe_wrong_depth(*longest) : describe_meeting(meetings.front());
+  const double share = found.volume / of.volume(), uncertainty = found.uncertainty / of.volume();
+  if (!std::isfinite(share) || !std::isfinite(uncertainty)) return crossing;  // of no volume
+  crossing.share = share;
+  crossing.share_uncertainty = uncertainty;
+  crossing.message += describe_share(share, uncertainty);
+  return crossing;
+}
+
+TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
+                                                     TriangleMeetings meetings, double blur) {
+  meetings.forgive(blur);
+  CrossingEvidence evidence{of.hits(blur), false, std::move(meetings)};
+  const std::vector<WrongDepth> wrong = all_wrong_depths(evidence.bundle);
+  const auto& [through, touching] = evidence.meetings;
+  const bool suspicious = !wrong.empty() || !through.empty() || of.also_touching;
+  if (!of.also_touching) evidence.meetings.touching.clear();
+  evidence.is_seen = !wrong.empty();
+  const bool one_looks_inwards = std::any_of(of.surface.parts.begin(), of.surface.parts.end(),
+                                             [](const Component& part) { return part.volume < 0; });
+  if (!suspicious && !one_looks_inwards) return {};
+  const std::vector<PartDepth> depths = measure_parts(evidence.bundle, of.surface);
+  std::vector<MeshDefect> findings = find_wrong_parts(of.mesh, of.surface, depths, blur);
+  const auto crosses = [&](const LineHit& hit) {
+    const PartDepth& depth = depths[static_cast<std::size_t>(hit.part)];
+    return depth.crosses_itself || depth.crosses_another();
+  };
+  const auto counts = [&, unexplained = findings.empty()](const WrongDepth& place) {
+    return unexplained || crosses(place.here) || crosses(place.before);
+  };
+  const WrongDepth* const longest = longest_of(wrong, counts);
+  if (longest == nullptr && (!wrong.empty() || (through.empty() && touching.empty())))
+    return findings;
+  const WrongVolume found = wrong_volume(of.mesh, of.surface, of.box, evidence, blur, counts);
+  if (longest != nullptr || found.volume > 0)
+    findings.push_back(crossing_defect(of, evidence, longest, found));
+  return findings;
+}
+
+TUMBLE_BODY std::vector<MeshDefect> as_rounding(const std::vector<MeshDefect>& findings) {
+  std::vector<MeshDefect> notes;
+  for (const MeshDefect& finding : findings) {
+    if (finding.kind != MeshDefectKind::self_crossing || std::isnan(finding.share)) continue;
+    notes.push_back(finding);
+    notes.back().may_be_rounding = true;
+    notes.back().message = "perhaps because the last digit is rounded, " + finding.message;
+  }
+  return notes;
+}
+
+TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
+                                                     const TriangleMeetings& meetings) {
+  const double blur = double_blur(of.box);
+  std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, blur);
+  if (findings.empty() || counts_too_much(findings)) return findings;
+  const double written = of.written();
+  if (!(written > blur)) return findings;
+  std::vector<MeshDefect> left = find_wrong_depth(of, meetings, written);
+  return left.empty() ? as_rounding(findings) : left;
+}
+
+}  // namespace tumble::detail

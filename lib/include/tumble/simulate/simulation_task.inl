@@ -1,0 +1,23 @@
+#pragma once
+
+#include "tumble/simulate/simulation_task.hpp"
+
+#include <cmath>
+
+#include "tumble/core/compiled.hpp"
+#include "tumble/core/require.hpp"
+
+namespace tumble::detail {
+
+TUMBLE_BODY void require_valid_task(const SimulationTask& task) {
+  require(std::isfinite(task.t0) && std::isfinite(task.t1), "simulate: from t0 = ", task.t0,
+          " to t1 = ", task.t1, " is not a span of time");
+  require(task.tolerance > 0 && std::isfinite(task.tolerance), "simulate: the tolerance ",
+          task.tolerance, " is not positive and finite");
+  require(task.longest_step > 0, "simulate: longest_step = ", task.longest_step,
+          " s is not positive");
+  for (const double t : task.breaks)
+    require(std::isfinite(t), "simulate: a break at t = ", t, " is not a time");
+}
+
+}  // namespace tumble::detail
