@@ -28,7 +28,8 @@ std::string joined(std::string text, const std::regex& pair) {
 /// What stays in one line, as two groups with the blank between them.
 const std::vector<std::regex>& pairs_in_words() {
   static const std::string
-      unit = "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|AU|kB|MB|GB)(?![A-Za-z0-9])",
+      unit =
+          "(?:%|°|(?:k|c|m|µ|n)?(?:m|s|g|N|J|W|Hz)(?:²|³)?|Pa|rad|min|AU|kB|MB|GB)(?![A-Za-z0-9])",
       component = "(?:−)?(?:[0-9.]+|½|¼|¾|[a-z])", letter = "(?:[b-hj-zB-HJ-Z]|ω)",
       sign = "(?:−|\\+|×|=|/|±|∓|≤|≥)", sum = "(?:−∫|∫|∬|Σ)", blank = "(?: |\u00a0)",
       opens = "(?:^| |\u00a0|[(])", ends = "(?![A-Za-z0-9'_])";
@@ -48,11 +49,11 @@ const std::vector<std::regex>& pairs_in_words() {
       pair("[^ |]", sign + blank),                            // a =
       pair("[0-9] ·", "[0-9(]"),                              // 8 · 0.6
       pair("½", "[A-Z|]|ω"),                                  // ½ |v|²
-      pair("\\)|¹|ᵀ",
-           "\\(|[A-Z](?:<sub>[a-z]</sub>)?\\("),         // (a) (b), a⁻¹ R(b)
-      pair("sin|cos|tan", "[a-z]" + std::string(ends)),  // sin t
-      pair("±…", "i" + std::string(ends)),               // ±… i
-      pair(opens + letter, letter + ends)};              // m v
+      pair("\\)|¹|ᵀ|[A-Za-z][|]",
+           "\\(|[|][A-Za-z]|[A-Z](?:<sub>[a-z]</sub>)?\\("),  // (a) (b), a⁻¹ R(b), |t| (a)
+      pair("sin|cos|tan", "[a-z]" + std::string(ends)),       // sin t
+      pair("±…", "i" + std::string(ends)),                    // ±… i
+      pair(opens + letter, letter + ends)};                   // m v
   return all;
 }
 

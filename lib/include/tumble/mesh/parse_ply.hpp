@@ -154,9 +154,8 @@ class PlyBodyReader {
   }
 
   bool has(std::string_view name) const {
-    for (const PlyElement& element : header_.elements)
-      if (element.name == name) return true;
-    return false;
+    return std::ranges::any_of(header_.elements,
+                               [&](const PlyElement& element) { return element.name == name; });
   }
 
   /// "'Vertex', 'face'": a name in another spelling is another name.
