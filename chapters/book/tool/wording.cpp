@@ -63,7 +63,9 @@ std::string with_units(const std::string& words) {
   static const std::regex without_blank("([0-9]e-(?=[0-9])|[0-9]–(?=[0-9])|[|](?=²|³)|[)](?=[(]))");
   std::string text = std::regex_replace(words, without_blank, std::string("$1") + joiner);
   for (const std::regex& pair : pairs_in_words()) text = joined(text, pair);
-  return text;
+  // Behind a bar a line may break, even before an unbroken blank.
+  static const std::regex behind_bar(std::string("[|](?=") + unbroken + ")");
+  return std::regex_replace(text, behind_bar, std::string("|") + joiner);
 }
 
 /// @param before the character before the words

@@ -173,7 +173,7 @@ TEST_CASE("a vector and a formula of a few letters stay in one line") {
   CHECK(project.converted("(p − c)(p − c)ᵀ, − sin t, sin to\n") ==
         "(p\u00a0−\u00a0c)\u2060(p\u00a0−\u00a0c)ᵀ,\u00a0−\u00a0sin\u00a0t, sin to\n");
   CHECK(project.converted("|t| |L| (1 + a), 14 min, | a | (b) |\n") ==
-        "|t|\u00a0|L|\u00a0(1\u00a0+\u00a0a), 14\u00a0min, | a | (b) |\n");
+        "|t|\u2060\u00a0|L|\u2060\u00a0(1\u00a0+\u00a0a), 14\u00a0min, | a | (b) |\n");
   CHECK(project.converted("8 · 0.6 · (1 + 2), (½, −½), 5–48\n") ==
         "8 ·\u00a00.6 ·\u00a0(1\u00a0+\u00a02), (½,\u00a0−½), 5–\u206048\n");
   CHECK(project.converted("|q|², body → world\n") == "|q|\u2060², body\u00a0→\u00a0world\n");

@@ -154,8 +154,8 @@ class PlyBodyReader {
   }
 
   bool has(std::string_view name) const {
-    return std::ranges::any_of(header_.elements,
-                               [&](const PlyElement& element) { return element.name == name; });
+    return std::any_of(header_.elements.begin(), header_.elements.end(),
+                       [&](const PlyElement& element) { return element.name == name; });
   }
 
   /// "'Vertex', 'face'": a name in another spelling is another name.
