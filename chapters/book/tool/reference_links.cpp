@@ -15,6 +15,12 @@ std::string without_tags(std::string html) {
   return html;
 }
 
+/// In a sentence `tumble::compiled` may be CMake's target.
+bool begins_a_cell(const std::string& html, std::size_t at) {
+  const auto cell = html.rfind("<td", at);
+  return cell != std::string::npos && without_tags(html.substr(cell, at - cell)).empty();
+}
+
 }  // namespace
 
 std::string with_reference_links(const std::string& html, const std::vector<Entry>& names) {
@@ -27,7 +33,7 @@ std::string with_reference_links(const std::string& html, const std::vector<Entr
     const auto stop = html.find(end, begin);
     const std::string name =
         without_tags(html.substr(begin + start.size(), stop - begin - start.size()));
-    if (name.starts_with("tumble::")) scope = name;
+    if (name.starts_with("tumble::") && begins_a_cell(html, begin)) scope = name;
     const auto address = addresses.find(std::string(scope).append("::").append(name));
     const std::string code = html.substr(begin, stop + end.size() - begin);
     result += html.substr(at, begin - at) +

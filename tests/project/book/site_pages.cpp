@@ -176,12 +176,12 @@ TEST_CASE("the names of the library's page lead to their reference, each in its 
   const std::vector<Entry> names{{"a.html", "Reference", "tumble::pack", "", ""},
                                  {"b.html", "Reference", "tumble::rotation::pack", "", ""}};
   CHECK(with_reference_links(
-            "<code>pack</code>, <code>more</code>; <code><a>tumble::rotation</a></code>: "
-            "<code>pack</code>.",
+            "<code>tumble::compiled</code> <code>pack</code>, <code>more</code>; "
+            "<td class=\"x\"><code><a>tumble::rotation</a></code>: <code>pack</code>.",
             names) ==
-        "<a href=\"a.html\"><code>pack</code></a>, <code>more</code>; "
-        "<code><a>tumble::rotation</a></code>: "
-        "<a href=\"b.html\"><code>pack</code></a>.");
+        "<code>tumble::compiled</code> <a href=\"a.html\"><code>pack</code></a>, "
+        "<code>more</code>; <td class=\"x\"><code><a>tumble::rotation</a></code>: <a "
+        "href=\"b.html\"><code>pack</code></a>.");
 }
 
 TEST_CASE("what is printed: unfolded, without what steers a screen, with links inside the book") {
