@@ -158,7 +158,8 @@ TEST_CASE("moving figures: controls, keys and the pointer change them, and a lin
       browser.evaluate(
           "(() => { const e = figure.fields[" + std::to_string(k) +
           "].row.querySelector('input, select'); e.value = e.tagName === 'SELECT' ? "
-          "(e.selectedIndex + 1) % e.options.length : (+e.value + +e.max) / 2; "
+          "(e.selectedIndex + 1) % e.options.length : "
+          "(+e.value + +(e.value == e.max ? e.min : e.max)) / 2; "
           "e.dispatchEvent(new Event(e.tagName === 'SELECT' ? 'change' : 'input')); })()");
       CHECK(picture() != still);
       browser.evaluate("figure.reset()");
