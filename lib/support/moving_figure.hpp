@@ -69,6 +69,13 @@ inline std::vector<double> start_of(const MovingFigure& figure) {
   return settings;
 }
 
+/// " re im"
+inline std::string names_of_controls(const MovingFigure& figure) {
+  std::string names;
+  for (const Control& control : figure.controls) names.append(" ").append(control.name);
+  return names;
+}
+
 /// The same, changed by "name=value" each.
 /// @throws std::invalid_argument for a control that there is not, or a value that it can't have
 inline std::vector<double> settings_of(const MovingFigure& figure,
@@ -80,7 +87,7 @@ inline std::vector<double> settings_of(const MovingFigure& figure,
         std::find_if(figure.controls.begin(), figure.controls.end(),
                      [&](const Control& each) { return each.name == change.substr(0, sign); });
     require(control != figure.controls.end(), "the figure '", figure.name, "' has no control '",
-            change.substr(0, sign), "'");
+            change.substr(0, sign), "'; there are:", names_of_controls(figure));
     char* end = nullptr;
     const double value = std::strtod(change.c_str() + std::min(sign + 1, change.size()), &end);
     require(sign + 1 < change.size() && *end == 0, "'", change, "' is not CONTROL=NUMBER");

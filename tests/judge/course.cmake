@@ -47,11 +47,9 @@ endfunction()
 function(tumble_add_judge_program target course_json)
   set(course_file ${CMAKE_CURRENT_BINARY_DIR}/${target}_course_file.cpp)
   configure_file(${tumble_judge_folder}/commands/course_file.cpp.in ${course_file} @ONLY)
-  add_executable(${target} ${tumble_judge_folder}/commands/main.cpp ${tumble_judge_folder}/spec/doctest.cpp
-    ${course_file} $<TARGET_OBJECTS:tumble_mark_of_judge>)
+  add_executable(${target} ${course_file} $<TARGET_OBJECTS:tumble_mark_of_judge>)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF ENABLE_EXPORTS ON) # specs use what it has
   target_link_libraries(${target} PRIVATE tumble_judge_core tumble_judge_commands)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # What a worker of this unit is linked with beside the student's file, as JSON: the solutions of earlier
@@ -136,7 +134,7 @@ function(tumble_add_judge target root)
   tumble_add_header_mark()
   tumble_add_judge_program(${target} ${course_json})
   add_custom_target(${prefix}all_specs)
-  add_dependencies(${prefix}all_specs grading_tools) # who grades a class has archives
+  add_dependencies(${prefix}all_specs grading_tools tumble_judge_grading) # who grades a class has archives
 
   file(GLOB contracts ${root}/exercises/[0-9]*/contract.hpp)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/exercises)
@@ -154,6 +152,12 @@ function(tumble_add_judge target root)
       tumble_add_unit(${target} ${root} "${prefix}" ${chapter} "${unit}")
     endforeach()
   endforeach()
+
+  # What judging any unit needs: it can be built beside the judge, before one knows which units.
+  get_property(first_student_object GLOBAL PROPERTY tumble_first_student_object)
+  add_custom_target(${prefix}any_spec)
+  add_dependencies(${prefix}any_spec ${target} tumble_worker tumble_student_pch tumble_spec_headers
+    ${first_student_object})
 
   set(engine)
   set(die)

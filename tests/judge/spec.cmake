@@ -15,6 +15,18 @@ function(tumble_add_spec_headers)
     ${tumble_judge_folder}/protocol/eigen_assertions.hpp ${tumble_judge_folder}/spec/spec.hpp <Eigen/LU>)
 endfunction()
 
+# For a target on the judge's side: it begins with what every spec includes. Where that has other options, with
+# the assertions alone.
+function(tumble_use_spec_headers target)
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR TUMBLE_COMPUTES_LITTLE)
+    target_link_libraries(${target} PRIVATE tumble_eigen_throws)
+    return()
+  endif()
+  tumble_add_spec_headers()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_precompile_headers(${target} REUSE_FROM tumble_spec_headers)
+endfunction()
+
 # A spec and its judge share objects: a spec that older headers have laid out otherwise would end the judge.
 function(tumble_add_header_mark)
   if(TARGET tumble_mark_of_spec)

@@ -12,6 +12,7 @@
 
 #include "judge/build/submission.hpp"
 #include "judge/class/file_names.hpp"
+#include "judge/class/tools.hpp"
 #include "judge/sandbox/confined_process.hpp"
 #include "judge/sandbox/pipe.hpp"
 #include "support/text_file.hpp"
@@ -20,8 +21,6 @@
 namespace tumble::judge {
 
 namespace {
-
-#ifdef TUMBLE_UNPACK
 
 /// Reads, computes, writes to its pipe, and nothing else.
 Walls walls_of(const fs::path& program) {
@@ -60,7 +59,10 @@ std::string bytes_in(const nlohmann::json& binary) {
 std::string read_archive(const fs::path& archive, const char* what, std::size_t most_output,
                          const Limits& limits,
                          const std::function<void(const nlohmann::json&)>& each) {
-  const fs::path program = TUMBLE_UNPACK;
+  const fs::path program = archive_reader;
+  if (program.empty())  // no student's fault
+    throw std::runtime_error("cannot read " + archive.string() +
+                             ": tumble was built without libarchive");
   // O_NONBLOCK: a pipe of that name would wait for its writer.
   const Descriptor file(::open(archive.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (file.number() < 0) require_working_machine(archive, errno);
@@ -127,8 +129,6 @@ void put(const nlohmann::json& entry, const fs::path& to, std::vector<EntryLeftO
   support::write_text_and_folders(file, entry.contains("text") ? bytes_in(entry.at("text")) : "");
 }
 
-#endif
-
 }  // namespace
 
 std::string why_not_read(const Finished& reader, const fs::path& archive) {
@@ -144,8 +144,6 @@ std::string why_not_read(const Finished& reader, const fs::path& archive) {
     return "takes too long to unpack";
   return reader.ending == Ending{false, 0} ? "" : "cannot be unpacked: its reader has crashed";
 }
-
-#ifdef TUMBLE_UNPACK
 
 Unpacked unpack(const fs::path& archive) {
   std::error_code unreadable;
@@ -175,19 +173,5 @@ std::vector<EntryLeftOut> unpack_class(const fs::path& archive, const fs::path& 
   require(refused.empty(), escaped(archive.string()), " ", escaped(refused));
   return left_out;
 }
-
-#else
-
-Unpacked unpack(const fs::path& archive) {  // no student's fault
-  throw std::runtime_error("cannot read " + archive.string() +
-                           ": tumble was built without libarchive");
-}
-
-std::vector<EntryLeftOut> unpack_class(const fs::path& archive, const fs::path&) {
-  unpack(archive);
-  return {};
-}
-
-#endif
 
 }  // namespace tumble::judge

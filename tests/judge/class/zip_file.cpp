@@ -6,13 +6,12 @@
 #include <stdexcept>
 
 #include "judge/build/work_folder.hpp"
+#include "judge/class/tools.hpp"
 #include "judge/sandbox/confined_process.hpp"
 #include "judge/sandbox/pipe.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge {
-
-#ifdef TUMBLE_PACK
 
 namespace {
 
@@ -42,11 +41,14 @@ Walls walls_around_packing(const fs::path& program) {
 
 }  // namespace
 
-bool can_write_zip() { return true; }
+bool can_write_zip() { return *archive_writer != '\0'; }
 
 void write_zip(const std::filesystem::path& file, const std::map<std::string, std::string>& texts) {
+  if (!can_write_zip())
+    throw std::runtime_error("cannot write " + file.string() +
+                             ": tumble was built without libarchive");
   const WorkFolder work;
-  const fs::path message = work.path() / "texts", program = TUMBLE_PACK;
+  const fs::path message = work.path() / "texts", program = archive_writer;
   support::write_text(message, message_of_texts(texts));
   const Descriptor in(::open(message.c_str(), O_RDONLY | O_CLOEXEC));
   constexpr std::size_t most = 512u << 20;
@@ -57,16 +59,5 @@ void write_zip(const std::filesystem::path& file, const std::map<std::string, st
                              finished.output.substr(0, 200));
   support::write_text(file, finished.output);
 }
-
-#else
-
-bool can_write_zip() { return false; }
-
-void write_zip(const std::filesystem::path& file, const std::map<std::string, std::string>&) {
-  throw std::runtime_error("cannot write " + file.string() +
-                           ": tumble was built without libarchive");
-}
-
-#endif
 
 }  // namespace tumble::judge

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
 /// What a student, an instructor or a test can ask of the judge. Each command returns the exit
-/// status: 0 if what it is for was achieved.
+/// status: 0 if what it is for was achieved. Those that grade are in a module: grading_module.hpp.
 
 #include <cstdint>
 #include <optional>
@@ -78,10 +78,6 @@ std::vector<Unit> units_to_check(const Course& course, const std::string& what);
 int check(const Course& course, const CheckOptions& options);
 /// Builds an engine of the student's own functions, and shows its errors beside the library's.
 int mine_command(const Course& course, const MineOptions& options);
-/// What `check --student` judges: the units of a record, or those of them that were asked for.
-std::vector<Unit> units_of_student(const Course& course, const CheckOptions& options);
-/// Judges a student's files again as `grade` did, and says the same.
-int check_student(const Course& course, const CheckOptions& options);
 /// Judges each file when it is saved, until interrupted.
 int watch(const Course& course);
 /// All units with what is known about them.
@@ -94,19 +90,6 @@ int reset(const Course& course, const std::string& what);
 int solution(const Course& course, const std::string& what, bool anyway);
 /// Which walls of the sandbox stand here.
 int sandbox(const Course& course);
-/// Grades a class, or a shard of it, or makes one class of its shards.
-int grade(const Course& course, const GradeOptions& options);
-/// Makes the grades of a class whose shards were judged elsewhere.
-int merge(const Course& course, const GradeOptions& options);
-/// Makes a repository for students.
-int handout_command(const Course& course, const HandoutOptions& options);
-/// Grades one submission where a platform has put it, and writes the results where it looks for
-/// them.
-int platform_command(const Course& course, const PlatformOptions& options);
-/// Makes what a platform takes.
-int export_command(const Course& course, const PackageOrder& order);
-/// Writes one page about a class.
-int report(const Course& course, const ReportOptions& options);
 /// Every misconception is killed and named: a table.
 int matrix(const Course& course, const std::string& what, std::uint64_t seed);
 /// What students get wrong: a page of the book.

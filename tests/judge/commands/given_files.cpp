@@ -1,6 +1,7 @@
 #include "judge/commands/given_files.hpp"
 
 #include "judge/class/file_kinds.hpp"
+#include "judge/commands/grading_module.hpp"
 #include "support/entry.hpp"
 #include "tumble/core/require.hpp"
 
@@ -20,17 +21,12 @@ bool is_archive(const fs::path& given) {
 
 GivenFiles::GivenFiles(const Course& course, const fs::path& from) {
   std::error_code error;
-  folder_ = fs::weakly_canonical(from, error);
+  const fs::path given = fs::weakly_canonical(from, error);
   require(!error, from.string(), " cannot be read: ", error.message());
-  if (!is_archive(folder_)) return;
-  Submission submission{"", folder_};
-  submission.is_archive = true;
-  unpacked_ = std::make_unique<Sources>(course, course.units, submission);
-  require(unpacked_->refused().empty(), from.string(), " ", unpacked_->refused());
-}
-
-fs::path GivenFiles::of(const Unit& unit) const {
-  return unpacked_ ? unpacked_->of(unit) : file_in(folder_, unit);
+  if (is_archive(given))
+    file_of_ = grading_module(course).unpacked(course, given, from.string());
+  else
+    file_of_ = [given](const Unit& unit) { return file_in(given, unit); };
 }
 
 }  // namespace tumble::judge

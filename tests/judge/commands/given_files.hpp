@@ -2,9 +2,8 @@
 /// @file
 /// The files of a student that are given in a folder, or in a zip as it was handed in.
 
-#include <memory>
+#include <functional>
 
-#include "judge/class/sources.hpp"
 #include "judge/course/course.hpp"
 
 namespace tumble::judge {
@@ -20,11 +19,10 @@ class GivenFiles {
  public:
   /// @throws std::invalid_argument if an archive cannot be read: why
   GivenFiles(const Course& course, const fs::path& from);
-  fs::path of(const Unit& unit) const;
+  fs::path of(const Unit& unit) const { return file_of_(unit); }
 
  private:
-  fs::path folder_;
-  std::unique_ptr<Sources> unpacked_;  ///< of an archive
+  std::function<fs::path(const Unit&)> file_of_;
 };
 
 }  // namespace tumble::judge

@@ -9,6 +9,7 @@
 #include "judge/commands/commands.hpp"
 #include "judge/commands/course_file.hpp"
 #include "judge/commands/given_files.hpp"
+#include "judge/commands/grading_module.hpp"
 #include "judge/commands/needs.hpp"
 #include "judge/platforms/platform.hpp"
 #include "support/command_line.hpp"
@@ -21,6 +22,11 @@ namespace {
 Targets nothing(const Course&) { return {}; }
 Targets everything(const Course&) { return all_specs(); }
 
+/// The parts of the judge that a command runs in, besides the program: targets, too.
+Targets no_parts() { return {}; }
+Targets grading() { return {"tumble_judge_grading"}; }
+Targets grading_of_archives() { return {"tumble_judge_grading", "grading_tools"}; }
+
 constexpr const char* seconds_help =
     "seconds after which we begin no exercise; we report the rest as not judged";
 constexpr const char* strict_help = "refuse to judge if a wall of the sandbox is missing";
@@ -29,7 +35,8 @@ class CommandLine {
  public:
   CommandLine() {
     app_.require_subcommand(1);
-    app_.add_flag("--needs", only_needs_)->group("");  // ./tumble asks what it has to build
+    for (const char* question : {"--parts", "--needs"})  // ./tumble asks what it has to build
+      app_.add_flag(question)->group("");
     add_check();
     add_mine();
     add_progress();
@@ -43,7 +50,10 @@ class CommandLine {
   }
 
   int run(int argc, char** argv) {
-    if (argc > 1 && std::string(argv[1]) == "--needs") return print_needs(argc, argv);
+    const std::string question = argc > 1 ? argv[1] : "";
+    if (question == "--parts") return print(argc, argv, [&](const Course&) { return parts_(); });
+    if (question == "--needs")
+      return print(argc, argv, [&](const Course& course) { return needs_(course); });
     return tumble::support::run_command_line(app_, argc, argv,
                                              [&] { return run_(read_course(course_file)); });
   }
@@ -51,22 +61,35 @@ class CommandLine {
  private:
   using Run = std::function<int(const Course&)>;
   using Needs = std::function<Targets(const Course&)>;
+  using Parts = std::function<Targets()>;
 
-  CLI::App& command(const char* name, const char* what, Run run, Needs needs) {
+  CLI::App& command(const char* name, const char* what, Run run, Needs needs,
+                    Parts parts = no_parts) {
     CLI::App* command = app_.add_subcommand(name, what);
-    command->callback([this, run = std::move(run), needs = std::move(needs)] {
-      run_ = run;
-      needs_ = needs;
-    });
+    command->callback(
+        [this, run = std::move(run), needs = std::move(needs), parts = std::move(parts)] {
+          run_ = run;
+          needs_ = needs;
+          parts_ = parts;
+        });
     return *command;
+  }
+
+  /// What a student's files need, wherever they lie.
+  static Targets parts_for(const std::optional<fs::path>& from) {
+    return from && is_archive(*from) ? grading_of_archives() : no_parts();
+  }
+
+  static Targets specs_that_count(const Course& course, const std::optional<fs::path>& settings) {
+    return grading_module(course).specs_that_count(course, settings);
   }
 
   /// One target a line. Of a command line that cannot be carried out, nothing: the command itself
   /// says what is wrong with it.
-  int print_needs(int argc, char** argv) {
+  int print(int argc, char** argv, const Needs& answer) {
     try {
       app_.parse(argc, argv);
-      for (const std::string& target : needs_(read_course(course_file)))
+      for (const std::string& target : answer(read_course(course_file)))
         std::cout << target << "\n";
     } catch (const std::exception&) {
       return 0;
@@ -78,14 +101,14 @@ class CommandLine {
     CLI::App& app = command(
         "check", "judge what you have written",
         [this](const Course& course) {
-          return check_.student ? check_student(course, check_) : check(course, check_);
+          return check_.student ? grading_module(course).check_student(course, check_)
+                                : check(course, check_);
         },
         [this](const Course& course) {
-          Targets targets = specs_of(check_.student ? units_of_student(course, check_)
-                                                    : units_to_check(course, check_.what));
-          if (check_.from && is_archive(*check_.from)) targets.emplace_back("grading_tools");
-          return targets;
-        });
+          return specs_of(check_.student ? grading_module(course).units_of_student(course, check_)
+                                         : units_to_check(course, check_.what));
+        },
+        [this] { return check_.student ? grading() : parts_for(check_.from); });
     app.add_option("what", check_.what,
                    "exercise (4.1 or product), chapter (4), all; 4.1.3 is one case");
     app.add_option("--seed", check_.seed,
@@ -109,7 +132,8 @@ class CommandLine {
   void add_mine() {
     CLI::App& app = command(
         "mine", "an engine of your own functions, beside the library",
-        [this](const Course& course) { return mine_command(course, mine_); }, everything);
+        [this](const Course& course) { return mine_command(course, mine_); }, everything,
+        [this] { return parts_for(mine_.from); });
     app.add_flag("--fill", mine_.fill, "take the functions that are missing from the solutions");
     app.add_option("--from", mine_.from, "folder or zip with your files, instead of exercises/");
     app.add_option("--svg", mine_.svg, "write the figure here, instead of build/mine.svg");
@@ -143,11 +167,11 @@ class CommandLine {
   void add_grade() {
     CLI::App& app = command(
         "grade", "grade a class, or a part of one",
-        [this](const Course& course) { return grade(course, grade_); },
+        [this](const Course& course) { return grading_module(course).grade(course, grade_); },
         [this](const Course& course) {
-          return grade_.merge.empty() ? specs_that_count(course, grade_.settings)
-                                      : Targets{"grading_tools"};
-        });
+          return grade_.merge.empty() ? specs_that_count(course, grade_.settings) : Targets{};
+        },
+        grading_of_archives);
     app.add_option("DIR", grade_.folders,
                    "folders with a folder or an archive per student, or a platform's download");
     app.add_option("--out", grade_.out, "folder for the results; grading goes on where it was")
@@ -181,7 +205,8 @@ class CommandLine {
   void add_report() {
     CLI::App& app = command(
         "report", "one page about a class: what to explain again",
-        [this](const Course& course) { return report(course, report_); }, everything);
+        [this](const Course& course) { return grading_module(course).report(course, report_); },
+        everything, grading);
     app.add_option("GRADES", report_.grades, "folder that `grade` has made")->capture_default_str();
     app.add_option("--out", report_.out, "the page")->capture_default_str();
     app.add_option("--course", report_.settings,
@@ -192,7 +217,8 @@ class CommandLine {
   void add_handout() {
     CLI::App& app = command(
         "handout", "a repository for students, without the solutions",
-        [this](const Course& course) { return handout_command(course, handout_); }, nothing);
+        [this](const Course& course) { return grading_module(course).handout(course, handout_); },
+        nothing, grading);
     app.add_option("--chapters", handout_.chapters, "1-4, or 1-4,6");
     app.add_option("--course", handout_.settings, "course.json: the chapters of what counts");
     app.add_option("DIR", handout_.to, "a new folder")->required();
@@ -201,7 +227,10 @@ class CommandLine {
   void add_export() {
     CLI::App& app = command(
         "export", "a package for a platform",
-        [this](const Course& course) { return export_command(course, export_); }, nothing);
+        [this](const Course& course) {
+          return grading_module(course).export_package(course, export_);
+        },
+        nothing, grading);
     app.add_option("PLATFORM", export_.platform, platforms)->required();
     app.add_option("DIR", export_.to, "a new folder")->required();
     app.add_option("--course", export_.settings,
@@ -216,8 +245,9 @@ class CommandLine {
   void add_platform() {
     CLI::App& app = command(
         "platform", "grade one submission where a platform has put it",
-        [this](const Course& course) { return platform_command(course, platform_); },
-        [this](const Course& course) { return specs_that_count(course, platform_.settings); });
+        [this](const Course& course) { return grading_module(course).platform(course, platform_); },
+        [this](const Course& course) { return specs_that_count(course, platform_.settings); },
+        grading_of_archives);
     app.add_option("PLATFORM", platform_.platform, platforms)->required();
     app.add_option("ROOT", platform_.root, "/autograder, /grade, the checkout")->required();
     app.add_option("--course", platform_.settings, "course.json");
@@ -245,9 +275,9 @@ class CommandLine {
   }
 
   CLI::App app_{"tumble's judge", "./tumble"};
-  bool only_needs_ = false;
   Run run_;
   Needs needs_;
+  Parts parts_;
   CheckOptions check_;
   MineOptions mine_;
   std::string unit_;

@@ -1,7 +1,5 @@
 #include "judge/commands/needs.hpp"
 
-#include "judge/class/settings.hpp"
-
 namespace tumble::judge {
 
 Targets specs_of(const std::vector<Unit>& units) {
@@ -11,13 +9,5 @@ Targets specs_of(const std::vector<Unit>& units) {
 }
 
 Targets all_specs() { return {"all_specs"}; }
-
-Targets specs_that_count(const Course& course, const std::optional<fs::path>& file) {
-  const CourseSettings settings = settings_or_default(course, file);
-  if (settings.wants_curve(course)) return all_specs();
-  Targets targets = specs_of(settings.units);
-  targets.emplace_back("grading_tools");  // submissions are archives, feedback is a zip
-  return targets;
-}
 
 }  // namespace tumble::judge

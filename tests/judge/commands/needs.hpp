@@ -2,7 +2,6 @@
 /// @file
 /// What has to be built before a command can run: ./tumble asks, and builds it.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +17,5 @@ Targets specs_of(const std::vector<Unit>& units);
 
 /// Everything: all specs, and what makes an engine.
 Targets all_specs();
-
-/// The specs of the units that count, by the settings or by default, what reads and writes
-/// archives, and an engine if its curves go with the grades.
-Targets specs_that_count(const Course& course, const std::optional<fs::path>& file);
 
 }  // namespace tumble::judge

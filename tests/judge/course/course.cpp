@@ -113,6 +113,7 @@ Course read_course(const fs::path& file) {
                   j.at("engine").get<std::string>(),
                   j.at("die").get<std::string>(),
                   j.at("mine").get<std::string>(),
+                  j.at("grading").get<std::string>(),
                   {}};
     for (const json& unit : j.at("units")) course.units.push_back(read_unit(unit));
     return course;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "judge/class/settings.hpp"
+#include "judge/class/tools.hpp"
 #include "judge/handout/handout.hpp"
 #include "judge/platforms/image_name.hpp"
 #include "judge/platforms/platform.hpp"
@@ -82,9 +83,10 @@ class Package {
     write_settings(zip / "tumble");
     for (const char* script : {"setup.sh", "run_autograder"}) copy(script, zip);
     fs::current_path(zip);  // then no path has to be told to a shell
-    const int status = std::system("'" TUMBLE_CMAKE
-                                   "' -E tar cf ../autograder.zip --format=zip "
-                                   "setup.sh run_autograder tumble");
+    const int status = std::system(("'" + std::string(cmake_program) +
+                                    "' -E tar cf ../autograder.zip --format=zip "
+                                    "setup.sh run_autograder tumble")
+                                       .c_str());
     fs::current_path(here);
     require(status == 0, "making autograder.zip has failed, see above");
     fs::remove_all(zip);

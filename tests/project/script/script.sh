@@ -38,7 +38,7 @@ folder=$2
 shift 2
 echo "ninja $*" >>"$CALLS"
 case $* in
-  tumble_judge)
+  tumble_judge*any_spec | tumble_judge)
     mkdir -p "$folder/tests/judge"
     cp "$JUDGE" "$folder/tests/judge/tumble_judge" ;;
   book)
@@ -101,11 +101,14 @@ exit ${CTEST_STATUS:-0}
 STUB
 cat >"$work/judge" <<'STUB'
 #!/bin/sh
-[ "$1" = --needs ] || { echo "judge: $*"; exit 1; }
-case $2-${3-} in
-  check-4.1) echo spec.04_quaternions.product ;;
-  check-4) printf '%s\n' spec.04_quaternions.product spec.04_quaternions.inverse ;;
-  stubs-) echo all_specs ;;
+case $1-$2-${3-} in
+  --parts-grade-*) echo tumble_judge_grading ;;
+  --parts-*) ;;
+  --needs-check-4.1) echo spec.04_quaternions.product ;;
+  --needs-check-4) printf '%s\n' spec.04_quaternions.product spec.04_quaternions.inverse ;;
+  --needs-stubs-) echo all_specs ;;
+  --needs-*) ;;
+  *) echo "judge: $*"; exit 1 ;;
 esac
 STUB
 chmod +x "$work/judge"
@@ -291,7 +294,7 @@ expect_no 'the/command'
 what='what the judge needs'
 run check 4.1 --no-install
 expect 1 'judge: check 4.1'
-called 'ninja tumble_judge'
+called 'ninja tumble_judge any_spec'
 called 'ninja spec.04_quaternions.product'
 run check 4
 called 'ninja spec.04_quaternions.product spec.04_quaternions.inverse'
@@ -303,6 +306,9 @@ for arguments in list matrix sandbox 'check --help' '--help check' 'help check';
   [ "$(grep -c ninja "$CALLS")" = 1 ] || complain 'should build the judge alone'
 done
 expect 1 'judge: check --help'
+run grade .
+called 'ninja tumble_judge any_spec'
+called 'ninja tumble_judge_grading'
 run prepare
 expect 0
 called 'ninja tumble_judge all_specs'

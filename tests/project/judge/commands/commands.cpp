@@ -266,9 +266,9 @@ TEST_CASE("what a command line needs to be built, one target a line, and nothing
   const fs::path settings = fs::temp_directory_path() / "tumble-needs-test.json";
   write(settings, R"({"units": ["1.2"], "curve": false})");
   const std::string with_settings = " --course '" + settings.string() + "'";
-  const std::string tools = "grading_tools\n";
-  CHECK(judge("--needs grade ." + with_settings).output == needs_twice + tools);
-  CHECK(judge("--needs platform gradescope ." + with_settings).output == needs_twice + tools);
+  CHECK(judge("--needs grade ." + with_settings).output == needs_twice);
+  CHECK(judge("--needs platform gradescope ." + with_settings).output == needs_twice);
+  CHECK(judge("--needs grade --merge a").output == "");
   fs::remove(settings);
   for (const char* none :
        {"list", "hint 1.1", "reset 1.1", "solution 1.1", "sandbox", "handout --chapters 1 x",
@@ -277,6 +277,24 @@ TEST_CASE("what a command line needs to be built, one target a line, and nothing
     CHECK_MESSAGE(result.output == "", none);
     CHECK(result.status == 0);
   }
+}
+
+TEST_CASE("the parts of the judge that a command line runs in, besides the program") {
+  const FreshCourse fresh;
+  const std::string grading = "tumble_judge_grading\n", archives = grading + "grading_tools\n";
+  for (const std::string command : {"grade .", "grade --merge a", "platform gradescope ."})
+    CHECK_MESSAGE(judge("--parts " + command).output == archives, command);
+  const fs::path zip = fs::temp_directory_path() / "tumble-parts-test.zip";
+  write(zip, "");
+  for (const std::string command : {"check", "mine"})
+    CHECK(judge("--parts " + command + " --from '" + zip.string() + "'").output == archives);
+  fs::remove(zip);
+  for (const std::string command :
+       {"report", "handout --chapters 1 x", "export gradescope x", "check --student ann.json"})
+    CHECK_MESSAGE(judge("--parts " + command).output == grading, command);
+  for (const std::string command : {"check", "check 1.2 --from .", "mine", "watch", "list", "hint",
+                                    "stubs", "matrix", "grade --help", "grade --nonsense"})
+    CHECK_MESSAGE(judge("--parts " + command).output == "", command);
 }
 
 TEST_CASE("a full disk is an error") {

@@ -30,7 +30,7 @@ TEST_CASE("moving figure: starts as declared, and takes settings by name, at its
 }
 
 TEST_CASE("moving figure: refuses settings that are none, and says which") {
-  CHECK_REFUSED(settings_of(figure, {"k=1"}), "thing", "no control 'k'");
+  CHECK_REFUSED(settings_of(figure, {"k=1"}), "thing", "no control 'k'; there are: h method");
   CHECK_REFUSED(settings_of(figure, {"h=1.5"}), "h is 1.5", "between 0 and 1");
   CHECK_REFUSED(settings_of(figure, {"h=nan"}), "h is");
   CHECK_REFUSED(settings_of(figure, {"h=much"}), "'h=much'", "NUMBER");

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "judge/class/settings.hpp"
-#include "judge/commands/commands.hpp"
+#include "judge/commands/grading/grading.hpp"
 #include "support/how_many.hpp"
 #include "tumble/core/require.hpp"
 
@@ -20,7 +20,7 @@ std::set<std::string> chapters_that_count(const Course& course, const fs::path& 
 
 }  // namespace
 
-int handout_command(const Course& course, const HandoutOptions& options) {
+int hand_out(const Course& course, const HandoutOptions& options) {
   require(options.chapters.empty() == options.settings.has_value(),
           "hand out which chapters? Either --chapters 1-4 or --course course.json");
   const std::set<std::string> meant = options.settings

@@ -1,4 +1,4 @@
-#include "judge/commands/finish_grading.hpp"
+#include "judge/commands/grading/finish_grading.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -6,7 +6,7 @@
 
 #include "judge/class/class_outputs.hpp"
 #include "judge/class/progress_line.hpp"
-#include "judge/commands/grade_messages.hpp"
+#include "judge/commands/grading/grade_messages.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::judge {

@@ -7,8 +7,8 @@
 #include "judge/build/work_folder.hpp"
 #include "judge/class/grade_student.hpp"
 #include "judge/class/submissions.hpp"
-#include "judge/commands/commands.hpp"
 #include "judge/commands/given_files.hpp"
+#include "judge/commands/grading/grading.hpp"
 #include "judge/commands/mine_module.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "judge/platforms/fitted.hpp"
@@ -68,7 +68,7 @@ void say_failed(const CourseSettings& settings, StudentRecord& record, const std
 
 }  // namespace
 
-int platform_command(const Course& course, const PlatformOptions& options) {
+int grade_on_platform(const Course& course, const PlatformOptions& options) {
   const Clock::time_point deadline =
       options.seconds ? after(*options.seconds) : Clock::time_point::max();
   const CourseSettings settings = settings_or_default(course, options.settings);
@@ -106,7 +106,7 @@ int platform_command(const Course& course, const PlatformOptions& options) {
   return failed ? 2 : run.status_tells && !all ? 1 : 0;
 }
 
-int export_command(const Course& course, const PackageOrder& order) {
+int export_package(const Course& course, const PackageOrder& order) {
   for (const std::string& note : make_package(course, order))
     std::cerr << "tumble: " << note << "\n";
   std::cerr << "tumble: what goes where: ";

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "judge/class/grade_class.hpp"
-#include "judge/commands/commands.hpp"
+#include "judge/commands/grading/grading.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 

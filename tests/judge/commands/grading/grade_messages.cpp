@@ -1,4 +1,4 @@
-#include "judge/commands/grade_messages.hpp"
+#include "judge/commands/grading/grade_messages.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -4,9 +4,9 @@
 #include "judge/class/final_grade.hpp"
 #include "judge/class/grading_lock.hpp"
 #include "judge/class/merge_shards.hpp"
-#include "judge/commands/commands.hpp"
-#include "judge/commands/finish_grading.hpp"
-#include "judge/commands/grade_messages.hpp"
+#include "judge/commands/grading/finish_grading.hpp"
+#include "judge/commands/grading/grade_messages.hpp"
+#include "judge/commands/grading/grading.hpp"
 #include "support/how_many.hpp"
 
 namespace tumble::judge {

@@ -5,7 +5,7 @@
 #include "judge/class/file_names.hpp"
 #include "judge/class/sources.hpp"
 #include "judge/class/student_record.hpp"
-#include "judge/commands/commands.hpp"
+#include "judge/commands/grading/grading.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "judge/verdict/console.hpp"
 #include "judge/verdict/judge_all.hpp"
