@@ -13,8 +13,9 @@ namespace rigid_body_chapter {
 /// @param toward the viewer, in body axes: the sides are where the wall turns away
 inline std::vector<std::vector<Vec3>> mug_lines(const Vec3& toward) {
   constexpr double radius = 0.041, height = 0.095, middle = 0.053;
+  static const Vec3 centre = properties_of(mug_object).centre;
   const auto at = [](double r, double angle, double z) -> Vec3 {
-    return Vec3(r * std::cos(angle), r * std::sin(angle), z) - properties_of(mug_object).centre;
+    return Vec3(r * std::cos(angle), r * std::sin(angle), z) - centre;
   };
   std::vector<std::vector<Vec3>> lines(4);
   for (int i = 0; i <= 24; ++i) {

@@ -11,6 +11,7 @@
 #include "support/rounding.hpp"
 #include "tumble/body/dydt.hpp"
 #include "tumble/ensemble/advance.hpp"
+#include "tumble/free_body/free_trajectory.hpp"
 #include "tumble/ode/dop853.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
 #include "tumble/ode/integrate_fixed.hpp"
