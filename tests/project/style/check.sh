@@ -50,7 +50,7 @@ tidy() {
   # Warnings are the compiler's own business: here is what it sees, without what only gcc knows.
   clang-tidy --quiet --config-file="$root/.clang-tidy" --checks="$off" \
     "$work/$part.cpp" -- -std=gnu++20 -Wno-everything \
-    -DEIGEN_DONT_VECTORIZE -DTUMBLE_CMAKE='""' -DTUMBLE_UNPACK='""' -DTUMBLE_PACK='""' -DTUMBLE_COURSE='""' \
+    -DEIGEN_DONT_VECTORIZE -DTUMBLE_COURSE='""' \
     -I"$root/tests" -I"$root/exercises" -I"$root/chapters" -I"$root/lib" -I"$root/lib/include" \
     -isystem "$eigen"
 }
