@@ -47,9 +47,9 @@ struct Course {
   fs::path root;   ///< holds exercises/, solutions/, tests/, chapters/
   fs::path state;  ///< folder where progress and saved attempts are kept
   Toolchain toolchain;
-  fs::path engine;  ///< object file that makes an engine of the student's functions; or empty
-  fs::path die;     ///< object file that lets their functions drop a die; or empty
-  fs::path mine;    ///< module that measures such engines
+  fs::path engine;   ///< object file that makes an engine of the student's functions; or empty
+  fs::path die;      ///< object file that lets their functions drop a die; or empty
+  fs::path mine;     ///< module that measures such engines
   fs::path grading;  ///< module that grades classes, and makes hand-outs and packages
   std::vector<Unit> units;
   /// Where a course without solutions finds a function that another one calls; in exercises/ if not
