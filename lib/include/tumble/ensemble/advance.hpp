@@ -47,6 +47,9 @@ template <class Method = void, class... Forces>
     all.h = 1;
     all.count = 0;
   }
+  constexpr bool fall_alike =
+      detail::ensembles::ForceKernelsOf<simd::FourDoubles, Forces...>::fall_alike;
+  if constexpr (!fall_alike) bodies.write_paths();
   const detail::ensembles::PacksInTurn<Chosen, Forces...> take_steps(bodies, all, forces...);
   constexpr std::size_t chunk = 4 * detail::ensembles::in_turn;
   const std::size_t eights = bodies.bodies().size(), chunks = (eights + chunk - 1) / chunk;
@@ -59,6 +62,10 @@ template <class Method = void, class... Forces>
     if (here.count == 0) return;
     losing([&] { lost += here; });
   });
+  if constexpr (fall_alike) {
+    bodies.fall(all.h * all.count, (Vec3::Zero() + ... + forces.g));
+    return bodies.lost_by_falling(lost);
+  }
   return lost;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 /// @file
 /// How an ensemble lies in memory: structures of arrays, eight bodies each, so that a Pack is read
-/// in one piece and everything about a body is near.
+/// in one piece. What turning needs is together, and apart from what it does not need: a step of
+/// very many bodies takes as long as memory takes to be read and written.
 ///
 /// All is in the principal axes of each body, where the tensor has three numbers: (I ω)ᵢ = Iᵢ ωᵢ.
 
@@ -14,19 +15,29 @@ inline constexpr int eight = 8;  ///< bodies in a structure: the lanes of the wi
 /// One number for each of eight bodies.
 using Row = double[eight];
 
-/// Where eight bodies are and how they move.
-struct alignas(64) EightKinematics {
-  Row x[3], v[3];  ///< centre of mass [m], velocity [m/s], world coordinates
-  Row q[4];        ///< (w, x, y, z), principal axes → world
-  Row omega[3];    ///< angular velocity about the principal axes [rad/s]
+/// How eight bodies turn: all that this takes where no torque acts.
+struct alignas(64) EightSpins {
+  Row q[4];          ///< (w, x, y, z), principal axes → world
+  Row omega[3];      ///< angular velocity about the principal axes [rad/s]
+  Row asymmetry[3];  ///< (B − C)/A, (C − A)/B, (A − B)/C: at most 1, 0 for a ball; stays the same
 };
 
-/// What stays the same.
+/// Where their centres of mass are [m] and how fast these go [m/s], world coordinates.
+struct alignas(64) EightPaths {
+  Row x[3], v[3];
+};
+
+/// What stays the same, and is needed by forces.
 struct alignas(64) EightBodies {
-  Row mass;          ///< [kg]
-  Row moments[3];    ///< principal moments A, B, C [kg m²]
-  Row asymmetry[3];  ///< (B − C)/A, (C − A)/B, (A − B)/C: at most 1, 0 for a ball
-  Row axes[4];       ///< (w, x, y, z), principal axes → the body's own axes
+  Row mass;        ///< [kg]
+  Row moments[3];  ///< principal moments A, B, C [kg m²]
+  Row axes[4];     ///< (w, x, y, z), principal axes → the body's own axes
+};
+
+/// The motion of eight bodies.
+struct EightMotions {
+  EightSpins& spins;
+  EightPaths& paths;
 };
 
 /// The numbers from a lane on.

@@ -9,7 +9,9 @@
 
 #include "tumble/body/derived.hpp"
 #include "tumble/core/require.hpp"
+#include "tumble/ensemble/common_fall.hpp"
 #include "tumble/ensemble/eights.hpp"
+#include "tumble/ensemble/lost_bodies.hpp"
 #include "tumble/mass/principal_axes.hpp"
 #include "tumble/quaternion/normalize.hpp"
 
@@ -26,7 +28,7 @@ class Ensemble {
   /// @throws std::invalid_argument if there are not as many states as bodies, or a state is not
   ///         finite or stands for no rotation; the message says which
   Ensemble(std::span<const RigidBody<>> bodies, std::span<const RigidBodyState<>> states)
-      : size_(bodies.size()), bodies_(eights(size_)), kinematics_(eights(size_)) {
+      : size_(bodies.size()), bodies_(eights(size_)), spins_(eights(size_)), paths_(eights(size_)) {
     require(bodies.size() == states.size(), "an ensemble of ", bodies.size(), " bodies has ",
             states.size(), " states");
     for (std::size_t i = 0; i < size_; ++i) set(i, bodies[i], states[i]);
@@ -40,18 +42,49 @@ class Ensemble {
   /// @throws std::invalid_argument if there is no body i
   TUMBLE_ONE_COPY RigidBodyState<> state(std::size_t i) const {
     require(i < size_, "there is no body ", i, " in an ensemble of ", size_);
-    const auto& [x, v, q, omega] = kinematics_[i / detail::ensembles::eight];
-    const auto& [mass, moments, asymmetry, axes] = bodies_[i / detail::ensembles::eight];
+    const std::size_t at = i / detail::ensembles::eight;
+    const auto& [mass, moments, axes] = bodies_[at];
     const int lane = lane_of(i);
-    const Quat turn = quaternion(q, lane);
-    const Vec3 L_principal = vector(moments, lane).cwiseProduct(vector(omega, lane));
-    return {vector(x, lane), (turn * quaternion(axes, lane).conjugate()).normalized(),
-            mass[lane] * vector(v, lane), turn.normalized() * L_principal};
+    const Quat turn = quaternion(spins_[at].q, lane);
+    const Vec3 L_principal = vector(moments, lane).cwiseProduct(vector(spins_[at].omega, lane));
+    return {position(i), (turn * quaternion(axes, lane).conjugate()).normalized(),
+            mass[lane] * velocity(i), turn.normalized() * L_principal};
   }
 
   /// The structures of eight, for kernels.
   std::span<const detail::ensembles::EightBodies> bodies() const { return bodies_; }
-  std::span<detail::ensembles::EightKinematics> kinematics() { return kinematics_; }
+  detail::ensembles::EightMotions motions(std::size_t eight) {
+    return {spins_[eight], paths_[eight]};
+  }
+
+  /// All centres of mass go on for a time [s] under an acceleration [m/s²]; no path is written.
+  void fall(double time, const Vec3& acceleration) {
+    if (!extent_is_known_) measure_extent();
+    fall_.go_on(time, acceleration);
+  }
+  /// Writes where they are by now, before each goes its own way.
+  void write_paths() {
+    extent_is_known_ = false;
+    if (fall_.is_none()) return;
+    for (std::size_t i = 0; i < detail::ensembles::eight * paths_.size(); ++i) {
+      auto& path = paths_[i / detail::ensembles::eight];
+      const int lane = lane_of(i);
+      const Vec3 x = position(i), v = velocity(i);
+      put<3>(x, path.x, lane);
+      put<3>(v, path.v, lane);
+    }
+    fall_ = {};
+  }
+
+  /// The bodies whose motion is not finite, if the fall may have brought any beyond the numbers;
+  /// `turning` is what is known of those that do not turn finitely.
+  LostBodies lost_by_falling(const LostBodies& turning) const {
+    if (fall_.stays_finite(farthest_, fastest_)) return turning;
+    LostBodies lost;
+    for (std::size_t i = 0; i < size_; ++i)
+      if (!is_finite(i)) lost.add(i);
+    return lost;
+  }
 
  private:
   static std::size_t eights(std::size_t n) {
@@ -80,17 +113,39 @@ class Ensemble {
             "ensemble: x = (", state.x.transpose(), "), v = (", v.transpose(), "), omega = (",
             omega.transpose(), ") about its principal axes is not finite");
     auto& constants = bodies_[i / detail::ensembles::eight];
-    auto& kinematics = kinematics_[i / detail::ensembles::eight];
+    const auto& [spin, path] = motions(i / detail::ensembles::eight);
     const int lane = lane_of(i);
     constants.mass[lane] = body.mass();
     put(I, constants.moments, lane);
-    put<3>({(I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]}, constants.asymmetry,
-           lane);
     put(coefficients(axes), constants.axes, lane);
-    put(state.x, kinematics.x, lane);
-    put(v, kinematics.v, lane);
-    put(coefficients(q), kinematics.q, lane);
-    put(omega, kinematics.omega, lane);
+    put(coefficients(q), spin.q, lane);
+    put(omega, spin.omega, lane);
+    put<3>({(I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]}, spin.asymmetry,
+           lane);
+    put(state.x, path.x, lane);
+    put(v, path.v, lane);
+  }
+
+  Vec3 position(std::size_t i) const {
+    const auto& path = paths_[i / detail::ensembles::eight];
+    return fall_.position(vector(path.x, lane_of(i)), vector(path.v, lane_of(i)));
+  }
+  Vec3 velocity(std::size_t i) const {
+    return vector(paths_[i / detail::ensembles::eight].v, lane_of(i)) + fall_.velocity;
+  }
+  bool is_finite(std::size_t i) const {
+    const auto& spin = spins_[i / detail::ensembles::eight];
+    return position(i).allFinite() && velocity(i).allFinite() &&
+           quaternion(spin.q, lane_of(i)).coeffs().allFinite() &&
+           vector(spin.omega, lane_of(i)).allFinite();
+  }
+  void measure_extent() {
+    farthest_ = fastest_ = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      farthest_ = std::max(farthest_, detail::ensembles::largest_or_infinite(position(i)));
+      fastest_ = std::max(fastest_, detail::ensembles::largest_or_infinite(velocity(i)));
+    }
+    extent_is_known_ = true;
   }
 
   static Quat unit(std::size_t i, const Quat& q) {
@@ -102,7 +157,11 @@ class Ensemble {
 
   std::size_t size_;
   std::vector<detail::ensembles::EightBodies> bodies_;
-  std::vector<detail::ensembles::EightKinematics> kinematics_;
+  std::vector<detail::ensembles::EightSpins> spins_;
+  std::vector<detail::ensembles::EightPaths> paths_;
+  detail::ensembles::CommonFall fall_;  ///< since the paths were written
+  bool extent_is_known_ = false;
+  double farthest_ = 0, fastest_ = 0;  ///< |x| and |v| of all paths as written, if it is
 };
 
 /// @}

@@ -4,6 +4,7 @@
 /// a force that is not there costs nothing.
 
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "tumble/ensemble/force_kernels.hpp"
@@ -86,7 +87,10 @@ struct ForceType<ensemble::PerBody<Force>> {
 
 /// The kernels of Forces, each a force or a PerBody of forces.
 template <class P, class... Forces>
-using ForceKernelsOf = ForceKernelList<std::index_sequence_for<Forces...>,
-                                       ForceKernel<typename ForceType<Forces>::type, P>...>;
+struct ForceKernelsOf : ForceKernelList<std::index_sequence_for<Forces...>,
+                                        ForceKernel<typename ForceType<Forces>::type, P>...> {
+  /// Whether nothing acts but one weight for all, or nothing at all.
+  static constexpr bool fall_alike = (std::is_same_v<Forces, Weight> && ...);
+};
 
 }  // namespace tumble::detail::ensembles

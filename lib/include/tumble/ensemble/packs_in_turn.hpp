@@ -20,12 +20,16 @@ inline constexpr std::size_t in_turn = 4;
 
 /// NaN in the lanes where a component is not finite, else 0.
 template <class P>
-TUMBLE_INLINE P nan_unless_finite(const EightKinematics& kinematics, int lane) {
+TUMBLE_INLINE P nan_unless_finite(const EightSpins& spins, int lane) {
   P sum{};
-  for (const Row& row : kinematics.q) sum += 0 * load<P>(row, lane);
-  for (int k = 0; k < 3; ++k)
-    sum += 0 * load<P>(kinematics.x[k], lane) + 0 * load<P>(kinematics.v[k], lane) +
-           0 * load<P>(kinematics.omega[k], lane);
+  for (const Row& row : spins.q) sum += 0 * load<P>(row, lane);
+  for (const Row& row : spins.omega) sum += 0 * load<P>(row, lane);
+  return sum;
+}
+template <class P>
+TUMBLE_INLINE P nan_unless_finite(const EightPaths& paths, int lane) {
+  P sum{};
+  for (int k = 0; k < 3; ++k) sum += 0 * load<P>(paths.x[k], lane) + 0 * load<P>(paths.v[k], lane);
   return sum;
 }
 
@@ -94,10 +98,11 @@ class PacksInTurn {
     with_pack<P>([&]() __attribute__((always_inline)) {
       const auto& [at, lane] = place;
       const EightBodies& from = bodies_.bodies()[at];
-      const ensemble::PackBody<P> body{place.body(), load<P>(from.mass, lane),
-                                       load<P>(from.moments, lane), load<P>(from.asymmetry, lane),
-                                       load<P>(from.axes, lane)};
-      stepper.begin(bodies_.kinematics()[at], lane, body, forces_, steps_.h);
+      const EightMotions motions = bodies_.motions(at);
+      const ensemble::PackBody<P> body{
+          place.body(), load<P>(from.mass, lane), load<P>(from.moments, lane),
+          load<P>(motions.spins.asymmetry, lane), load<P>(from.axes, lane)};
+      stepper.begin(motions, lane, body, forces_, steps_.h);
     });
   }
 
@@ -108,11 +113,13 @@ class PacksInTurn {
 
   template <class P>
   void end_steps(const Place& place, const auto& stepper, LostBodies& lost) const {
-    EightKinematics& kinematics = bodies_.kinematics()[place.at];
+    const EightMotions motions = bodies_.motions(place.at);
     P finite;
     with_pack<P>([&]() __attribute__((always_inline)) {
-      stepper.end(kinematics, place.lane, steps_.h, steps_.count);
-      finite = nan_unless_finite<P>(kinematics, place.lane);
+      stepper.end(motions, place.lane, steps_.h, steps_.count);
+      finite = nan_unless_finite<P>(motions.spins, place.lane);
+      if constexpr (!ForceKernelsOf<P, Forces...>::fall_alike)
+        finite += nan_unless_finite<P>(motions.paths, place.lane);
     });
     for (int i = 0; i < simd::lanes<P>; ++i) {
       const std::size_t body = place.body() + static_cast<std::size_t>(i);

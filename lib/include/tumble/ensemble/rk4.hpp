@@ -48,12 +48,12 @@ template <class P, class Kernels>
 class Stepper<Rk4, P, Kernels> {
  public:
   template <class Forces>
-  TUMBLE_INLINE void begin(const EightKinematics& from, int lane, const ensemble::PackBody<P>& body,
+  TUMBLE_INLINE void begin(const EightMotions& from, int lane, const ensemble::PackBody<P>& body,
                            const Forces& forces, double h) {
     body_ = body;
     kernels_.prepare(forces, body, h);
-    now_.spin = load_spin<P>(from, lane, h);
-    if constexpr (!Kernels::steady) begin_path(from, lane, h);
+    now_.spin = load_spin<P>(from.spins, lane, h);
+    if constexpr (!Kernels::steady) begin_path(from.paths, lane, h);
     begin_ = now_;
   }
 
@@ -72,18 +72,18 @@ class Stepper<Rk4, P, Kernels> {
     now_.spin.q = nearly_normalised(now_.spin.q);
   }
 
-  TUMBLE_INLINE void end(EightKinematics& to, int lane, double h, int steps) const {
-    store_spin(now_.spin, begin_.spin.b, to, lane, h);
+  TUMBLE_INLINE void end(const EightMotions& to, int lane, double h, int steps) const {
+    store_spin(now_.spin, begin_.spin.b, to.spins, lane, h);
     if constexpr (Kernels::steady) {
-      store_drift<P>(kernels_, to, lane, h * steps);
+      store_drift<P>(kernels_, to.paths, lane, h * steps);
     } else {
-      store(now_.x, to.x, lane);
-      store(changed(load<P>(to.v, lane), begin_.u, now_.u, h), to.v, lane);
+      store(now_.x, to.paths.x, lane);
+      store(changed(load<P>(to.paths.v, lane), begin_.u, now_.u, h), to.paths.v, lane);
     }
   }
 
  private:
-  TUMBLE_INLINE void begin_path(const EightKinematics& from, int lane, double h) {
+  TUMBLE_INLINE void begin_path(const EightPaths& from, int lane, double h) {
     now_.x = load<P>(from.x, lane);
     now_.u = h * load<P>(from.v, lane);
     h_ = h;

@@ -28,7 +28,7 @@ TUMBLE_INLINE Point<P> cyclic_products(const Point<P>& b, const Point<P>& c) {
 }
 
 template <class P>
-TUMBLE_INLINE Spin<P> load_spin(const EightKinematics& from, int lane, double h) {
+TUMBLE_INLINE Spin<P> load_spin(const EightSpins& from, int lane, double h) {
   return {load<P>(from.q, lane), h * load<P>(from.omega, lane)};
 }
 
@@ -41,8 +41,8 @@ TUMBLE_INLINE Point<P> changed(const Point<P>& velocity, const Point<P>& begin, 
 
 /// @param begin the b that was loaded
 template <class P>
-TUMBLE_INLINE void store_spin(const Spin<P>& spin, const Point<P>& begin, EightKinematics& to,
-                              int lane, double h) {
+TUMBLE_INLINE void store_spin(const Spin<P>& spin, const Point<P>& begin, EightSpins& to, int lane,
+                              double h) {
   store(nearly_normalised(spin.q), to.q, lane);
   store(changed(load<P>(to.omega, lane), begin, spin.b, h), to.omega, lane);
 }

@@ -13,9 +13,13 @@ namespace tumble::detail::ensembles {
 template <class Method, class P, class Kernels>
 class Stepper;
 
-/// The path over the time T [s] under forces that push steadily.
+/// The path over the time T [s] under forces that push steadily; of bodies that all fall alike it
+/// is not written: see CommonFall.
 template <class P, class Kernels>
-TUMBLE_INLINE void store_drift(const Kernels& kernels, EightKinematics& to, int lane, double T) {
+TUMBLE_INLINE void store_drift([[maybe_unused]] const Kernels& kernels,
+                               [[maybe_unused]] EightPaths& to, [[maybe_unused]] int lane,
+                               [[maybe_unused]] double T) {
+  if constexpr (Kernels::fall_alike) return;
   Push<P> push;
   kernels.add_push(push);
   Point<P> x = load<P>(to.x, lane), v = load<P>(to.v, lane);

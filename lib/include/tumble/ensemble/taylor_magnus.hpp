@@ -35,10 +35,10 @@ class Stepper<TaylorMagnus<N>, P, Kernels> {
   static_assert(Kernels::steady, "TaylorMagnus: a force of your own has no series here; use Rk4");
 
   template <class Forces>
-  TUMBLE_INLINE void begin(const EightKinematics& from, int lane, const ensemble::PackBody<P>& body,
+  TUMBLE_INLINE void begin(const EightMotions& from, int lane, const ensemble::PackBody<P>& body,
                            const Forces& forces, double h) {
     kernels_.prepare(forces, body, h);
-    spin_ = load_spin<P>(from, lane, h);
+    spin_ = load_spin<P>(from.spins, lane, h);
     begin_ = spin_.b;
     for (int k = 0; k < N; ++k) asymmetry_over_[k] = 1.0 / (k + 1) * body.asymmetry;
   }
@@ -61,9 +61,9 @@ class Stepper<TaylorMagnus<N>, P, Kernels> {
     spin_.b = spin_.b + change;
   }
 
-  TUMBLE_INLINE void end(EightKinematics& to, int lane, double h, int steps) const {
-    store_spin(spin_, begin_, to, lane, h);
-    store_drift<P>(kernels_, to, lane, h * steps);
+  TUMBLE_INLINE void end(const EightMotions& to, int lane, double h, int steps) const {
+    store_spin(spin_, begin_, to.spins, lane, h);
+    store_drift<P>(kernels_, to.paths, lane, h * steps);
   }
 
  private:

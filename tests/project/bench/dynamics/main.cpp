@@ -8,6 +8,7 @@
 #include "project/bench/dynamics/many_bodies.hpp"
 #include "project/bench/dynamics/own_on_plain_numbers.hpp"
 #include "project/bench/dynamics/problems.hpp"
+#include "project/bench/dynamics/step_by_step.hpp"
 #include "project/bench/dynamics/work_precision.hpp"
 #include "project/bench/report.hpp"
 #include "support/command_line.hpp"
@@ -20,6 +21,7 @@ struct Options {
   Budget budget{0.4, 0.4, 5, 0.002};
   int long_steps = 1'000'000;
   int bodies = 10'000;
+  std::size_t stepped_bodies = 1'000'000;
   int scenes = 2'000;
   bool with_peers = true;
   std::string only, svg_folder;
@@ -32,6 +34,7 @@ Options quick(Options options) {
   options.budget = {0.1, 0.01, 1, 0.0002};
   options.long_steps = 10'000;
   options.bodies = 500;
+  options.stepped_bodies = 1000;
   options.scenes = 60;
   return options;
 }
@@ -69,6 +72,8 @@ void show_many(const std::vector<Stepper>& steppers, const Options& options) {
   std::cout << options.bodies << " free bodies, 1 s in steps of 1/240 s\n"
             << all.table.text() << std::endl;
   require(all.broken.empty(), "many: errs more than we promise", all.broken);
+  std::cout << "One step a call, under a weight\n"
+            << step_by_step(options.stepped_bodies, options.budget).text() << std::endl;
 }
 
 void show_absent(const Budget& budget) {

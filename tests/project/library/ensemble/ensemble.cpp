@@ -25,18 +25,19 @@ TEST_CASE("Ensemble: gives back the states it was made of, in the bodies' own ax
 
 TEST_CASE("Ensemble: holds principal moments and what Euler's equations need, in every lane") {
   const test::Bodies all = test::random_bodies(11, 3, 622);
-  const Ensemble ensemble = all.ensemble();
+  Ensemble ensemble = all.ensemble();
   REQUIRE(ensemble.bodies().size() == 2);
-  for (const ensembles::EightBodies& eight : ensemble.bodies())
+  for (std::size_t i = 0; i < 2; ++i)
     for (int lane = 0; lane < ensembles::eight; ++lane) {
-      const double A = eight.moments[0][lane], B = eight.moments[1][lane],
-                   C = eight.moments[2][lane];
+      const auto& moments = ensemble.bodies()[i].moments;
+      const auto& asymmetry = ensemble.motions(i).spins.asymmetry;
+      const double A = moments[0][lane], B = moments[1][lane], C = moments[2][lane];
       CHECK(A > 0);
       CHECK(A <= B);
       CHECK(B <= C);
-      CHECK(std::abs(eight.asymmetry[0][lane] - (B - C) / A) <= eps);
-      CHECK(std::abs(eight.asymmetry[1][lane] - (C - A) / B) <= eps);
-      CHECK(std::abs(eight.asymmetry[2][lane] - (A - B) / C) <= eps);
+      CHECK(std::abs(asymmetry[0][lane] - (B - C) / A) <= eps);
+      CHECK(std::abs(asymmetry[1][lane] - (C - A) / B) <= eps);
+      CHECK(std::abs(asymmetry[2][lane] - (A - B) / C) <= eps);
     }
 }
 
