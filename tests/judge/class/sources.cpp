@@ -147,7 +147,7 @@ void Sources::add_folder(const std::string& within, const fs::path& folder) {
     refused_ = "cannot be read: " + unreadable.message();
     return;
   }
-  for (const fs::path& path : files_below(folder)) {
+  for (const fs::path& path : files_below(folder, HiddenFolders::searched)) {
     const fs::path name = fs::path(within) / path;
     const bool is_archive = !archive_stem(path.filename().string()).empty();
     if (is_archive && !is_nobodys(path))
@@ -186,8 +186,12 @@ void Sources::add_archive(const std::string& within, const fs::path& archive) {
 }
 
 void Sources::add_file(const fs::path& name, const fs::path& file) {
-  if (is_nobodys(name)) return;
-  if (!source_stem(name.filename().string()).empty())
+  const bool is_source = !source_stem(name.filename().string()).empty();
+  if (is_nobodys(name)) {
+    if (is_source && !is_clutter(name.filename().string())) hidden_.push_back(name);
+    return;
+  }
+  if (is_source)
     files_[name] = file;
   else
     others_.push_back(name.string());
@@ -220,6 +224,8 @@ void Sources::choose(const Course& course, const std::vector<Unit>& counted) {
     } else {
       note_nothing_found();
     }
+    for (std::string& note : notes_on_hidden(without_file, hidden_))
+      notes_.push_back(std::move(note));
   } else {
     refused_ = "has " + refused_archives_.front();
   }

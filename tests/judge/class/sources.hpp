@@ -59,6 +59,7 @@ class Sources {
   std::vector<std::string> notes_, refused_archives_;
   std::map<fs::path, fs::path> files_;  ///< where each is that was handed in, by its path there
   std::vector<std::string> others_;     ///< paths of what can be no source
+  std::vector<fs::path> hidden_;        ///< paths of sources in hidden folders
   std::map<std::string, fs::path> handed_in_, of_unit_;
   std::size_t archives_ = 0;
 };

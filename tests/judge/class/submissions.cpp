@@ -80,7 +80,7 @@ std::vector<Part> parts_of(const Submission& submission) {
   return submission.parts.empty() ? std::vector<Part>{{"", submission.path}} : submission.parts;
 }
 
-std::vector<fs::path> files_below(const fs::path& folder) {
+std::vector<fs::path> files_below(const fs::path& folder, HiddenFolders hidden) {
   constexpr std::size_t most = 100'000;
   std::vector<fs::path> paths;
   std::error_code unreadable;
@@ -89,7 +89,9 @@ std::vector<fs::path> files_below(const fs::path& folder) {
        it.increment(unreadable)) {
     std::error_code gone;
     const bool is_folder = !it->is_symlink(gone) && it->is_directory(gone);
-    if (is_folder && is_hidden(it->path().filename())) it.disable_recursion_pending();
+    const fs::path name = it->path().filename();
+    if (is_folder && is_hidden(name) && (hidden == HiddenFolders::skipped || name == ".git"))
+      it.disable_recursion_pending();
     if (!is_folder) paths.push_back(it->path().lexically_relative(folder));
   }
   require_working_machine(folder, unreadable.value());  // the files behind it may be all there

@@ -43,9 +43,13 @@ struct Submission {
 /// All its parts: itself, if it has no others.
 std::vector<Part> parts_of(const Submission& submission);
 
+/// What lies in folders whose names begin with a dot.
+enum class HiddenFolders { skipped, searched };
+
 /// The paths of all regular files below a folder, relative to it and in natural order. Links are
-/// not followed.
-std::vector<fs::path> files_below(const fs::path& folder);
+/// not followed, and .git is never searched.
+std::vector<fs::path> files_below(const fs::path& folder,
+                                  HiddenFolders hidden = HiddenFolders::skipped);
 
 /// The file that counts for a unit, and the others that could have been meant.
 struct ChosenFile {

@@ -1,5 +1,6 @@
 #include "judge/class/unjudged_files.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "judge/class/file_names.hpp"
@@ -36,6 +37,19 @@ std::vector<std::string> notes_on_unjudged(const std::vector<Unit>& without_file
   std::vector<std::string> notes;
   for (const Unit& unit : without_file)
     if (const auto note = note_on(unit, sources, others)) notes.push_back(*note);
+  return notes;
+}
+
+std::vector<std::string> notes_on_hidden(const std::vector<Unit>& without_file,
+                                         const std::vector<fs::path>& hidden) {
+  std::vector<std::string> notes;
+  for (const Unit& unit : without_file) {
+    const auto found = std::find_if(hidden.begin(), hidden.end(), [&](const fs::path& path) {
+      return exercise_named(path.filename().string()) == unit.name;
+    });
+    if (found != hidden.end())
+      notes.push_back(not_judged(found->string()) + "it lies in a hidden folder");
+  }
   return notes;
 }
 

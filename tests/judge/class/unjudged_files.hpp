@@ -17,4 +17,10 @@ std::vector<std::string> notes_on_unjudged(const std::vector<Unit>& without_file
                                            const std::vector<fs::path>& sources,
                                            const std::vector<std::string>& others);
 
+/// The same of those in hidden folders: ".work/product.cpp is not judged: it lies in a hidden
+/// folder".
+/// @param hidden paths of source files there
+std::vector<std::string> notes_on_hidden(const std::vector<Unit>& without_file,
+                                         const std::vector<fs::path>& hidden);
+
 }  // namespace tumble::judge

@@ -80,8 +80,16 @@ TEST_CASE("sources: what is hidden is nobody's work, in an archive as in a folde
     const Sources sources(all, all.units, {"ben", work.path() / name});
     CHECK(sources.handed_in(all.units[2]) == "inverse.cpp");
     CHECK_FALSE(sources.handed_in(all.units[1]));
-    CHECK(sources.notes().empty());
+    const std::vector<std::string> notes = {
+        ".history/product.cpp is not judged: it lies in a hidden folder"};
+    CHECK(sources.notes() == notes);  // nothing of the old file of an exercise that has a new one
   }
+}
+
+TEST_CASE("sources: if all there is lies in a hidden folder, that is said") {
+  CHECK(notes_on({".work/product.cpp", ".work/main.cpp", ".git/inverse.cpp"}) ==
+        "no exercise found in it; it is empty\n"
+        ".work/product.cpp is not judged: it lies in a hidden folder\n");
 }
 
 TEST_CASE("sources: a folder that this machine cannot open is no refusal of the student's work") {

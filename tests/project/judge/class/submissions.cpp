@@ -109,3 +109,10 @@ TEST_CASE("files below a folder: links are named and not followed, hidden folder
   std::sort(files.begin(), files.end());
   CHECK(files == std::vector<fs::path>{"a/b.cpp", "usr"});
 }
+
+TEST_CASE("files below a folder: hidden ones are searched if asked for, .git never") {
+  const WorkFolder work;
+  for (const char* folder : {"a", ".work", ".git"}) touch(work.path() / folder / "b.cpp");
+  CHECK(files_below(work.path(), HiddenFolders::searched) ==
+        std::vector<fs::path>{".work/b.cpp", "a/b.cpp"});
+}
