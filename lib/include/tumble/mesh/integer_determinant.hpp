@@ -69,41 +69,26 @@ inline int sign_of_determinant(const std::array<std::int64_t, 3>& x,
   return static_cast<std::uint64_t>(low) != 0;
 }
 
-/// The sign of x · (y × z), given as the axes' triples (x, y, z); nothing if the numbers of an axis
-/// are too far apart.
-inline std::optional<int> integer_sign_of_determinant(
-    const std::array<std::array<double, 3>, 3>& axes) {
-  std::array<std::array<std::int64_t, 3>, 3> rows{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = as_integers(axes[i]);
-    if (!axis) return std::nullopt;
-    for (std::size_t k = 0; k < 3; ++k) rows[k][i] = (*axis)[k];
-  }
-  return sign_of_determinant(rows[0], rows[1], rows[2]);
-}
-
-/// The sign of (a − d) · ((b − d) × (c − d)), given as the axes' (a, b, c, d), whose differences
-/// may round; nothing as before.
-inline std::optional<int> integer_sign_of_differences(
-    const std::array<std::array<double, 4>, 3>& axes) {
-  std::array<std::array<std::int64_t, 3>, 3> rows{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = as_integers(axes[i]);
-    if (!axis) return std::nullopt;
-    for (std::size_t k = 0; k < 3; ++k) rows[k][i] = (*axis)[k] - (*axis)[3];
-  }
-  return sign_of_determinant(rows[0], rows[1], rows[2]);
-}
-
-#else
-
-inline std::optional<int> integer_sign_of_determinant(const std::array<std::array<double, 3>, 3>&) {
-  return std::nullopt;
-}
-inline std::optional<int> integer_sign_of_differences(const std::array<std::array<double, 4>, 3>&) {
-  return std::nullopt;
-}
-
 #endif
+
+/// The sign of x · (y × z), given by axes: (x, y, z) of each; or of (x − w) · ((y − w) × (z − w)),
+/// given as (x, y, z, w), whose differences may round. Nothing if the numbers of an axis are too
+/// far apart.
+template <std::size_t n>
+std::optional<int> integer_sign_of_determinant(
+    [[maybe_unused]] const std::array<std::array<double, n>, 3>& axes) {
+  static_assert(n == 3 || n == 4);
+#ifdef __SIZEOF_INT128__
+  std::array<std::array<std::int64_t, 3>, 3> rows{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = as_integers(axes[i]);
+    if (!axis) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k) rows[k][i] = (*axis)[k] - (n == 4 ? (*axis)[n - 1] : 0);
+  }
+  return sign_of_determinant(rows[0], rows[1], rows[2]);
+#else
+  return std::nullopt;
+#endif
+}
 
 }  // namespace tumble::detail

@@ -19,16 +19,16 @@ TUMBLE_BODY int exact_side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c,
       has_exact_difference(a, d) && has_exact_difference(b, d) && has_exact_difference(c, d);
   if (exact) {
     const Vec3 u = a - d, v = b - d, w = c - d;
-    if (const auto sign = integer_sign_of_determinant(
+    if (const auto sign = integer_sign_of_determinant<3>(
             {{{u.x(), v.x(), w.x()}, {u.y(), v.y(), w.y()}, {u.z(), v.z(), w.z()}}}))
       return *sign;
     ExactSum<24> sum;
     add_determinant(sum, 1, u, v, w);
     return sum.sign();
   }
-  if (const auto sign = integer_sign_of_differences({{{a.x(), b.x(), c.x(), d.x()},
-                                                      {a.y(), b.y(), c.y(), d.y()},
-                                                      {a.z(), b.z(), c.z(), d.z()}}}))
+  if (const auto sign = integer_sign_of_determinant<4>({{{a.x(), b.x(), c.x(), d.x()},
+                                                         {a.y(), b.y(), c.y(), d.y()},
+                                                         {a.z(), b.z(), c.z(), d.z()}}}))
     return *sign;
   ExactSum<96> sum;
   add_determinant(sum, 1, a, b, c);

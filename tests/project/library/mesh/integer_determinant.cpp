@@ -27,7 +27,7 @@ std::optional<int> side_by_integers(const std::array<Vec3, 4>& p) {
   std::array<std::array<double, 4>, 3> axes{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 4; ++k) axes[i][k] = p[k][static_cast<int>(i)];
-  return integer_sign_of_differences(axes);
+  return integer_sign_of_determinant(axes);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ TEST_CASE(
     if (run % 3 != 0) y.y() = std::nextafter(y.y(), run % 3 == 1 ? 2. : -2.);
     ExactSum<24> sum;
     add_determinant(sum, 1, x, y, z);
-    const auto sign = integer_sign_of_determinant(
+    const auto sign = integer_sign_of_determinant<3>(
         {{{x.x(), y.x(), z.x()}, {x.y(), y.y(), z.y()}, {x.z(), y.z(), z.z()}}});
     if (!sign) continue;
     CHECK(*sign == sum.sign());
@@ -88,7 +88,7 @@ TEST_CASE("integer determinant: the largest integers that are taken do not overf
                    std::array{-most, most, -most, most}, std::array{-most, -most, most, most}};
     std::array<Vec3, 4> p;
     for (std::size_t k = 0; k < 4; ++k) p[k] = {axes[0][k], axes[1][k], axes[2][k]};
-    CHECK(*integer_sign_of_differences(axes) == side_by_sum(p));
+    CHECK(*integer_sign_of_determinant(axes) == side_by_sum(p));
     CHECK(side_by_sum(p) != 0);
   }
 }
