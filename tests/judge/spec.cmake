@@ -19,7 +19,8 @@ endfunction()
 # the assertions alone.
 function(tumble_use_spec_headers target)
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR TUMBLE_COMPUTES_LITTLE)
-    target_link_libraries(${target} PRIVATE tumble_eigen_throws)
+    # Its options, and not the library itself, which tumble_judge_parts would meet as one to link only.
+    target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:tumble_eigen_throws,INTERFACE_COMPILE_OPTIONS>)
     return()
   endif()
   tumble_add_spec_headers()

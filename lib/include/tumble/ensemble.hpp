@@ -6,6 +6,7 @@
 /// Many independent bodies in one call.
 
 #include "tumble/ensemble/advance.hpp"
+#include "tumble/ensemble/common_fall.hpp"
 #include "tumble/ensemble/drift.hpp"
 #include "tumble/ensemble/eights.hpp"
 #include "tumble/ensemble/ensemble.hpp"

@@ -147,7 +147,7 @@ void Sources::add_folder(const std::string& within, const fs::path& folder) {
     refused_ = "cannot be read: " + unreadable.message();
     return;
   }
-  for (const fs::path& path : files_below(folder, HiddenFolders::searched)) {
+  for (const fs::path& path : files_below(folder)) {
     const fs::path name = fs::path(within) / path;
     const bool is_archive = !archive_stem(path.filename().string()).empty();
     if (is_archive && !is_nobodys(path))
@@ -155,6 +155,8 @@ void Sources::add_folder(const std::string& within, const fs::path& folder) {
     else
       add_file(name, folder / path);
   }
+  for (const fs::path& path : hidden_sources_below(folder))
+    hidden_.push_back(fs::path(within) / path);
 }
 
 /// @param within its name where it is one of several things; empty if it is all that was handed in
@@ -175,6 +177,10 @@ void Sources::add_archive(const std::string& within, const fs::path& archive) {
   }
   for (const auto& [path, text] : unpacked.files) {
     const fs::path name = (fs::path(within) / path).lexically_normal();
+    if (is_nobodys(name)) {
+      if (!is_clutter(name.filename().string())) hidden_.push_back(name);
+      continue;
+    }
     support::write_text_and_folders(own_.path() / name, text);
     add_file(name, own_.path() / name);
   }
@@ -186,12 +192,8 @@ void Sources::add_archive(const std::string& within, const fs::path& archive) {
 }
 
 void Sources::add_file(const fs::path& name, const fs::path& file) {
-  const bool is_source = !source_stem(name.filename().string()).empty();
-  if (is_nobodys(name)) {
-    if (is_source && !is_clutter(name.filename().string())) hidden_.push_back(name);
-    return;
-  }
-  if (is_source)
+  if (is_nobodys(name)) return;
+  if (!source_stem(name.filename().string()).empty())
     files_[name] = file;
   else
     others_.push_back(name.string());
@@ -224,7 +226,7 @@ void Sources::choose(const Course& course, const std::vector<Unit>& counted) {
     } else {
       note_nothing_found();
     }
-    for (std::string& note : notes_on_hidden(without_file, hidden_))
+    for (std::string& note : notes_on_hidden(course, without_file, hidden_))
       notes_.push_back(std::move(note));
   } else {
     refused_ = "has " + refused_archives_.front();
@@ -264,8 +266,10 @@ void Sources::note_nothing_found() {
   std::sort(found.begin(), found.end(), [](const std::string& a, const std::string& b) {
     return natural_less(fs::path(a), fs::path(b));
   });
-  notes_.push_back("no exercise found in it; it " +
-                   (found.empty() ? std::string("is empty") : "holds " + some_of(found)));
+  notes_.push_back("no exercise found in it; it " + (!found.empty() ? "holds " + some_of(found)
+                                                     : hidden_.empty()
+                                                         ? "is empty"
+                                                         : "holds hidden folders only"));
 }
 
 void Sources::convert(const std::string& unit) {

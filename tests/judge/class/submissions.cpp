@@ -80,7 +80,7 @@ std::vector<Part> parts_of(const Submission& submission) {
   return submission.parts.empty() ? std::vector<Part>{{"", submission.path}} : submission.parts;
 }
 
-std::vector<fs::path> files_below(const fs::path& folder, HiddenFolders hidden) {
+std::vector<fs::path> files_below(const fs::path& folder) {
   constexpr std::size_t most = 100'000;
   std::vector<fs::path> paths;
   std::error_code unreadable;
@@ -89,14 +89,30 @@ std::vector<fs::path> files_below(const fs::path& folder, HiddenFolders hidden) 
        it.increment(unreadable)) {
     std::error_code gone;
     const bool is_folder = !it->is_symlink(gone) && it->is_directory(gone);
-    const fs::path name = it->path().filename();
-    if (is_folder && is_hidden(name) && (hidden == HiddenFolders::skipped || name == ".git"))
-      it.disable_recursion_pending();
+    if (is_folder && is_hidden(it->path().filename())) it.disable_recursion_pending();
     if (!is_folder) paths.push_back(it->path().lexically_relative(folder));
   }
   require_working_machine(folder, unreadable.value());  // the files behind it may be all there
   std::sort(paths.begin(), paths.end(),
             [](const fs::path& a, const fs::path& b) { return natural_less(a, b); });
+  return paths;
+}
+
+std::vector<fs::path> hidden_sources_below(const fs::path& folder) {
+  constexpr std::size_t most = 20'000;
+  std::vector<fs::path> paths;
+  std::error_code ignored;
+  std::size_t seen = 0;
+  auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied,
+                                             ignored);
+  for (; it != fs::recursive_directory_iterator() && ++seen < most; it.increment(ignored)) {
+    const fs::path name = it->path().filename(), path = it->path().lexically_relative(folder);
+    if (name == ".git") it.disable_recursion_pending();
+    const fs::path within = path.parent_path();
+    if (std::any_of(within.begin(), within.end(), is_hidden) && !is_clutter(name.string()) &&
+        !source_stem(name.string()).empty() && it->is_regular_file(ignored))
+      paths.push_back(path);
+  }
   return paths;
 }
 

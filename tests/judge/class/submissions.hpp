@@ -43,13 +43,14 @@ struct Submission {
 /// All its parts: itself, if it has no others.
 std::vector<Part> parts_of(const Submission& submission);
 
-/// What lies in folders whose names begin with a dot.
-enum class HiddenFolders { skipped, searched };
-
 /// The paths of all regular files below a folder, relative to it and in natural order. Links are
-/// not followed, and .git is never searched.
-std::vector<fs::path> files_below(const fs::path& folder,
-                                  HiddenFolders hidden = HiddenFolders::skipped);
+/// not followed.
+std::vector<fs::path> files_below(const fs::path& folder);
+
+/// The source files in hidden folders below a folder, relative to it, as far as they are seen in
+/// passing: what cannot be read is passed over, .git is never looked into, and after 20,000 entries
+/// nothing is.
+std::vector<fs::path> hidden_sources_below(const fs::path& folder);
 
 /// The file that counts for a unit, and the others that could have been meant.
 struct ChosenFile {

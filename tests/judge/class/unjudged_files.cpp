@@ -40,13 +40,19 @@ std::vector<std::string> notes_on_unjudged(const std::vector<Unit>& without_file
   return notes;
 }
 
-std::vector<std::string> notes_on_hidden(const std::vector<Unit>& without_file,
+std::vector<std::string> notes_on_hidden(const Course& course,
+                                         const std::vector<Unit>& without_file,
                                          const std::vector<fs::path>& hidden) {
+  const auto is_of = [&](const fs::path& path, const Unit& unit) {
+    if (exercise_named(path.filename().string()) != unit.name) return false;
+    const auto namesakes = std::count_if(course.units.begin(), course.units.end(),
+                                         [&](const Unit& u) { return u.name == unit.name; });
+    return namesakes == 1 || std::find(path.begin(), path.end(), unit.chapter) != path.end();
+  };
   std::vector<std::string> notes;
   for (const Unit& unit : without_file) {
-    const auto found = std::find_if(hidden.begin(), hidden.end(), [&](const fs::path& path) {
-      return exercise_named(path.filename().string()) == unit.name;
-    });
+    const auto found = std::find_if(hidden.begin(), hidden.end(),
+                                    [&](const fs::path& path) { return is_of(path, unit); });
     if (found != hidden.end())
       notes.push_back(not_judged(found->string()) + "it lies in a hidden folder");
   }

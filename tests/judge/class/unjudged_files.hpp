@@ -18,9 +18,11 @@ std::vector<std::string> notes_on_unjudged(const std::vector<Unit>& without_file
                                            const std::vector<std::string>& others);
 
 /// The same of those in hidden folders: ".work/product.cpp is not judged: it lies in a hidden
-/// folder".
+/// folder". Where several exercises of the course have a name, the folder of the chapter tells
+/// whose it is.
 /// @param hidden paths of source files there
-std::vector<std::string> notes_on_hidden(const std::vector<Unit>& without_file,
+std::vector<std::string> notes_on_hidden(const Course& course,
+                                         const std::vector<Unit>& without_file,
                                          const std::vector<fs::path>& hidden);
 
 }  // namespace tumble::judge

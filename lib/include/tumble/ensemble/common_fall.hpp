@@ -9,14 +9,31 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "tumble/core/types.hpp"
+#include "tumble/ensemble/eights.hpp"
 
 namespace tumble::detail::ensembles {
 
-/// The largest component's size; infinite if one is not finite.
-inline double largest_or_infinite(const Vec3& v) {
-  return v.allFinite() ? v.cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity();
+/// How large the components of all x [m] and v [m/s] are at most; infinite if one is not finite.
+struct Extent {
+  double x = 0, v = 0;
+};
+
+inline Extent extent_of(std::span<const EightPaths> paths) {
+  Extent extent;
+  double not_finite = 0;  // NaN if a number is not
+  for (const EightPaths& path : paths)
+    for (int k = 0; k < 3; ++k)
+      for (int lane = 0; lane < eight; ++lane) {
+        const double x = path.x[k][lane], v = path.v[k][lane];
+        extent.x = std::max(extent.x, std::abs(x));
+        extent.v = std::max(extent.v, std::abs(v));
+        not_finite += 0 * x + 0 * v;
+      }
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  return not_finite == 0 ? extent : Extent{infinite, infinite};
 }
 
 /// How long all have fallen since their x and v were written, and what they have gained by it.
@@ -27,16 +44,25 @@ struct CommonFall {
 
   /// Goes on for a time [s] under an acceleration [m/s²].
   void go_on(double more, const Vec3& acceleration) {
-    path += more * velocity + more * more / 2 * acceleration;
+    path += more * (velocity + more / 2 * acceleration);
     velocity += more * acceleration;
     time += more;
   }
   bool is_none() const { return time == 0 && velocity.isZero(0) && path.isZero(0); }
-  Vec3 position(const Vec3& x, const Vec3& v) const { return x + time * v + path; }
-  /// Whether no x and v up to these sizes leave the finite numbers by it.
-  bool stays_finite(double x, double v) const {
-    return std::isfinite(x + std::abs(time) * v + largest_or_infinite(path)) &&
-           std::isfinite(v + largest_or_infinite(velocity));
+  double position(double x, double v, int axis) const { return x + time * v + path[axis]; }
+
+  /// Writes where eight bodies are by now, and how fast.
+  void write_to(EightPaths& to) const {
+    for (int k = 0; k < 3; ++k)
+      for (int lane = 0; lane < eight; ++lane) {
+        to.x[k][lane] = position(to.x[k][lane], to.v[k][lane], k);
+        to.v[k][lane] += velocity[k];
+      }
+  }
+  /// Whether no x and v of this extent leave the finite numbers by it.
+  bool stays_finite(const Extent& from) const {
+    const double x = path.cwiseAbs().sum(), v = velocity.cwiseAbs().sum();
+    return std::isfinite(from.x + std::abs(time) * from.v + x) && std::isfinite(from.v + v);
   }
 };
 

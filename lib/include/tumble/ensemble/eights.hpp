@@ -22,7 +22,8 @@ struct alignas(64) EightSpins {
   Row asymmetry[3];  ///< (B − C)/A, (C − A)/B, (A − B)/C: at most 1, 0 for a ball; stays the same
 };
 
-/// Where their centres of mass are [m] and how fast these go [m/s], world coordinates.
+/// Where their centres of mass are [m] and how fast these go [m/s], world coordinates; or were when
+/// this was written last: see CommonFall.
 struct alignas(64) EightPaths {
   Row x[3], v[3];
 };

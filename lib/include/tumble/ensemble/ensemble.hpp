@@ -4,6 +4,7 @@
 ///
 /// Source: the principal axes as in Landau & Lifshitz, "Mechanics" (1976), §32.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,35 +52,31 @@ class Ensemble {
             mass[lane] * velocity(i), turn.normalized() * L_principal};
   }
 
-  /// The structures of eight, for kernels.
+  // For advance() and its kernels.
+
+  /// Structures of eight.
   std::span<const detail::ensembles::EightBodies> bodies() const { return bodies_; }
+  /// The paths are those that were written last.
   detail::ensembles::EightMotions motions(std::size_t eight) {
     return {spins_[eight], paths_[eight]};
   }
 
   /// All centres of mass go on for a time [s] under an acceleration [m/s²]; no path is written.
   void fall(double time, const Vec3& acceleration) {
-    if (!extent_is_known_) measure_extent();
+    if (!extent_) extent_ = detail::ensembles::extent_of(paths_);
     fall_.go_on(time, acceleration);
   }
   /// Writes where they are by now, before each goes its own way.
   void write_paths() {
-    extent_is_known_ = false;
+    extent_.reset();
     if (fall_.is_none()) return;
-    for (std::size_t i = 0; i < detail::ensembles::eight * paths_.size(); ++i) {
-      auto& path = paths_[i / detail::ensembles::eight];
-      const int lane = lane_of(i);
-      const Vec3 x = position(i), v = velocity(i);
-      put<3>(x, path.x, lane);
-      put<3>(v, path.v, lane);
-    }
+    for (detail::ensembles::EightPaths& path : paths_) fall_.write_to(path);
     fall_ = {};
   }
-
   /// The bodies whose motion is not finite, if the fall may have brought any beyond the numbers;
   /// `turning` is what is known of those that do not turn finitely.
   LostBodies lost_by_falling(const LostBodies& turning) const {
-    if (fall_.stays_finite(farthest_, fastest_)) return turning;
+    if (extent_ && fall_.stays_finite(*extent_)) return turning;
     LostBodies lost;
     for (std::size_t i = 0; i < size_; ++i)
       if (!is_finite(i)) lost.add(i);
@@ -127,8 +124,10 @@ class Ensemble {
   }
 
   Vec3 position(std::size_t i) const {
-    const auto& path = paths_[i / detail::ensembles::eight];
-    return fall_.position(vector(path.x, lane_of(i)), vector(path.v, lane_of(i)));
+    const auto& [x, v] = paths_[i / detail::ensembles::eight];
+    const int lane = lane_of(i);
+    return {fall_.position(x[0][lane], v[0][lane], 0), fall_.position(x[1][lane], v[1][lane], 1),
+            fall_.position(x[2][lane], v[2][lane], 2)};
   }
   Vec3 velocity(std::size_t i) const {
     return vector(paths_[i / detail::ensembles::eight].v, lane_of(i)) + fall_.velocity;
@@ -139,15 +138,6 @@ class Ensemble {
            quaternion(spin.q, lane_of(i)).coeffs().allFinite() &&
            vector(spin.omega, lane_of(i)).allFinite();
   }
-  void measure_extent() {
-    farthest_ = fastest_ = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      farthest_ = std::max(farthest_, detail::ensembles::largest_or_infinite(position(i)));
-      fastest_ = std::max(fastest_, detail::ensembles::largest_or_infinite(velocity(i)));
-    }
-    extent_is_known_ = true;
-  }
-
   static Quat unit(std::size_t i, const Quat& q) {
     const double norm = q.coeffs().stableNorm();
     require(norm > 0 && std::isfinite(norm), "body ", i, " of an ensemble: no rotation has the ",
@@ -159,9 +149,8 @@ class Ensemble {
   std::vector<detail::ensembles::EightBodies> bodies_;
   std::vector<detail::ensembles::EightSpins> spins_;
   std::vector<detail::ensembles::EightPaths> paths_;
-  detail::ensembles::CommonFall fall_;  ///< since the paths were written
-  bool extent_is_known_ = false;
-  double farthest_ = 0, fastest_ = 0;  ///< |x| and |v| of all paths as written, if it is
+  detail::ensembles::CommonFall fall_;               ///< since the paths were written
+  std::optional<detail::ensembles::Extent> extent_;  ///< of the paths as written, if it is known
 };
 
 /// @}

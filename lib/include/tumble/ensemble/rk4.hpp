@@ -50,7 +50,10 @@ class Stepper<Rk4, P, Kernels> {
   template <class Forces>
   TUMBLE_INLINE void begin(const EightMotions& from, int lane, const ensemble::PackBody<P>& body,
                            const Forces& forces, double h) {
-    body_ = body;
+    if constexpr (Kernels::steady)
+      body_.asymmetry = body.asymmetry;  // nothing else is read from memory
+    else
+      body_ = body;
     kernels_.prepare(forces, body, h);
     now_.spin = load_spin<P>(from.spins, lane, h);
     if constexpr (!Kernels::steady) begin_path(from.paths, lane, h);

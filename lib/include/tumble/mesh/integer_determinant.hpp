@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -16,8 +17,8 @@ namespace tumble::detail {
 /// How many bits whole numbers may have, so that nothing below overflows.
 inline constexpr int integer_bits = 59;
 
-/// The numbers in units of the lowest bit that one of them has; nothing if the largest has more
-/// than `integer_bits` of these, or one is subnormal or not finite.
+/// The numbers in units of the lowest bit that one of them has; nothing if the largest then has
+/// more than `integer_bits` bits, or one is subnormal or not finite.
 template <std::size_t n>
 std::optional<std::array<std::int64_t, n>> as_integers(const std::array<double, n>& numbers) {
   constexpr int digits = std::numeric_limits<double>::digits, fraction = digits - 1;

@@ -34,8 +34,8 @@ void add_determinant(ExactSum<n>& sum, double sign, const Vec3& p, const Vec3& q
 bool has_exact_difference(const Vec3& p, const Vec3& q);
 
 /// The exact sign of (a − d) · ((b − d) × (c − d)): from the differences where these are exact, as
-/// between points that are near each other, else from the 24 products of the points themselves; by
-/// whole numbers where these are not too far apart.
+/// between points that are near each other, else from the 24 products of the points themselves;
+/// either by whole numbers, if those of an axis are not too far apart.
 int exact_side_of_plane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// On which side of the plane through a, b and c the point d is: the sign of (a − d) · ((b − d) ×

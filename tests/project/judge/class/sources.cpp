@@ -86,9 +86,16 @@ TEST_CASE("sources: what is hidden is nobody's work, in an archive as in a folde
   }
 }
 
+TEST_CASE(
+    "sources: of two exercises with one name, the chapter's folder tells whose a hidden file is") {
+  CHECK(notes_on({"01_particles/dydt.cpp", ".history/01_particles/dydt.cpp"}) == "");
+  CHECK(notes_on({"inverse.cpp", ".history/01_particles/dydt.cpp", ".history/dydt.cpp"}) ==
+        ".history/01_particles/dydt.cpp is not judged: it lies in a hidden folder\n");
+}
+
 TEST_CASE("sources: if all there is lies in a hidden folder, that is said") {
   CHECK(notes_on({".work/product.cpp", ".work/main.cpp", ".git/inverse.cpp"}) ==
-        "no exercise found in it; it is empty\n"
+        "no exercise found in it; it holds hidden folders only\n"
         ".work/product.cpp is not judged: it lies in a hidden folder\n");
 }
 

@@ -110,9 +110,15 @@ TEST_CASE("files below a folder: links are named and not followed, hidden folder
   CHECK(files == std::vector<fs::path>{"a/b.cpp", "usr"});
 }
 
-TEST_CASE("files below a folder: hidden ones are searched if asked for, .git never") {
+TEST_CASE("hidden sources: seen in passing, and what cannot be opened stops nothing") {
   const WorkFolder work;
-  for (const char* folder : {"a", ".work", ".git"}) touch(work.path() / folder / "b.cpp");
-  CHECK(files_below(work.path(), HiddenFolders::searched) ==
-        std::vector<fs::path>{".work/b.cpp", "a/b.cpp"});
+  for (const char* folder : {"a", ".work/b", ".git", ".closed"})
+    touch(work.path() / folder / "b.cpp");
+  touch(work.path() / ".work" / "notes.txt");
+  fs::permissions(work.path() / ".closed", fs::perms::none);
+  const std::vector<fs::path> found = hidden_sources_below(work.path());
+  CHECK(std::find(found.begin(), found.end(), ".work/b/b.cpp") != found.end());
+  CHECK(found.size() <= 2);  // root opens all folders
+  CHECK(files_below(work.path()) == std::vector<fs::path>{"a/b.cpp"});
+  fs::permissions(work.path() / ".closed", fs::perms::owner_all);
 }

@@ -91,3 +91,44 @@ TEST_CASE("common fall: who falls beyond the numbers is named, and takes no othe
   // A weight without end takes all.
   CHECK(advance(ensemble, {0.01, 1000}, Weight{{0, 0, -1e308}}).count == all.size());
 }
+
+TEST_CASE("common fall: what a force of its own has done to a body is seen by the next fall") {
+  const test::Bodies all = test::random_bodies(20, 3, 655);
+  Ensemble ensemble = all.ensemble();
+  std::vector<ForceAtBodyPoint> pulls(all.size(), {Vec3::Zero(), Vec3::Zero()});
+  pulls[9].force = Vec3(1e307, 0, 0);
+  CHECK(advance(ensemble, {0.01, 3}, Weight{}).count == 0);
+  CHECK(advance(ensemble, {0.01, 10}, ensemble::PerBody{pulls}).count == 0);
+  for (int call = 0; call < 2; ++call) {
+    const LostBodies lost = advance(ensemble, {0.01, 100'000}, Weight{});
+    CHECK(lost.count == 1);
+    CHECK(lost.first == 9);
+  }
+}
+
+TEST_CASE("common fall: a body alone falls as in company, whatever comes between") {
+  const test::Bodies all = test::random_bodies(19, 3, 656);
+  const Weight weight{{0.3, -0.2, -9.8}};
+  const auto go = [&](Ensemble& bodies) {
+    for (int run = 0; run < 4; ++run) {
+      CHECK(advance(bodies, {0.01, 7}, weight).count == 0);
+      CHECK(advance(bodies, {0.02, 2}, weight, BodyDrag{0.3, 0.1}).count == 0);
+      CHECK(advance(bodies, {-0.005, 3}).count == 0);
+    }
+  };
+  Ensemble together = all.ensemble();
+  go(together);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Ensemble alone = all.alone(i);
+    go(alone);
+    CHECK(test::same(alone.state(0), together.state(i)));
+  }
+}
+
+TEST_CASE("common fall: without a force no time is too long") {
+  test::Bodies all = test::random_bodies(1, 0, 657);
+  all.states[0] = {Vec3(1, 2, 3), Quat(1, 0, 0, 0), Vec3::Zero(), Vec3::Zero()};
+  Ensemble ensemble = all.ensemble();
+  CHECK(advance(ensemble, {1e200, 1}).count == 0);
+  CHECK(ensemble.state(0).x == Vec3(1, 2, 3));
+}
