@@ -106,7 +106,7 @@ TEST_CASE("integer determinant: what is left of large products may be 1 or −1"
 
 #endif
 
-TEST_CASE("integer determinant: refuses what has too many bits, or is no number") {
+TEST_CASE("integer determinant: refuses what has too many bits, or is not finite") {
   CHECK_FALSE(as_integers(std::array{0x1p59, 1.}));
   CHECK(as_integers(std::array{0x1p58, 1.}));
   CHECK(as_integers(std::array{0x1p900, 0x1p880, 0.}));
