@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
 
 namespace tumble::judge {
@@ -15,6 +16,19 @@ std::string not_judged(const std::string& path) { return escaped(path) + " is no
 std::string exercise_without_ending(const std::string& path) {
   const std::string file = fs::path(path).filename().string();
   return exercise_named(file.substr(0, file.find('.')) + ".cpp");
+}
+
+/// ".work/, a hidden folder", "__MACOSX/, a folder of the operating system".
+std::string unread_folder(const fs::path& path) {
+  const auto of_system = std::find_if(
+      path.begin(), path.end(), [](const fs::path& part) { return is_clutter(part.string()); });
+  if (of_system != path.end())
+    return escaped(of_system->string()) + "/, a folder of the operating system";
+  const auto hidden = std::find_if(path.begin(), path.end(), [](const fs::path& part) {
+    return part.string().starts_with(".");
+  });
+  return escaped((hidden == path.end() ? path.parent_path() : *hidden).string()) +
+         "/, a hidden folder";
 }
 
 std::optional<std::string> note_on(const Unit& unit, const std::vector<fs::path>& sources,
@@ -54,7 +68,7 @@ std::vector<std::string> notes_on_hidden(const Course& course,
     const auto found = std::find_if(hidden.begin(), hidden.end(),
                                     [&](const fs::path& path) { return is_of(path, unit); });
     if (found != hidden.end())
-      notes.push_back(not_judged(found->string()) + "it lies in a hidden folder");
+      notes.push_back(not_judged(found->string()) + "it lies in " + unread_folder(*found));
   }
   return notes;
 }

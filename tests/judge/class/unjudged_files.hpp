@@ -17,9 +17,9 @@ std::vector<std::string> notes_on_unjudged(const std::vector<Unit>& without_file
                                            const std::vector<fs::path>& sources,
                                            const std::vector<std::string>& others);
 
-/// The same of those in hidden folders: ".work/product.cpp is not judged: it lies in a hidden
-/// folder". Where several exercises of the course have a name, the folder of the chapter tells
-/// whose it is.
+/// The same of those in folders where nobody looks: ".work/product.cpp is not judged: it lies in
+/// .work/, a hidden folder". Where several exercises of the course have a name, the folder of the
+/// chapter tells whose it is.
 /// @param hidden paths of source files there
 std::vector<std::string> notes_on_hidden(const Course& course,
                                          const std::vector<Unit>& without_file,

@@ -81,22 +81,33 @@ TEST_CASE("sources: what is hidden is nobody's work, in an archive as in a folde
     CHECK(sources.handed_in(all.units[2]) == "inverse.cpp");
     CHECK_FALSE(sources.handed_in(all.units[1]));
     const std::vector<std::string> notes = {
-        ".history/product.cpp is not judged: it lies in a hidden folder"};
+        ".history/product.cpp is not judged: it lies in .history/, a hidden folder"};
     CHECK(sources.notes() == notes);  // nothing of the old file of an exercise that has a new one
   }
+}
+
+TEST_CASE("sources: a file in a folder that an operating system put into the archive is named") {
+  const Course all = four_units();
+  const WorkFolder work;
+  tumble::test::write_archive(work.path() / "ben.zip", {{"inverse.cpp", "// new\n"},
+                                                        {"__MACOSX/product.cpp", "// whose?\n"}});
+  const Sources sources(all, all.units, {"ben", work.path() / "ben.zip"});
+  const std::vector<std::string> notes = {
+      "__MACOSX/product.cpp is not judged: it lies in __MACOSX/, a folder of the operating system"};
+  CHECK(sources.notes() == notes);
 }
 
 TEST_CASE(
     "sources: of two exercises with one name, the chapter's folder tells whose a hidden file is") {
   CHECK(notes_on({"01_particles/dydt.cpp", ".history/01_particles/dydt.cpp"}) == "");
   CHECK(notes_on({"inverse.cpp", ".history/01_particles/dydt.cpp", ".history/dydt.cpp"}) ==
-        ".history/01_particles/dydt.cpp is not judged: it lies in a hidden folder\n");
+        ".history/01_particles/dydt.cpp is not judged: it lies in .history/, a hidden folder\n");
 }
 
 TEST_CASE("sources: if all there is lies in a hidden folder, that is said") {
   CHECK(notes_on({".work/product.cpp", ".work/main.cpp", ".git/inverse.cpp"}) ==
         "no exercise found in it; it holds hidden folders only\n"
-        ".work/product.cpp is not judged: it lies in a hidden folder\n");
+        ".work/product.cpp is not judged: it lies in .work/, a hidden folder\n");
 }
 
 TEST_CASE("sources: a folder that this machine cannot open is no refusal of the student's work") {
