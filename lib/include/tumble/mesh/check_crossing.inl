@@ -86,16 +86,16 @@ TUMBLE_BODY MeshDefect crossing_defect(const CrossingQuestion& of, const Crossin
 TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
                                                      TriangleMeetings meetings, double blur) {
   meetings.forgive(blur);
-  CrossingEvidence evidence{of.hits(blur), false, std::move(meetings)};
-  const std::vector<WrongDepth> wrong = all_wrong_depths(evidence.bundle);
-  const auto& [through, touching] = evidence.meetings;
+  const LineBundle bundle = of.hits(blur);
+  const std::vector<WrongDepth> wrong = all_wrong_depths(bundle);
+  const auto& [through, touching] = meetings;
   const bool suspicious = !wrong.empty() || !through.empty() || of.also_touching;
-  if (!of.also_touching) evidence.meetings.touching.clear();
-  evidence.is_seen = !wrong.empty();
+  if (!of.also_touching) meetings.touching.clear();
+  const CrossingEvidence evidence{bundle, wrong, meetings};
   const bool one_looks_inwards = std::any_of(of.surface.parts.begin(), of.surface.parts.end(),
                                              [](const Component& part) { return part.volume < 0; });
   if (!suspicious && !one_looks_inwards) return {};
-  const std::vector<PartDepth> depths = measure_parts(evidence.bundle, of.surface);
+  const std::vector<PartDepth> depths = measure_parts(bundle, of.surface);
   std::vector<MeshDefect> findings = find_wrong_parts(of.mesh, of.surface, depths, blur);
   const auto crosses = [&](const LineHit& hit) {
     const PartDepth& depth = depths[static_cast<std::size_t>(hit.part)];
@@ -108,7 +108,7 @@ TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
   if (longest == nullptr && (!wrong.empty() || (through.empty() && touching.empty())))
     return findings;
   const WrongVolume found = wrong_volume(of.mesh, of.surface, of.box, evidence, blur, counts);
-  if (longest != nullptr || found.volume > 0)
+  if (longest != nullptr || found.volume > 0 || !through.empty())
     findings.push_back(crossing_defect(of, evidence, longest, found));
   return findings;
 }

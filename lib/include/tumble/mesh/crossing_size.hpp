@@ -3,6 +3,7 @@
 /// How much of its volume does a surface that crosses itself count wrongly?
 
 #include "tumble/mesh/crossing_cells.hpp"
+#include "tumble/mesh/crossing_groups.hpp"
 #include "tumble/mesh/crossing_pairs.hpp"
 #include "tumble/mesh/part_overlaps.hpp"
 
@@ -14,9 +15,15 @@ Eigen::AlignedBox3d box_around(const std::vector<TriangleMeeting>& meetings);
 
 /// What is known of a crossing before its size is.
 struct CrossingEvidence {
-  LineBundle bundle;          ///< the lines that were drawn first
-  bool is_seen;               ///< whether any of them has a wrong depth
-  TriangleMeetings meetings;  ///< places where triangles meet, if they were looked for
+  const LineBundle& bundle;              ///< the lines that were drawn first
+  const std::vector<WrongDepth>& wrong;  ///< where the depth on them is wrong
+  const TriangleMeetings& meetings;      ///< where triangles meet, as far as that was looked for
+
+  /// Whether any of the lines met a crossing.
+  template <class Counts>
+  bool is_seen(const Counts& counts) const {
+    return std::any_of(wrong.begin(), wrong.end(), counts);
+  }
 };
 
 /// The box around what is known of a crossing, with two spacings of the lines around it: those
@@ -27,19 +34,17 @@ Eigen::AlignedBox3d box_around(const CrossingEvidence& evidence, const Eigen::Al
                                const Counts& counts) {
   constexpr double spacings = 2.0 / 64;  // of some thousand lines
   Eigen::AlignedBox3d known;
-  evidence.bundle.for_each([&](const LineHits& hits) {
-    for (const WrongDepth& wrong : find_wrong_depths(hits)) {
-      if (!counts(wrong)) continue;
-      const View& view = wrong.here.view;
-      for (const double z : {wrong.here.z, wrong.here.z + wrong.length}) {
-        Vec3 p;
-        p[view.axis] = z;
-        p[view.world(0)] = wrong.here.line.x();
-        p[view.world(1)] = wrong.here.line.y();
-        known.extend(p);
-      }
+  for (const WrongDepth& wrong : evidence.wrong) {
+    if (!counts(wrong)) continue;
+    const View& view = wrong.here.view;
+    for (const double z : {wrong.here.z, wrong.here.z + wrong.length}) {
+      Vec3 p;
+      p[view.axis] = z;
+      p[view.world(0)] = wrong.here.line.x();
+      p[view.world(1)] = wrong.here.line.y();
+      known.extend(p);
     }
-  });
+  }
   for (const TriangleMeeting& meeting : evidence.meetings.through)
     known.extend(meeting.crossing.place);
   const Vec3 margin =
@@ -56,13 +61,11 @@ Eigen::AlignedBox3d box_of_parts(const PolygonMesh& mesh, const Components& surf
   const auto extend = [&](int part) {
     if (part >= 0) box.extend(parts[static_cast<std::size_t>(part)].box);
   };
-  evidence.bundle.for_each([&](const LineHits& hits) {
-    for (const WrongDepth& wrong : find_wrong_depths(hits)) {
-      if (!counts(wrong)) continue;
-      extend(wrong.here.part);
-      extend(wrong.before.part);
-    }
-  });
+  for (const WrongDepth& wrong : evidence.wrong) {
+    if (!counts(wrong)) continue;
+    extend(wrong.here.part);
+    extend(wrong.before.part);
+  }
   for (const auto* list : {&evidence.meetings.through, &evidence.meetings.touching})
     for (const TriangleMeeting& meeting : *list)
       for (const int face : meeting.faces) extend(surface.of(mesh.face(face)[0]));
@@ -103,21 +106,24 @@ struct CrossingLines {
           cells.begin_at(view.point(meeting.crossing.place).head<2>());
       const WrongVolume found =
           seen < enough ? cells.measure() : volume_by_lattice(hits, view.box(box), counts);
-      if (found.volume > largest.volume) largest = found;
+      const bool nothing = found.volume == 0 && largest.volume == 0;
+      if (axis == 0 || found.volume > largest.volume ||
+          (nothing && found.uncertainty < largest.uncertainty))
+        largest = found;
     }
     return largest;
   }
 };
 
-/// The volume that counts wrongly. Where a crossing is so small that few lines met it, all lines
-/// are drawn near it.
+/// The volume that counts wrongly at one crossing. Where a crossing is so small that few lines met
+/// it, all lines are drawn near it.
 /// @param counts counts(WrongDepth): whether a piece of a line belongs to the crossing
 template <class Counts>
-WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
-                         const Eigen::AlignedBox3d& box, const CrossingEvidence& evidence,
-                         double blur, const Counts& counts) {
+WrongVolume wrong_volume_at(const PolygonMesh& mesh, const Components& surface,
+                            const Eigen::AlignedBox3d& box, const CrossingEvidence& evidence,
+                            double blur, const Counts& counts) {
   const CrossingLines<Counts> lines{mesh, surface, box, evidence, blur, counts};
-  const bool met = evidence.is_seen, through = !evidence.meetings.through.empty();
+  const bool met = evidence.is_seen(counts), through = !evidence.meetings.through.empty();
   if (!met && through) return lines.volume_in(box_around(evidence.meetings.through), 256);
   const Eigen::AlignedBox3d parts = box_of_parts(mesh, surface, evidence, counts);
   const WrongVolume found = lines.volume_in(parts, 4096);
@@ -126,6 +132,31 @@ WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
   const bool better =
       closer.volume > 0 && closer.uncertainty * found.volume <= found.uncertainty * closer.volume;
   return better ? closer : found;
+}
+
+/// The volume that counts wrongly at all crossings: each pair of parts is measured by itself,
+/// because a box around crossings that are apart has cells that are larger than they are.
+template <class Counts>
+WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
+                         const Eigen::AlignedBox3d& box, const CrossingEvidence& evidence,
+                         double blur, const Counts& counts) {
+  const CrossingGroups groups(mesh, surface, evidence.meetings);
+  const std::size_t number = groups.list().size();
+  if (number < 2) return wrong_volume_at(mesh, surface, box, evidence, blur, counts);
+  const auto measure = [&](std::size_t k) -> WrongVolume {
+    const auto belongs = [&groups, &counts, k](const WrongDepth& wrong) {
+      return groups.owner(wrong) == k && counts(wrong);
+    };
+    const TriangleMeetings none;
+    const CrossingEvidence own{evidence.bundle, evidence.wrong,
+                               k < number ? groups.list()[k] : none};
+    if (k == number && !own.is_seen(belongs)) return {};
+    const WrongVolume found = wrong_volume_at(mesh, surface, box, own, blur, belongs);
+    const bool only_touch = found.volume == 0 && own.meetings.through.empty();
+    return only_touch ? WrongVolume{} : found;
+  };
+  const WrongVolume known = sum_over_crossings(number, measure), others = measure(number);
+  return {known.volume + others.volume, std::hypot(known.uncertainty, others.uncertainty)};
 }
 
 }  // namespace tumble::detail

@@ -18,12 +18,15 @@ namespace tumble::detail {
 
 TUMBLE_BODY TriangleMeetings meetings_for(const PolygonMesh& mesh, const Components& surface,
                                           std::vector<char> hidden, crossings::Search search) {
-  constexpr int few = 100;  // a face, or a part
+  constexpr int few = 100;            // a face, or a part
+  constexpr double affordable = 2e7;  // pairs of a mesh: half a second
   if (search == crossings::Search::thorough || mesh.face_count() <= always_pairs)
     return find_meetings(mesh, boxed_triangles(mesh));
   const bool any_hidden = std::find(hidden.begin(), hidden.end(), 1) != hidden.end();
   if (mesh.face_count() <= few_pairs) {
-    if (!any_hidden) return find_meetings(mesh, boxed_triangles(mesh), few);
+    if (!any_hidden)
+      return find_meetings(mesh, boxed_triangles(mesh),
+                           std::max<double>(few, affordable / mesh.face_count()));
     // A grid around parts that are far from each other has no use: each part has its own.
     hidden.assign(hidden.size(), 1);
   }
@@ -46,6 +49,7 @@ TUMBLE_BODY std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, c
   constexpr double enough = 0.25;  // of the lines
   const std::vector<char> hidden = hardly_seen_parts(mesh, surface, box, enough);
   const bool also_touching = search == crossings::Search::thorough ||
+                             mesh.face_count() <= always_pairs ||
                              std::find(hidden.begin(), hidden.end(), 1) != hidden.end();
   const std::vector<MeshDefect> depth =
       find_wrong_depth({mesh, surface, box, lattices, all.near_lines, also_touching, rounding},

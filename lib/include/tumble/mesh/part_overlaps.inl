@@ -80,13 +80,14 @@ TUMBLE_BODY std::vector<std::vector<BoxedTriangle>> triangles_of_parts(
 TUMBLE_BODY TriangleMeetings meetings_of_parts(const PolygonMesh& mesh, const Components& surface,
                                                const std::vector<char>& hidden, std::size_t most,
                                                std::size_t few) {
-  const auto pairs = static_cast<double>(few);
-  TriangleMeetings found =
-      find_meetings(mesh, triangles_near_other_parts(mesh, surface, most, few), pairs);
-  constexpr double affordable = 1e8;  // pairs of a part: 2 to 3 s
+  constexpr double affordable = 1e8;  // pairs: 2 to 3 s
+  const auto meetings_among = [&](const std::vector<BoxedTriangle>& triangles) {
+    const auto number = static_cast<double>(std::max<std::size_t>(1, triangles.size()));
+    return find_meetings(mesh, triangles, std::max(static_cast<double>(few), affordable / number));
+  };
+  TriangleMeetings found = meetings_among(triangles_near_other_parts(mesh, surface, most, few));
   for (const auto& triangles : triangles_of_parts(mesh, surface, hidden))
-    found.append(find_meetings(
-        mesh, triangles, std::max(pairs, affordable / static_cast<double>(triangles.size()))));
+    found.append(meetings_among(triangles));
   return found;
 }
 

@@ -268,3 +268,66 @@ TEST_CASE("SpaceGrid: a body whose volume is no double any more has cells all th
   const detail::SpaceGrid grid({{0, {0, 1, 2}, nothing}});
   CHECK(grid.cell_of(Vec3::Zero()) == detail::SpaceGrid::Cell{0, 0, 0});
 }
+
+TEST_CASE("crossings that are apart: each is measured, however small it is beside their distance") {
+  const auto pair = [](double o) {  // two cubes, one of which goes into a corner of the other
+    return two_boxes(Vec3(1 - o, 1 - 0.9 * o, 1 - 0.95 * o),
+                     Vec3(2 - o, 2 - 0.9 * o, 2 - 0.95 * o));
+  };
+  const auto moved = [](PolygonMesh mesh, const Vec3& d) {
+    for (Vec3& p : mesh.vertices) p += d;
+    return mesh;
+  };
+  struct Case {
+    double distance, overlap;
+  };
+  for (const Case& one : {Case{10, 0.05}, {100, 0.12}, {1e3, 0.5}, {1e4, 0.8}}) {
+    const PolygonMesh near = pair(one.overlap);
+    const PolygonMesh mesh = test::together(near, moved(near, one.distance * Vec3(1, 0.7, 0.4)));
+    const double share = 0.855 * one.overlap * one.overlap * one.overlap / 2;
+    for (const auto search : {crossings::Search::usual, crossings::Search::thorough}) {
+      const MeshDefect found = crossing_of(mesh, search);
+      CAPTURE(one.distance);
+      CAPTURE(found.share);
+      CHECK(std::abs(found.share - share) <= 2 * found.share_uncertainty + 0.1 * share);
+      CHECK(found.share_uncertainty < 0.1 * share);
+    }
+  }
+}
+
+TEST_CASE("crossings that are apart: a chain of many, of which some are drawn") {
+  struct Case {
+    int boxes;
+    double overlap;
+  };
+  for (const Case& one : {Case{24, 0.03}, {48, 0.08}, {200, 0.12}, {600, 0.2}}) {
+    const auto [n, h] = one;
+    PolygonMesh mesh = test::cube();
+    for (int j = 1; j < n; ++j) {
+      const Vec3 low = j * Vec3(1 - h, 1 - 1.3 * h, 1 - 0.8 * h);
+      mesh = test::together(mesh, test::box(low, low + Vec3::Ones()));
+    }
+    const double share = 1.04 * h * h * h * (n - 1) / n;
+    const MeshDefect found = crossing_of(mesh, crossings::Search::usual);
+    CAPTURE(n);
+    CAPTURE(found.share);
+    CHECK(std::abs(found.share - share) <= 2 * found.share_uncertainty + 0.1 * share);
+  }
+}
+
+TEST_CASE("a crossing whose edges pass exactly through edges of the other part is found") {
+  for (const double h : {0.0128, 0.01442, 0.0154}) {
+    const PolygonMesh mesh = two_boxes(Vec3::Constant(1 - h), Vec3::Constant(2 - h));
+    const MeshDefect found = crossing_of(mesh, crossings::Search::usual);
+    CAPTURE(h);
+    CHECK(found.share == doctest::Approx(h * h * h / 2).epsilon(0.2));
+  }
+}
+
+TEST_CASE("a crossing that no line meets says what may be there") {
+  // A needle through a cube: 1e-10 of the volume count twice.
+  const MeshDefect found =
+      crossing_of(two_boxes({0.5, 0.5, -0.5}, {0.50001, 0.50001, 1.5}), crossings::Search::usual);
+  CHECK(found.share + found.share_uncertainty >= 1e-10);
+  CHECK(found.share + found.share_uncertainty < 1e-3);
+}
