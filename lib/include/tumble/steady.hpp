@@ -6,12 +6,14 @@
 /// Everything about bodies under forces that are constant in the world.
 
 #include "tumble/steady/lagrange_top.hpp"
+#include "tumble/steady/slowing.hpp"
 #include "tumble/steady/steady_path.hpp"
 #include "tumble/steady/steady_torque.hpp"
 #include "tumble/steady/top_constants.hpp"
 #include "tumble/steady/turning_by_series.hpp"
 #include "tumble/steady/turning_lanes.hpp"
 #include "tumble/steady/turning_series.hpp"
+#include "tumble/steady/turning_step.hpp"
 #include "tumble/steady/turning_term.hpp"
 
 /// What forces that are constant in the world make of a body: a top in closed form, Taylor series.

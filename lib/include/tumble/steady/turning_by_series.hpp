@@ -1,7 +1,7 @@
 #pragma once
 /// @file
 /// The turning of a body under steady forces over a span of time, by Taylor series of high order,
-/// each as long as it is good.
+/// each as long as it is good; what drag alone slows, in closed form in the end, see slowing.hpp.
 ///
 /// Source: Jorba & Zou, "A software package for the numerical integration of ODEs by means of
 /// high-order Taylor methods", Experimental Mathematics 14 (2005), §3.2: high orders and long steps
@@ -15,6 +15,7 @@
 #include "tumble/core/require.hpp"
 #include "tumble/core/step_at.hpp"
 #include "tumble/core/step_budget.hpp"
+#include "tumble/steady/slowing.hpp"
 #include "tumble/steady/turning_series.hpp"
 #include "tumble/steady/turning_term.hpp"
 
@@ -43,11 +44,11 @@ class TurningBySeries {
   ///         would take more than max_steps, which is said soon
   TurningBySeries(const SteadyTorque& torque, const TurningState& start, double t0, double t1,
                   double tolerance)
-      : series_(torque, detail::order_for(tolerance)) {
+      : torque_(torque), series_(torque, detail::order_for(tolerance)) {
     detail::StepBudget budget(t0, t1, max_steps);
     double t = t0;
     steps_.push_back({t, start, 1});
-    while (t < t1) {
+    while (t < t1 && !detail::only_slows(torque, steps_.back().state)) {
       series_.expand(steps_.back().state);
       const double next = std::min(t + series_.step(tolerance), t1);
       if (!(next > t)) stop(t, next);
@@ -60,6 +61,7 @@ class TurningBySeries {
                                 advice(torque, t1 - t0));
       t = next;
     }
+    if (t < t1) steps_.push_back({t1, detail::slowed(torque, steps_.back().state, t1 - t), 1});
   }
 
   static constexpr int max_steps = 2'000'000;
@@ -82,6 +84,8 @@ class TurningBySeries {
       const TurningState s = detail::turning_at(kept_.data() + i * terms, series_.order(), h);
       return {s.q, s.omega / step.unit};
     }
+    if (detail::only_slows(torque_, step.state))
+      return detail::slowed(torque_, step.state, t - step.t);
     detail::TurningSeries<rank> series = series_;
     series.expand(step.state);
     return series.at(t - step.t);
@@ -112,6 +116,7 @@ class TurningBySeries {
         ": the body turns by too many radians; ask for a shorter time");
   }
 
+  SteadyTorque torque_;
   detail::TurningSeries<rank> series_;
   std::vector<Step> steps_;
   std::vector<detail::TurningTerm> kept_;

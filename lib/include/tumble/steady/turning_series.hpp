@@ -18,13 +18,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "tumble/simd/instruction_set.hpp"
 #include "tumble/simd/pair.hpp"
 #include "tumble/steady/steady_torque.hpp"
 #include "tumble/steady/turning_lanes.hpp"
+#include "tumble/steady/turning_step.hpp"
 #include "tumble/steady/turning_term.hpp"
 
 namespace tumble::detail {
@@ -75,19 +75,8 @@ class TurningSeries {
   /// What the series counts time by since it was expanded [s].
   double unit() const { return unit_; }
 
-  /// The longest step [s] whose last terms stay below the tolerance, relative to ω and to 1 for q.
-  double step(double tolerance) const {
-    double h = std::numeric_limits<double>::infinity();
-    const double q0 = norm(q_[0].q), w0 = norm(w_[0].xyz);
-    for (const int k : {order_ - 1, order_}) {
-      const double last = std::max(norm(q_[k].q) / q0, w0 > 0 ? norm(w_[k].xyz) / w0 : 0.0);
-      // Three digits of h are plenty; single precision is faster.
-      if (last > 0)
-        h = std::min<double>(
-            h, std::exp2(static_cast<float>(std::log2(tolerance / last)) / static_cast<float>(k)));
-    }
-    return unit_ * h;
-  }
+  /// The longest step [s] whose last terms stay below the tolerance, see turning_step().
+  double step(double tolerance) const { return unit_ * turning_step(q_, w_, order_, tolerance); }
 
   /// The state so many seconds after the one expanded about.
   steady::TurningState at(double seconds) const {
