@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tumble/free_body/free_flow.hpp"
+#include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/trajectory.hpp"
 #include "tumble/steady/lagrange_top.hpp"
@@ -53,9 +54,7 @@ Trajectory closed_trajectory(const Turning& turning, const steady::SteadyPath& p
                              const SimulationTask& task, const SimulationReport& report) {
   const double span = task.t1 - task.t0;
   const auto& turned = turning.at(span);
-  if (!path.x(span).allFinite() || !path.P(span).allFinite() || !turned.q.coeffs().allFinite() ||
-      !turned.L.allFinite() || !std::isfinite(report.error_estimate))
-    throw_error<std::runtime_error>("simulate: the motion overflows a double before t = ", task.t1);
+  require_finite({path.x(span), turned.q, path.P(span), turned.L}, report.error_estimate, task.t1);
   return {
       std::make_shared<const ClosedFormTrajectory<Turning>>(turning, path, task.t0, task.t1, omega),
       task.t0, task.t1, report};

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/trajectory.hpp"
 
@@ -30,9 +31,11 @@ class ComputedTrajectory final : public AnyTrajectory<StateOf<Run>> {
 };
 
 /// A trajectory that owns its run.
+/// @throws std::runtime_error if the motion has left the range of doubles on the way
 template <class Run>
 TrajectoryOf<StateOf<std::decay_t<Run>>> trajectory_of(Run&& run, const SimulationTask& task,
                                                        const SimulationReport& report) {
+  require_finite(run.at(task.t1), report.error_estimate, task.t1);
   using Motion = ComputedTrajectory<std::decay_t<Run>>;
   return {std::make_shared<const Motion>(std::forward<Run>(run), task.t1), task.t0, task.t1,
           report};

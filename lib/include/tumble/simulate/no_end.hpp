@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "tumble/body/state.hpp"
 #include "tumble/core/step_budget.hpp"
 
 namespace tumble::detail {
@@ -25,6 +27,13 @@ void require_moments(double jumps, double t);
 /// @param square the largest of the squares of a motion's sizes
 /// @throws std::runtime_error if they would soon be infinite
 void require_range(double square, double t);
+
+/// That a motion and its error are numbers, so that nobody gets an answer that is none.
+/// @param error as it is stated
+/// @param t1    the end of the span [s]
+/// @throws std::runtime_error if the motion left the range of doubles on the way
+void require_finite(const RigidBodyState<>& end, double error, double t1);
+void require_finite(const std::vector<RigidBodyState<>>& ends, double error, double t1);
 
 }  // namespace tumble::detail
 

@@ -47,4 +47,14 @@ TUMBLE_BODY void require_range(double square, double t) {
         t, ": ask for a shorter time");
 }
 
+TUMBLE_BODY void require_finite(const RigidBodyState<>& end, double error, double t1) {
+  if (!pack(end).allFinite() || !std::isfinite(error))
+    throw_error<std::runtime_error>("simulate: the motion overflows a double before t = ", t1);
+}
+
+TUMBLE_BODY void require_finite(const std::vector<RigidBodyState<>>& ends, double error,
+                                double t1) {
+  for (const RigidBodyState<>& end : ends) require_finite(end, error, t1);
+}
+
 }  // namespace tumble::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tumble/core/compiled.hpp"
+#include "tumble/core/largest.hpp"
 #include "tumble/simulate/trajectory.hpp"
 
 namespace tumble::detail {
@@ -9,7 +10,7 @@ TUMBLE_BODY void add_report(SimulationReport& all, const SimulationReport& one) 
   if (one.method != all.method) all.method = "each part by itself";
   if (one.why != all.why) all.why = "each part for its own reasons";
   all.model = std::max(all.model, one.model);
-  all.error_estimate = std::max(all.error_estimate, one.error_estimate);
+  all.error_estimate = largest({all.error_estimate, one.error_estimate});
   all.runs += one.runs;
   all.steps += one.steps;
   all.rejected += one.rejected;
