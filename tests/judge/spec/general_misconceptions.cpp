@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "judge/spec/demand.hpp"
@@ -93,11 +94,8 @@ std::size_t count_nonzero(const Value& value) {
 }
 
 bool is_argument(const Finding& finding) {
-  if (!finding.question || count_nonzero(*finding.answer) < 2) return false;
-  const List& arguments = finding.question->arguments;
-  return std::any_of(arguments.begin(), arguments.end(), [&](const Value& argument) {
-    return argument.as<List>() && largest_difference(argument, *finding.answer) == 0;
-  });
+  return finding.question && count_nonzero(*finding.answer) >= 2 &&
+         may_be_argument(finding.question->arguments, *finding.answer);
 }
 
 bool is_huge(double x) { return std::abs(x) > 1e150; }
@@ -127,6 +125,88 @@ bool is_about(const Finding& finding, bool (*kind)(double)) {
   return is_given(finding, kind) || (finding.demanded && contains(*finding.demanded, kind));
 }
 
+using Places = std::vector<std::size_t>;
+
+/// The places of a list that hold such a number.
+Places places_with(const Value& value, bool (*kind)(double)) {
+  Places places;
+  const List* list = value.as<List>();
+  for (std::size_t i = 0; list && i < list->size(); ++i)
+    if (const double* x = (*list)[i].as<double>(); x && kind(*x)) places.push_back(i);
+  return places;
+}
+
+/// The places of a list of numbers that are not as demanded; nothing of what is no such list.
+std::optional<Places> wrong_places(const Finding& finding) {
+  const List* answer = finding.answer->as<List>();
+  const List* demanded = finding.demanded ? finding.demanded->as<List>() : nullptr;
+  if (!answer || !demanded || answer->size() != demanded->size()) return std::nullopt;
+  Places places;
+  for (std::size_t i = 0; i < answer->size(); ++i) {
+    const double *a = (*answer)[i].as<double>(), *d = (*demanded)[i].as<double>();
+    if (!a || !d) return std::nullopt;
+    if (!(std::abs(*a - *d) <= finding.tolerance)) places.push_back(i);
+  }
+  return places;
+}
+
+/// "Place 5", "Places 0 to 2 and 5", "Places 5, 11 and 17", "Places 5, 11, 17, …".
+std::string text_of(const Places& places) {
+  constexpr std::size_t most_runs = 3;
+  std::vector<std::string> runs;
+  for (std::size_t i = 0; i < places.size();) {
+    std::size_t last = i;
+    while (last + 1 < places.size() && places[last + 1] == places[last] + 1) ++last;
+    runs.push_back(std::to_string(places[i]) +
+                   (last > i ? " to " + std::to_string(places[last]) : ""));
+    i = last + 1;
+  }
+  std::string text = (places.size() == 1 ? "Place " : "Places ") + runs.front();
+  for (std::size_t i = 1; i < std::min(runs.size(), most_runs); ++i)
+    text += (i + 1 == runs.size() ? " and " : ", ") + runs[i];
+  return text + (runs.size() > most_runs ? ", …" : "");
+}
+
+constexpr const char* look_at_the_loops =
+    "Look at where your loops begin and end, and at the places that they write to.";
+
+/// What a NaN of a new matrix means: where other numbers are right, these places were left out.
+Misconception never_written(const Finding& finding) {
+  const Places missing = places_with(*finding.answer, is_nan_of_new_matrix);
+  const std::optional<Places> wrong = wrong_places(finding);
+  if (!missing.empty() && wrong && wrong->size() < finding.answer->as<List>()->size())
+    return {
+        "not a number",
+        text_of(missing) + " of your answer (counted from 0) " +
+            (missing.size() == 1 ? "was never written, or comes" : "were never written, or come") +
+            " from a vector that was not. " + look_at_the_loops,
+        ""};
+  return {"not a number",
+          "Your answer contains NaN, of the kind that a vector or a matrix has here before it is "
+          "set. Look whether each of yours begins with a value: Eigen's don't begin with zeros. "
+          "(A minus before 0 / 0 can look the same.)",
+          ""};
+}
+
+/// A beginning or an end of a list that is 0, where all else is right: a loop that leaves it out,
+/// over a vector that began with zeros.
+std::optional<Misconception> left_at_zero(const Finding& finding) {
+  const std::optional<Places> wrong = wrong_places(finding);
+  if (!wrong || wrong->size() < 2) return std::nullopt;
+  const List& answer = *finding.answer->as<List>();
+  const bool is_run = wrong->back() - wrong->front() + 1 == wrong->size(),
+             is_at_an_end = wrong->front() == 0 || wrong->back() + 1 == answer.size(),
+             is_zero = std::all_of(wrong->begin(), wrong->end(),
+                                   [&](std::size_t i) { return *answer[i].as<double>() == 0; });
+  if (!is_run || !is_at_an_end || !is_zero || count_nonzero(*finding.answer) < 2)
+    return std::nullopt;
+  return Misconception{"places left at zero",
+                       text_of(*wrong) +
+                           " of your answer (counted from 0) are 0, and all others are right. " +
+                           look_at_the_loops,
+                       ""};
+}
+
 /// Names of the memory that an answer comes from, and of numbers that are none.
 std::vector<Misconception> names_of_content(const Finding& finding) {
   const Value& answer = *finding.answer;
@@ -141,13 +221,7 @@ std::vector<Misconception> names_of_content(const Finding& finding) {
   if (contains(answer, is_nan) && is_given(finding, is_nan))
     return {{"not a number", "What your function was given contains NaN, and so does your answer.",
              ""}};
-  if (contains(answer, is_nan_of_new_matrix))
-    return {
-        {"not a number",
-         "Your answer contains NaN, of the kind that a vector or a matrix has here before it is "
-         "set. Look whether each of yours begins with a value: Eigen's don't begin with zeros. "
-         "(A minus before 0 / 0 can look the same.)",
-         ""}};
+  if (contains(answer, is_nan_of_new_matrix)) return {never_written(finding)};
   if (contains(answer, is_nan))
     return {
         {"not a number",
@@ -166,7 +240,7 @@ std::vector<Misconception> names_of_content(const Finding& finding) {
 std::vector<Misconception> names_of_likeness(const Finding& finding) {
   const Value& answer = *finding.answer;
   if (is_argument(finding))
-    return {{"the argument as it came", "Your answer is one of the arguments, unchanged.", ""}};
+    return {{argument_as_it_came, "Your answer is one of the arguments, unchanged.", ""}};
   if (!finding.demanded) return {};
   const Value& demanded = *finding.demanded;
   const auto meets = [&](const Value& value) {
@@ -180,10 +254,18 @@ std::vector<Misconception> names_of_likeness(const Finding& finding) {
   if (is_negative && count_nonzero(demanded) >= 2)
     return {{"the opposite sign",
              "Every number of your answer has the wrong sign, and the right size.", ""}};
+  if (const std::optional<Misconception> left = left_at_zero(finding)) return {*left};
   return {};
 }
 
 }  // namespace
+
+bool may_be_argument(const List& arguments, const Value& answer) {
+  return count_nonzero(answer) < 2 ||
+         std::any_of(arguments.begin(), arguments.end(), [&](const Value& argument) {
+           return argument.as<List>() && largest_difference(argument, answer) == 0;
+         });
+}
 
 std::vector<Misconception> general_misconceptions(const Finding& finding, Inputs inputs) {
   if (finding.outcome != Outcome::wrong || !finding.answer) return {};
