@@ -174,6 +174,22 @@ Misconception something_kept() {
           ""};
 }
 
+/// The names that the numbers of a wrong answer show. What the answers before it in its case speak
+/// against is none of them.
+std::vector<Misconception> names_of_numbers(const CaseResult& result, const Session& session) {
+  // By convention the first case of a spec asks with inputs of every kind.
+  std::vector<Misconception> names = general_misconceptions(
+      *result.finding, result.number == 1 ? Inputs::general : Inputs::special);
+  const auto before = session.asked_before_the_wrong_answer(result.number);
+  const bool may_be = std::all_of(before.begin(), before.end(), [](const Call& call) {
+    return may_be_argument(call.arguments, call.answer);
+  });
+  if (!may_be)
+    std::erase_if(names,
+                  [](const Misconception& each) { return each.name == argument_as_it_came; });
+  return names;
+}
+
 }  // namespace
 
 std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
@@ -187,10 +203,7 @@ std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
     std::erase_if(names, [&](const Misconception& misconception) {
       return !explanations.explains(misconception.name, each.number);
     });
-    // By convention the first case of a spec asks with inputs of every kind.
-    if (names.empty())
-      names = general_misconceptions(*each.finding,
-                                     each.number == 1 ? Inputs::general : Inputs::special);
+    if (names.empty()) names = names_of_numbers(each, session);
     if (names.empty() && is_told_by_answers(*each.finding) && !std::exchange(asked_alone, true) &&
         session.answers_otherwise_alone(each.number, each.finding->answer))
       names = {something_kept()};

@@ -175,7 +175,10 @@ void Session::unusable(const std::string& why) {
 Finding Session::wrong_answer(std::size_t number, const CloseTo* unmet) {
   const Call& call = calls_[number];
   end_case_by(call, number == cases_.back().first_call);
-  if (!finding_) cases_.back().asked_behind = calls_.size() - 1 - number;
+  if (!finding_) {
+    cases_.back().asked_before = number - cases_.back().first_call;
+    cases_.back().asked_behind = calls_.size() - 1 - number;
+  }
   Finding finding;
   finding.question = question_of(call);
   finding.answer = call.answer;
@@ -277,6 +280,11 @@ std::size_t Session::end_of_case(std::size_t number) const {
 
 bool Session::gives_the_same_in_case(std::size_t number, std::size_t misconception) const {
   return gives_the_same(misconception, case_with(number)->first_call, end_of_case(number));
+}
+
+std::span<const Call> Session::asked_before_the_wrong_answer(std::size_t number) const {
+  const Case& asked = *case_with(number);
+  return std::span(calls_).subspan(asked.first_call, asked.asked_before);
 }
 
 std::size_t Session::asked_behind_the_wrong_answer(std::size_t number) const {

@@ -7,6 +7,7 @@
 #include <exception>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,8 @@ class Session {
   bool answers_otherwise_alone(std::size_t number, const std::optional<Value>& answer);
   /// Whether misconception k gives the same to every question of case `number`.
   bool gives_the_same_in_case(std::size_t number, std::size_t misconception) const;
+  /// The questions of case `number` before the one with its first wrong answer.
+  std::span<const Call> asked_before_the_wrong_answer(std::size_t number) const;
   /// How many questions of case `number` stand behind the one with its first wrong answer: they
   /// were asked before any was judged. 0 if all answers of the case are the same.
   std::size_t asked_behind_the_wrong_answer(std::size_t number) const;
@@ -98,7 +101,8 @@ class Session {
   struct Case {
     std::size_t number, first_call;
     std::optional<Call> ended_by = {};  ///< a question behind the first
-    std::size_t asked_behind = 0;       ///< questions behind the one with the first wrong answer
+    std::size_t asked_before = 0;       ///< questions before the one with the first wrong answer
+    std::size_t asked_behind = 0;       ///< and behind it
   };
   /// @throws std::logic_error if it has not begun
   std::vector<Case>::const_iterator case_with(std::size_t number) const;
