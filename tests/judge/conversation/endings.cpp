@@ -3,6 +3,8 @@
 #include <signal.h>
 #include <string.h>
 
+#include <algorithm>
+#include <initializer_list>
 #include <sstream>
 
 namespace tumble::judge {
@@ -17,7 +19,7 @@ std::string signal_text(int number) {
     case SIGFPE:
       return "SIGFPE: an integer was divided by zero";
     case SIGABRT:
-      return "SIGABRT: an assertion failed, or an exception was never caught";
+      return "SIGABRT: abort() was called";
     case SIGBUS:
       return "SIGBUS: it used memory that is not there";
     case SIGILL:
@@ -59,22 +61,51 @@ std::string failed_assertion(const std::string& printed) {
   return last;
 }
 
-/// Of an assertion, or of what at() throws: libc++ says only "vector".
-bool is_about_index(const std::string& text) {
-  return text == "vector" || text.find("index") != std::string::npos ||
-         text.find("_M_range_check") != std::string::npos ||
-         text.find("__n < this->size()") != std::string::npos ||
-         text.find("__n < size()") != std::string::npos;
+bool has_any(const std::string& text, std::initializer_list<const char*> parts) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const char* part) { return text.find(part) != std::string::npos; });
+}
+
+/// What an assertion, or what at() throws, is about; empty if it is none that we know. libc++ says
+/// only "vector".
+std::string subject_of(const std::string& text) {
+  if (text == "vector" || has_any(text, {"index", "_M_range_check", "__n < this->size()",
+                                         "__n < size()", "row >= 0 && row < rows()"}))
+    return " (an index out of range)";
+  if (has_any(text, {"startRow >= 0", "(i>=0) && ("}))
+    return " (a segment, a block, a row or a column that reaches past the end)";
+  if (has_any(text, {"aLhs.rows() == aRhs.rows()", "rows() == other.rows()",
+                     "dst.rows() == src.rows()", "size() == other.size()",
+                     "lhs.rows() == rhs.rows()", "resize() does not actually allow",
+                     "rows==RowsAtCompileTime", "rows == RowsAtCompileTime"}))
+    return " (two vectors or matrices of different sizes)";
+  return {};
+}
+
+/// What an assertion says in words, as Eigen's do: "invalid matrix product" of
+/// `a == b && "invalid matrix product"`. The assertion itself if it has none.
+std::string in_words(const std::string& assertion) {
+  const auto start = assertion.find("&& \"");
+  const auto end = assertion.find('"', start == std::string::npos ? start : start + 4);
+  return end == std::string::npos ? assertion : assertion.substr(start + 4, end - start - 4);
 }
 
 std::string with_what_it_is_about(const std::string& text) {
-  return text.substr(0, most_detail) + (is_about_index(text) ? " (an index out of range)" : "");
+  return in_words(text).substr(0, most_detail) + subject_of(text);
 }
 
+/// What the libraries print before they abort without an assertion.
 std::string abort_text(const std::string& printed) {
-  const std::string assertion = failed_assertion(printed);
-  if (assertion.empty()) return signal_text(SIGABRT);
-  return "an assertion failed, " + with_what_it_is_about(assertion);
+  if (const std::string assertion = failed_assertion(printed); !assertion.empty())
+    return "an assertion failed, " + with_what_it_is_about(assertion);
+  if (has_any(printed, {"terminate called", "libc++abi: terminating"}))
+    return "SIGABRT: an exception was never caught (in a thread, a destructor or what is noexcept)";
+  if (has_any(printed, {"free(): ", "malloc(): ", "realloc(): ", "munmap_chunk(): ",
+                        "double free or corruption", "corrupted size vs. prev_size",
+                        "stack smashing detected"}))
+    return "SIGABRT: its memory was damaged (a place outside of an array was written, or memory "
+           "was given back twice)";
+  return signal_text(SIGABRT);
 }
 
 }  // namespace

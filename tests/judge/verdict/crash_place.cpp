@@ -1,6 +1,7 @@
 #include "judge/verdict/crash_place.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -27,15 +28,23 @@ std::string run_of(const std::string& text, std::size_t start, std::size_t most,
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_hexadecimal(char c) { return is_digit(c) || (c >= 'a' && c <= 'f'); }
 
+/// Whether this is a signal's name, which is told already. (Behind the walls, abort() ends by
+/// another signal than its own.)
+bool is_signal(const std::string& name) {
+  constexpr std::array signals = {"SEGV", "ABRT", "BUS", "FPE", "ILL", "TRAP"};
+  return std::find(signals.begin(), signals.end(), name) != signals.end();
+}
+
 /// What the sanitizer calls it: "division by zero", "stack-overflow", …
 std::string name_in(const std::string& report) {
   if (report.find("Assertion `") != std::string::npos) return {};  // says more than what followed
   for (const std::string start : {"runtime error: ", "AddressSanitizer: "}) {
     const auto at = report.find(start);
     const bool one_word = start.front() == 'A';
-    if (at != std::string::npos)
-      return run_of(report, at + start.size(), 200,
-                    [&](char c) { return c != '\n' && !(one_word && c == ' '); });
+    if (at == std::string::npos) continue;
+    std::string name = run_of(report, at + start.size(), 200,
+                              [&](char c) { return c != '\n' && !(one_word && c == ' '); });
+    return is_signal(name) ? "" : name;
   }
   return {};
 }

@@ -36,6 +36,37 @@ TEST_CASE("an index out of range is called so, in the words of each library's at
   CHECK(said("no such vector") == "no such vector");
 }
 
+TEST_CASE("what an assertion of Eigen's is about, and its words where it has some") {
+  const auto about = [](const std::string& assertion) {
+    return told("w: Eigen/a.h:3: f(): Assertion `" + assertion + "' failed.\n");
+  };
+  CHECK(about("row >= 0 && row < rows() && col >= 0 && col < cols()")
+            .ends_with("cols() (an index out of range)"));
+  for (const char* part :
+       {"startRow >= 0 && BlockRows >= 0 && startRow + BlockRows <= xpr.rows() && startCol >= 0",
+        "(i>=0) && ( ((BlockRows==1) && (BlockCols==XprType::ColsAtCompileTime) && i<xpr.rows())"})
+    CHECK(
+        about(part).ends_with("(a segment, a block, a row or a column that reaches past the end)"));
+  for (const char* sizes :
+       {"aLhs.rows() == aRhs.rows() && aLhs.cols() == aRhs.cols()", "size() == other.size()",
+        "dst.rows() == src.rows() && dst.cols() == src.cols()"})
+    CHECK(about(sizes).ends_with("(two vectors or matrices of different sizes)"));
+  CHECK(
+      about("(!check_transpose_aliasing_run_time_selector <typename Derived::Scalar,X>::run(d, o))"
+            " && \"aliasing detected during transposition, use transposeInPlace() or evaluate the "
+            "rhs into a temporary using .eval()\"") ==
+      "an assertion failed, aliasing detected during transposition, use transposeInPlace() or "
+      "evaluate the rhs into a temporary using .eval()");
+  CHECK(about("a == 1 && b").ends_with("a == 1 && b"));
+}
+
+TEST_CASE("an abort is what the libraries print before it, or a call of abort()") {
+  CHECK(told("") == "SIGABRT: abort() was called");
+  CHECK(told("terminate called after throwing an instance of 'int'\n")
+            .starts_with("SIGABRT: an exception was never caught"));
+  CHECK(told("double free or corruption (out)\n").starts_with("SIGABRT: its memory was damaged"));
+}
+
 TEST_CASE("the last assertion counts, and none is no assertion") {
   CHECK(told("Assertion `a' failed.\nhello\nAssertion `b' failed.\nbye\n") ==
         "an assertion failed, b");
