@@ -36,8 +36,8 @@ std::string name_of_matrix(int rows, int columns) {
   return "Eigen::" + kind + (size == -1 ? "X" : std::to_string(size)) + "d";
 }
 
-/// The types of a message with the names that a beginner writes: gcc and clang tell Eigen's with
-/// all of their parameters.
+}  // namespace
+
 std::string with_short_types(const std::string& line) {
   constexpr std::size_t most_read = 2000;  // a regular expression takes stack for each character
   static const std::regex quoted_source(R"(^ *\d+ \|)"), also_known_as(R"( \{aka [^{}]*\})"),
@@ -55,8 +55,6 @@ std::string with_short_types(const std::string& line) {
   text.append(from, line.cend());
   return std::regex_replace(std::regex_replace(text, also_known_as, ""), entry, "double");
 }
-
-}  // namespace
 
 std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
                            bool others) {

@@ -14,6 +14,10 @@ namespace tumble::judge {
 std::string messages_about(const std::filesystem::path& source, const std::string& compiler_output,
                            bool others);
 
+/// A line of a message, in which types have the names that a beginner writes: gcc and clang tell
+/// Eigen's with all of their parameters.
+std::string with_short_types(const std::string& line);
+
 /// Whether the compiler complains about a place in `source`, and not that it cannot work here.
 bool has_error_in(const std::filesystem::path& source, const std::string& compiler_output);
 

@@ -13,8 +13,9 @@ namespace tumble::judge {
 /// that is the function of the contract itself, the outcome is “wrong signature”.
 /// @param functions what the file defines, for whom a letter or a type is wrong; empty if that is
 ///                  not known
+/// @param source    the text of the file, which may show why other files can't see the function
 void explain_link_failure(BuildReport& report, const Course& course, const Unit& unit,
                           const std::string& linker_output,
-                          const std::vector<std::string>& functions);
+                          const std::vector<std::string>& functions, const std::string& source);
 
 }  // namespace tumble::judge

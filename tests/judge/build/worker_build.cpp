@@ -252,7 +252,8 @@ class Builder {
     if (result.outcome != BuildOutcome::built) return false;
     if (succeeded(step, result, true)) return true;
     if (result.outcome != BuildOutcome::does_not_compile) return false;
-    explain_link_failure(result, course_, unit_, step.output, compiler_.functions_in(object()));
+    explain_link_failure(result, course_, unit_, step.output, compiler_.functions_in(object()),
+                         text_);
     return false;
   }
 

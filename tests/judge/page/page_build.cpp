@@ -5,8 +5,8 @@
 #include "judge/build/diagnostics.hpp"
 #include "judge/build/header_errors.hpp"
 #include "judge/build/link_failure.hpp"
+#include "judge/build/source_code.hpp"
 #include "judge/build/source_text.hpp"
-#include "judge/verdict/names_from_source.hpp"
 
 namespace tumble::judge {
 
@@ -47,7 +47,7 @@ void report_failure(BuildReport& report, const PageBuild& build, const Course& c
   const std::string output = header_errors_at(place_of(unit), source, build.output);
   report.detail = messages_about(place_of(unit), output, true) + advice_on(output);
   if (build.step == "link")
-    explain_link_failure(report, course, unit, build.output, build.functions);
+    explain_link_failure(report, course, unit, build.output, build.functions, source);
 }
 
 }  // namespace

@@ -132,11 +132,7 @@ class Printer {
       case BuildOutcome::wrong_signature:
         out_ << "  " << exercise()
              << " compiles, but does not define the function of its contract:\n\n"
-             << indented(result_.build_detail, "    ", 8)
-             << "\n  Its name, the types of its arguments (with const and &) and the namespace "
-                "have to be\n"
-                "  those of "
-             << relative(course_.contract(result_.unit)) << ".\n";
+             << indented(result_.build_detail, "    ", 16);
         break;
       case BuildOutcome::built:
         break;
@@ -326,14 +322,16 @@ class Printer {
       case Outcome::out_of_memory:
         return "      Your code asked for too much memory: " + detail +
                " is not allowed."
-               "\n      A loop that never ends, and keeps more and more?";
+               "\n      A loop that keeps more and more, or one vector of a size that is far too "
+               "large?";
       case Outcome::flooded:
         return "      Your code prints without end: " + detail + ".";
       case Outcome::exited:
         return "      Your code ended the program (" + detail + ") instead of returning an answer.";
       case Outcome::forbidden:
         return "      Your code " + detail +
-               ".\n      An exercise computes: it has no files, no network, no other processes.";
+               ".\n      An exercise computes: it has no files, no network, no threads and no "
+               "other processes.";
       case Outcome::wrong_call:
         return "      Your code called a function that it got as an argument, in a way that is not "
                "allowed:\n"

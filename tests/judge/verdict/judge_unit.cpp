@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "judge/build/source_code.hpp"
 #include "judge/conversation/student_worker.hpp"
 #include "judge/verdict/crash_place.hpp"
 #include "judge/verdict/judge_answers.hpp"
@@ -73,6 +74,8 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
   finding.place = found.place;
   result.why_no_place = found.why_not;
   if (!finding.place.empty() && finding.outcome == Outcome::wrong) finding.misconceptions.clear();
+  if (const auto gone = expression_that_outlives(source, finding.place))
+    finding.misconceptions = {*gone};
 }
 
 /// Memory and time that a machine does not grant are not used up by the student.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -10,123 +11,12 @@
 #include <set>
 #include <string_view>
 
+#include "judge/build/source_code.hpp"
 #include "judge/spec/demand.hpp"
 
 namespace tumble::judge {
 
 namespace {
-
-/// The part of a source that contains a character.
-enum class In { code, line, block, text, character };
-
-bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-/// What begins between two characters of code, if anything but code.
-In begun_at(char last, char c, char next) {
-  if (c == '/' && next == '/') return In::line;
-  if (c == '/' && next == '*') return In::block;
-  if (c == '"') return In::text;
-  const bool is_separator = std::isalnum(static_cast<unsigned char>(last)) != 0;  // of 1'000'000
-  return c == '\'' && !is_separator ? In::character : In::code;
-}
-
-/// Whether this character ends the comment or the literal that contains it.
-bool ends(In in, char last, char c) {
-  switch (in) {
-    case In::line:
-      return c == '\n';
-    case In::block:
-      return last == '*' && c == '/';
-    case In::text:
-      return c == '"';
-    case In::character:
-      return c == '\'';
-    case In::code:
-      break;
-  }
-  return false;
-}
-
-/// Where the raw text ends whose quote stands at `quote`, as in R"x(1/2)x"; `quote` if it is an
-/// ordinary one.
-std::size_t end_of_raw_text(const std::string& source, std::size_t quote) {
-  std::size_t word = quote;
-  while (word > 0 && is_of_word(source[word - 1])) --word;
-  const std::string prefix = source.substr(word, quote - word);
-  constexpr std::array<std::string_view, 5> prefixes = {"R", "u8R", "uR", "UR", "LR"};
-  if (std::find(prefixes.begin(), prefixes.end(), prefix) == prefixes.end()) return quote;
-  const std::size_t open = source.find('(', quote);
-  if (open == std::string::npos) return source.size() - 1;
-  const std::string close = ")" + source.substr(quote + 1, open - quote - 1) + "\"";
-  const std::size_t end = source.find(close, open);
-  return end == std::string::npos ? source.size() - 1 : end + close.size() - 1;
-}
-
-void make_blank(std::string& code, std::size_t begin, std::size_t end) {
-  std::replace_if(
-      code.begin() + static_cast<std::ptrdiff_t>(begin),
-      code.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; }, ' ');
-}
-
-std::string without_comments_and_texts(const std::string& source) {
-  In in = In::code;
-  std::string code = source;
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const char last = i > 0 ? source[i - 1] : ' ', c = source[i];
-    const In before = in;
-    if (in == In::code)
-      in = begun_at(last, c, i + 1 < source.size() ? source[i + 1] : ' ');
-    else if (ends(in, last, c))
-      in = In::code;
-    if (before == In::code && in == In::text) {
-      if (const std::size_t end = end_of_raw_text(source, i); end > i) {
-        make_blank(code, i, end + 1);
-        in = In::code;
-        i = end;
-        continue;
-      }
-    }
-    if ((in != In::code || before != In::code) && c != '\n') code[i] = ' ';
-    const bool is_escape = (in == In::text || in == In::character) && c == '\\';
-    if (is_escape && i + 1 < source.size()) code[++i] = ' ';
-  }
-  return code;
-}
-
-/// The directive of a line, without its blanks: "#if0" of "  # if 0"; empty of any other line.
-std::string directive_in(const std::string& line) {
-  std::string words;
-  std::copy_if(line.begin(), line.end(), std::back_inserter(words),
-               [](unsigned char c) { return !std::isspace(c); });
-  return words.starts_with("#") ? words : "";
-}
-
-/// Blanks what stands between #if 0 and its #else or #endif.
-void skip_what_is_switched_off(std::string& code) {
-  std::size_t depth = 0, off_at = 0;  // how many #if are open; which of them is "#if 0"
-  for (std::size_t begin = 0; begin < code.size();) {
-    const std::size_t end = std::min(code.find('\n', begin), code.size());
-    const std::string directive = directive_in(code.substr(begin, end - begin));
-    if (directive.starts_with("#if")) {
-      ++depth;
-      if (off_at == 0 && (directive == "#if0" || directive == "#iffalse")) off_at = depth;
-    }
-    if (off_at == depth && directive.starts_with("#e")) off_at = 0;  // #else, #elif, #endif
-    if (directive == "#endif" && depth > 0) --depth;
-    if (off_at > 0) make_blank(code, begin, end);
-    begin = end + 1;
-  }
-}
-
-/// Whether this text of code contains this word, not as a part of another.
-bool has_word(const std::string& code, const std::string& word) {
-  for (auto at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || !is_of_word(code[at - 1])) && (end == code.size() || !is_of_word(code[end])))
-      return true;
-  }
-  return false;
-}
 
 /// Whether this character makes a number next to it longer, or a part of a name.
 bool is_of_number(char c) { return is_of_word(c) || c == '.' || c == '\''; }
@@ -151,6 +41,13 @@ std::optional<WholeNumber> whole_number_at(const std::string& code, std::size_t 
 std::size_t skip_blanks(const std::string& code, std::size_t at) {
   while (at < code.size() && std::isspace(static_cast<unsigned char>(code[at]))) ++at;
   return at;
+}
+
+/// The number that a text begins with; 0 if none.
+std::size_t first_number_in(const std::string& text) {
+  std::size_t number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
 }
 
 /// Whether a number is the right operand of what stands before it: 1 in "h * 1/6" and 2 in
@@ -184,10 +81,8 @@ std::string whole_quotient(const std::string& code) {
     const auto below = whole_number_at(code, skip_blanks(code, slash + 1));
     if (!below || below->value == 0 || above->value % below->value == 0) continue;
     if (is_meant_to_be_whole(code, i)) continue;
-    const auto line =
-        1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(i), '\n');
     return std::to_string(above->value) + "/" + std::to_string(below->value) + " in line " +
-           std::to_string(line);
+           std::to_string(line_of(code, i));
   }
   return {};
 }
@@ -229,6 +124,19 @@ bool is_float_literal(std::string_view word) {
          (word.ends_with('f') || word.ends_with('F'));
 }
 
+/// What the code reads that nobody types: "std::cin"; empty if nothing.
+std::string read_from_keyboard(const std::string& code) {
+  for (const char* word : {"cin", "scanf", "getchar", "fgets", "stdin"})
+    if (has_word(code, word)) return word == std::string("cin") ? "std::cin" : word;
+  return {};
+}
+
+/// Whether the numbers alone have given this name, or none: what the source shows says more.
+bool is_of_numbers_that_are_none(const Finding& finding) {
+  return finding.misconceptions.empty() || finding.misconceptions.front().name == "never set" ||
+         finding.misconceptions.front().name == "not a number";
+}
+
 /// A float, 0.5f or sqrtf().
 bool uses_float(const std::string& source) {
   const std::string code = code_of(source);
@@ -263,18 +171,9 @@ bool is_right_as_float(const Finding& finding) {
 
 }  // namespace
 
-std::string code_of(const std::string& source) {
-  std::string code = without_comments_and_texts(source);
-  skip_what_is_switched_off(code);
-  return code;
-}
-
-bool mentions(const std::string& source, const std::string& word) {
-  return has_word(code_of(source), word);
-}
-
-bool keeps_an_expression(const std::string& source) {
+std::vector<std::size_t> lines_that_keep_an_expression(const std::string& source) {
   const std::string code = code_of(source), word = "auto ";
+  std::vector<std::size_t> lines;
   for (auto at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
     if (at > 0 && is_of_word(code[at - 1])) continue;
     std::size_t next = skip_blanks(code, at + word.size());
@@ -282,9 +181,31 @@ bool keeps_an_expression(const std::string& source) {
     next = skip_blanks(code, next);
     if (next >= code.size() || code[next] != '=') continue;
     const std::size_t value = skip_blanks(code, next + 1);
-    if (value < code.size() && code[value] != '[') return true;
+    if (value < code.size() && code[value] != '[') lines.push_back(line_of(code, at));
   }
-  return false;
+  return lines;
+}
+
+bool keeps_an_expression(const std::string& source) {
+  return !lines_that_keep_an_expression(source).empty();
+}
+
+std::optional<Misconception> expression_that_outlives(const std::string& source,
+                                                      const std::string& place) {
+  constexpr std::array gone = {"use-after-scope", "use-after-return", "heap-use-after-free"};
+  if (std::none_of(gone.begin(), gone.end(),
+                   [&](const char* words) { return place.find(words) != std::string::npos; }))
+    return std::nullopt;
+  const std::vector<std::size_t> lines = lines_that_keep_an_expression(source);
+  const std::size_t used = first_number_in(place.substr(place.find(':') + 1));
+  const auto behind = std::upper_bound(lines.begin(), lines.end(), used);
+  if (behind == lines.begin()) return std::nullopt;
+  return Misconception{
+      "an auto that holds an expression",
+      "The auto in line " + std::to_string(*std::prev(behind)) +
+          " may hold an expression of Eigen, not its value, and what it is made of is gone where "
+          "you use it. Write the type instead of auto.",
+      ""};
 }
 
 void name_from_source(Finding& finding, const std::string& source) {
@@ -295,6 +216,14 @@ void name_from_source(Finding& finding, const std::string& source) {
                                    ": in C++ the quotient of two whole numbers is "
                                    "a whole number, and what is left over is lost. Write 1. for 1.",
                                ""}};
+  else if (const std::string input = read_from_keyboard(code_of(source));
+           !input.empty() && is_of_numbers_that_are_none(finding))
+    finding.misconceptions = {
+        {"input that is not there",
+         "Your code reads from " + input +
+             ", and there is no input here: what you read is never set. All that a function needs "
+             "are its arguments.",
+         ""}};
   else if (finding.misconceptions.empty() && sums_whole_numbers(code_of(source)))
     finding.misconceptions = {
         {"whole-number sum",

@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "judge/verdict/names_from_source.hpp"
+#include "judge/build/source_code.hpp"
 
 namespace tumble::judge {
 

@@ -194,3 +194,26 @@ TEST_CASE("names: a sum that starts from a whole number") {
         "s = std::accumulate(a, b, zero);", "// std::accumulate(a, b, 0)\n", "accumulates(a, 0)"})
     CHECK(name_of_source(finding, source) == "");
 }
+
+TEST_CASE("names: an auto whose expression is gone, with its line") {
+  const std::string source = "f() {\n  auto a = 1;\n  auto k = h * f(t, y);\n  return y + k;\n}\n";
+  CHECK(lines_that_keep_an_expression(source) == std::vector<std::size_t>{2, 3});
+  const auto named = expression_that_outlives(source, "s.cpp:4: stack-use-after-scope");
+  REQUIRE(named.has_value());
+  CHECK(named->sentence.starts_with("The auto in line 3 may hold an expression of Eigen"));
+  CHECK_FALSE(expression_that_outlives(source, "s.cpp:4: stack-overflow").has_value());
+  CHECK_FALSE(expression_that_outlives(source, "s.cpp:1: heap-use-after-free").has_value());
+  CHECK_FALSE(expression_that_outlives(source, "").has_value());
+}
+
+TEST_CASE("names: input that is not there") {
+  Finding finding = wrong(List{4., 5., 6.}, right);
+  for (const char* one : {"double x; std::cin >> x;", "scanf(\"%lf\", &x);", "int c = getchar();"})
+    CHECK_MESSAGE(name_of_source(finding, one) == "input that is not there", one);
+  for (const char* none : {"// std::cin", "double cine = 1;", "std::cout << x;"})
+    CHECK_MESSAGE(name_of_source(finding, none) == "", none);
+  finding.misconceptions = {{"never set", "Never set.", ""}};
+  CHECK(name_of_source(finding, "std::cin >> x;") == "input that is not there");
+  finding.misconceptions = {{"sign kept", "The sign.", ""}};
+  CHECK(name_of_source(finding, "std::cin >> x;") == "sign kept");
+}
