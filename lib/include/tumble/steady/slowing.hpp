@@ -6,17 +6,31 @@
 ///
 ///     ωᵢ = ωᵢ₀ e^(−z),   θᵢ = ωᵢ₀ t φ₁(−z),   z = kᵢ t,   kᵢ = k/Jᵢ
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tumble/steady/steady_path.hpp"
 #include "tumble/steady/steady_torque.hpp"
 
 namespace tumble::detail {
 
+/// Less than a rounding [rad].
+inline constexpr double lost_turn = 0x1p-60;
+
 /// Whether drag alone acts, and the body turns by less than a rounding before it is at rest.
 inline bool only_slows(const steady::SteadyTorque& torque, const steady::TurningState& s) {
-  constexpr double lost = 0x1p-60;
-  return torque.rank() == 0 && s.omega.cwiseAbs().maxCoeff() <= lost * torque.drag().minCoeff();
+  return torque.rank() == 0 &&
+         s.omega.cwiseAbs().maxCoeff() <= lost_turn * torque.drag().minCoeff();
+}
+
+/// After how long that is so at the latest [s]: |J ω| falls as e^(−z) of the slowest axis or
+/// faster.
+inline double time_to_slow(const steady::SteadyTorque& torque, const steady::TurningState& s) {
+  const double slowest = torque.drag().minCoeff(), fastest = torque.drag().maxCoeff();
+  if (torque.rank() > 0 || !(slowest > 0)) return std::numeric_limits<double>::infinity();
+  const double ratio = s.omega.norm() / slowest * (fastest / slowest) / lost_turn;
+  return std::log(std::max(1.0, ratio)) / slowest;
 }
 
 /// What becomes of such a turning.

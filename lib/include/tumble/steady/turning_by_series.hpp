@@ -45,7 +45,9 @@ class TurningBySeries {
   TurningBySeries(const SteadyTorque& torque, const TurningState& start, double t0, double t1,
                   double tolerance)
       : torque_(torque), series_(torque, detail::order_for(tolerance)) {
-    detail::StepBudget budget(t0, t1, max_steps);
+    // Behind its slowing there are no steps.
+    detail::StepBudget budget(t0, std::min(t1, t0 + detail::time_to_slow(torque, start)),
+                              max_steps);
     double t = t0;
     steps_.push_back({t, start, 1});
     while (t < t1 && !detail::only_slows(torque, steps_.back().state)) {
