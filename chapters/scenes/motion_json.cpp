@@ -31,6 +31,7 @@ Json report_json(const SceneBody& body, const SimulationReport& report) {
           {"why", report.why},
           {"tolerance", report.tolerance},
           {"error_estimate", report.error_estimate},
+          {"error_of_small_motion", report.error_of_small_motion},
           {"reached", report.reached()},
           {"runs", report.runs},
           {"steps", report.steps},

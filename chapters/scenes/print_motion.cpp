@@ -26,6 +26,9 @@ void print_report(const SimulationReport& report) {
   print_line("method: ", report.method);
   print_line("error: about ", support::error_number(report.error_estimate), "; you asked for ",
              support::error_number(report.tolerance));
+  if (report.error_of_small_motion > 0)
+    print_line("the motion is small: as a part of itself, the error is about ",
+               support::error_number(report.error_of_small_motion));
   print_line("spent: ", report.runs, " runs, ", report.steps, " steps, ", report.evaluations,
              " evaluations");
   std::cout << '\n';

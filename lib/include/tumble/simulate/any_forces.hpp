@@ -62,10 +62,10 @@ class AnyForces {
       rough.account(report_);
       fine.account(report_);
       if (is_surprised(fine)) continue;
-      report_.error_estimate =
-          unseen_ + stated_error<Run>({fine.difference(rough), epsilon_, fine_tolerance,
-                                       fine.steps(), fine.radians()},
-                                      rhs_.lost_moments());
+      state_errors<Run>(report_,
+                        {fine.difference(rough), fine.difference_of_small(rough), epsilon_,
+                         fine_tolerance, fine.steps(), fine.radians()},
+                        rhs_.lost_moments(), unseen_);
       if (report_.reached() || epsilon_ <= lowest_ || unseen_ > task_.tolerance) {
         if (fine.is_rough()) report_.error_estimate = without_luck(report_.error_estimate);
         report_.method = stiff_ ? "Radau IIA 5" : "Dormand–Prince 8(5,3)";

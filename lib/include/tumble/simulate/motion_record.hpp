@@ -48,12 +48,17 @@ class MotionRecord {
   /// The largest difference at the ends of another run's steps: the angle between orientations
   /// [rad], and all else a part of its largest size on the way.
   double difference(const MotionRecord& other) const {
-    const SquaredSizes<Numbers> per_size =
-        tolerance_.squares.cwiseMax(other.tolerance_.squares).cwiseSqrt().cwiseInverse();
-    double most = 0;
-    for (const Step& step : other.steps_)
-      most = largest({most, motion_difference(numbers_at(step.s), step.y, per_size)});
-    return most;
+    return difference(other, tolerance_.squares.cwiseMax(other.tolerance_.squares));
+  }
+
+  /// The same, all of it a part of its own size however small that is; 0 if all that moves is large
+  /// enough to matter.
+  double difference_of_small(const MotionRecord& other) const {
+    SquaredSizes<Numbers> own = squared_sizes(steps_.front().y);
+    for (const Step& step : steps_) own = own.cwiseMax(squared_sizes(step.y));
+    const SquaredSizes<Numbers> least = rhs_.least_squares(breaks_.back());
+    const bool all_matter = (own.array() == 0 || own.array() >= least.array()).all();
+    return all_matter ? 0 : difference(other, own);
   }
 
   /// Where forces are not what the run thinks they are, by more than a part of its sizes.
@@ -143,6 +148,16 @@ class MotionRecord {
   std::vector<Dop853Dense<Numbers>> dense_;  ///< of the first steps
 
  private:
+  /// What has no size has no difference either.
+  double difference(const MotionRecord& other, const SquaredSizes<Numbers>& squares) const {
+    const SquaredSizes<Numbers> per_size =
+        squares.unaryExpr([](double square) { return square > 0 ? 1 / std::sqrt(square) : 0; });
+    double most = 0;
+    for (const Step& step : other.steps_)
+      most = largest({most, motion_difference(numbers_at(step.s), step.y, per_size)});
+    return most;
+  }
+
   static double golden_fraction(int i, double first = 0) {
     const double x = first + 0.6180339887498949 * i;
     return x - std::floor(x);

@@ -64,7 +64,9 @@ Trajectory forwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& 
 /// @param forces BodyForce each; those that are a SteadyForce make it cheaper
 /// @return the trajectory; its report says if the tolerance could not be reached, and what was. The
 ///         error is that of x, P and L relative to their largest sizes on the way, or to a
-///         thousandth of what the body's own size and a turn by a radian in the span make of them
+///         thousandth of what the body's own size and a turn by a radian in the span make of them:
+///         of a body that forces hold at rest, nothing moves but what they are rounded to. If a
+///         motion is smaller than that, error_of_small_motion says what error it has itself
 /// @throws std::invalid_argument if a number is not finite, the quaternion zero or the tolerance
 ///         not positive, or if a force refuses what it was made of
 /// @throws std::runtime_error if the motion cannot be followed to t1: a force that is not finite, a

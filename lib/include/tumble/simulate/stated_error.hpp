@@ -20,6 +20,7 @@
 
 #include "tumble/body/state.hpp"
 #include "tumble/core/rounding.hpp"
+#include "tumble/simulate/trajectory.hpp"
 
 namespace tumble::detail {
 
@@ -39,6 +40,7 @@ inline std::vector<RigidBodyState<>> beside(std::vector<RigidBodyState<>> starts
 /// Two runs, and what they differ by.
 struct TwoRuns {
   double difference;  ///< at most, on the way
+  double of_small;    ///< the same, a part of sizes that are too small to matter; 0 without such
   double epsilon;     ///< the rough one's tolerance of a step
   double tolerance;   ///< the fine one's
   int steps;          ///< the fine one's
@@ -74,6 +76,17 @@ double stated_error(const TwoRuns& runs, double lost) {
   constexpr double everything = 4;
   return fine_share<Run>(runs) * runs.difference +
          std::min(everything, lost * (runs.radians + growth)) + 2 * unit_roundoff;
+}
+
+/// Writes into the report what error the fine run has.
+/// @param unseen what both runs have not seen
+template <KnowsItsErrors Run>
+void state_errors(SimulationReport& report, const TwoRuns& runs, double lost, double unseen = 0) {
+  report.error_estimate = unseen + stated_error<Run>(runs, lost);
+  TwoRuns own = runs;
+  own.difference = runs.of_small;
+  const bool tells_more = !(runs.of_small <= runs.difference);
+  report.error_of_small_motion = tells_more ? unseen + stated_error<Run>(own, lost) : 0;
 }
 
 /// The ε to try next: what the error says is needed, but by at most 1000 at a time: a large error

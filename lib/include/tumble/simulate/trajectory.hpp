@@ -26,10 +26,13 @@ struct SimulationReport {
   std::string why = {};            ///< in words
   double tolerance = 0;            ///< what was asked for
   double error_estimate = 0;       ///< in the same units
-  int runs = 0;                    ///< integrations from t0 to t1; 0 for a closed form
-  int steps = 0;                   ///< of all runs
-  int rejected = 0;                ///< of all runs
-  int evaluations = 0;             ///< of the forces, or expansions into a series
+  /// The error of what moves less than simulate() calls large enough to matter, as a part of how
+  /// far it does move; 0 if nothing is so small, or if error_estimate says the same.
+  double error_of_small_motion = 0;
+  int runs = 0;         ///< integrations from t0 to t1; 0 for a closed form
+  int steps = 0;        ///< of all runs
+  int rejected = 0;     ///< of all runs
+  int evaluations = 0;  ///< of the forces, or expansions into a series
 
   /// Whether the tolerance was kept, as far as can be told. If not, error_estimate says what was.
   bool reached() const { return error_estimate <= tolerance; }

@@ -11,6 +11,7 @@ TUMBLE_BODY void add_report(SimulationReport& all, const SimulationReport& one) 
   if (one.why != all.why) all.why = "each part for its own reasons";
   all.model = std::max(all.model, one.model);
   all.error_estimate = largest({all.error_estimate, one.error_estimate});
+  all.error_of_small_motion = largest({all.error_of_small_motion, one.error_of_small_motion});
   all.runs += one.runs;
   all.steps += one.steps;
   all.rejected += one.rejected;

@@ -63,8 +63,15 @@ class SteadyTrajectory {
     return sum;
   }
 
+  /// The largest |L| at the ends of the steps [kg m²/s].
+  double largest_L() const {
+    double L = 0;
+    for (int i = 0; i <= steps(); ++i) L = largest({L, torque_.L(turning_.state(i)).norm()});
+    return L;
+  }
+
   /// The largest difference at the ends of another run's steps: the angle between orientations
-  /// [rad], and of L as a part of its largest size.
+  /// [rad], and of L as a part of its largest size, but at least of least_L.
   double difference(const SteadyTrajectory& other, double least_L) const {
     double L = least_L, angle = 0, off = 0;
     for (int i = 0; i <= other.steps(); ++i) {
@@ -120,8 +127,11 @@ Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::
     Run fine = run(start, fine_tolerance);
     rough.account(report);
     fine.account(report);
-    report.error_estimate = stated_error<Run>(
-        {fine.difference(rough, least_L), epsilon, fine_tolerance, fine.steps(), fine.radians()},
+    const double L = fine.largest_L();
+    state_errors<Run>(
+        report,
+        {fine.difference(rough, least_L), L > 0 && L < least_L ? fine.difference(rough, L) : 0,
+         epsilon, fine_tolerance, fine.steps(), fine.radians()},
         lost);
     if (report.reached() || epsilon == lowest) {
       report.method = "Taylor series of order " + std::to_string(fine.order());
