@@ -118,7 +118,11 @@ std::string advice_on(const std::string& compiler_output) {
   static const std::regex not_of_eigen(
       "'(\\w{1,40})' is not a member of 'Eigen'|no member named '(\\w{1,40})' in namespace "
       "'Eigen'");
+  static const std::regex contract_elsewhere(
+      "fatal error: '?[^ ':]{1,200}/contract\\.hpp('|: No such)");
   std::string advice;
+  if (std::regex_search(compiler_output, contract_elsewhere))
+    advice += "(Write #include \"contract.hpp\", without a folder.)\n";
   if (compiler_output.find("<unresolved overloaded function type>") != std::string::npos)
     advice += "(Parentheses forgotten? With Eigen v.x and q.w are functions: v.x(), q.w().)\n";
   if (std::smatch parts; std::regex_search(compiler_output, parts, not_of_eigen))

@@ -4,10 +4,13 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
+
+#include "judge/build/source_code.hpp"
 
 namespace tumble::judge {
 
@@ -69,6 +72,80 @@ std::string words_of(const std::string& line) {
   return line.substr(line.find(error_mark) + error_mark.size());
 }
 
+/// Characters that look like those of C++, and what to type instead: text that was copied from a
+/// page or a PDF has them.
+constexpr std::array<std::array<const char*, 3>, 9> lookalikes{
+    {{"\u00a0", "a non-breaking space", "a plain space"},
+     {"\u202f", "a narrow non-breaking space", "a plain space"},
+     {"\u201c", "a typographic quote, “", "a plain one, \""},
+     {"\u201d", "a typographic quote, ”", "a plain one, \""},
+     {"\u2018", "a typographic quote, ‘", "a plain one, '"},
+     {"\u2019", "a typographic quote, ’", "a plain one, '"},
+     {"\u2212", "a mathematical minus, −", "a plain one, -"},
+     {"\u2013", "a dash, –", "a plain minus, -"},
+     {"\u2014", "a dash, —", "a plain minus, -"}}};
+
+/// What is said of a line of code that has such a character; empty if it has none.
+std::string words_about_lookalike(const std::string& code_line) {
+  for (const auto& [character, name, instead] : lookalikes)
+    if (has(code_line, character))
+      return std::string("this line contains ") + name + ": type " + instead;
+  return {};
+}
+
+/// The word that ends before a column, or holds it; columns count from 1.
+std::string word_at(const std::string& code_line, std::size_t column) {
+  std::size_t end = std::min(column, code_line.size());
+  if (end > 0 && !is_of_word(code_line[end - 1])) --end;
+  while (end < code_line.size() && is_of_word(code_line[end])) ++end;
+  std::size_t begin = end;
+  while (begin > 0 && is_of_word(code_line[begin - 1])) --begin;
+  return code_line.substr(begin, end - begin);
+}
+
+/// Whether an error is about an assignment, also one as +=.
+bool is_about_assignment(const std::string& error) {
+  if (has(error, "assignment of read-only") || has(error, "cannot assign to return value"))
+    return true;
+  for (const char* operation : {"=", "+=", "-=", "*=", "/="})
+    if (has(error, std::string("no match for 'operator") + operation + "'") ||
+        has(error, std::string("no viable overloaded '") + operation + "'"))
+      return true;
+  return false;
+}
+
+/// The parameter that the statement before a column assigns to and that is const: "y" of
+/// "y[0] = 1;"; empty if it is none.
+std::string const_parameter(const std::string& code, const std::string& code_line,
+                            std::size_t column) {
+  const std::string before = code_line.substr(0, column);
+  const auto boundary = before.find_last_of(";{})", before.find('='));
+  std::size_t begin = boundary == std::string::npos || before[boundary] == ')' ? 0 : boundary + 1;
+  while (begin < before.size() && !is_of_word(before[begin])) ++begin;
+  const std::string name = word_at(before, begin + 1);
+  if (name.empty()) return {};
+  const std::regex parameter("\\bconst\\b[^,;(){}]{0,200}&\\s*" + name + "\\s*[,)]");
+  return std::regex_search(code, parameter) ? name : "";
+}
+
+/// What the compiler's words and the line together show; empty if nothing.
+std::string words_about_line(const std::string& error, const std::string& code,
+                             const std::string& code_line, std::size_t column) {
+  if (const std::string words = words_about_lookalike(code_line); !words.empty()) return words;
+  const bool is_operation = has(error, "operator^'") || has(error, "to binary expression");
+  if (is_operation && column > 0 && column <= code_line.size() && code_line[column - 1] == '^')
+    return "in C++ ^ is no power: write x * x for x², or std::pow(x, n)";
+  const bool is_call = has(error, "no match for call to") ||
+                       has(error, "no matching function for call to object of type");
+  if (is_call && (has(error, "const Rhs") || has(error, "::Rhs")))
+    return word_at(code_line, column) + " takes (t, y): first the time, then the state";
+  if (!is_about_assignment(error)) return {};
+  const std::string name = const_parameter(code, code_line, column);
+  if (name.empty()) return {};
+  return name + " is const, which you can't change: copy it first (Eigen::VectorXd next = " + name +
+         ";), and change the copy";
+}
+
 /// What an error in a student's own line says, where the compiler's words are about templates or
 /// leave out what to do; empty if they are good.
 std::string plain_words_of(const std::string& line) {
@@ -77,8 +154,7 @@ std::string plain_words_of(const std::string& line) {
   if (has_number && has_matrix &&
       (has(line, "no match for 'operator") || has(line, "invalid operands to binary expression")))
     return "a number can't be added to a matrix, or divided by one: the 1 of a formula for "
-           "matrices "
-           "is Eigen::Matrix3d::Identity()";
+           "matrices is Eigen::Matrix3d::Identity()";
   if (has(line, "'this' argument") &&
       (has(line, "discards qualifiers") || has(line, "not marked const")))
     return "this function changes the object that it is called on, and yours is const: copy it, or "
@@ -112,7 +188,11 @@ bool leads_to_header(const std::string& line) {
 class Rewriting {
  public:
   Rewriting(std::string source, const std::string& text, const std::string& output)
-      : source_(std::move(source)), text_(split_lines(text)), output_(split_lines(output)) {}
+      : source_(std::move(source)),
+        text_(split_lines(text)),
+        code_(code_of(text)),
+        code_lines_(split_lines(code_)),
+        output_(split_lines(output)) {}
 
   std::string result() {
     std::string kept;
@@ -130,11 +210,18 @@ class Rewriting {
     }
     is_dropped_ = is_dropped_ && line.starts_with(' ');
     if (!has(line, error_mark)) return is_dropped_ ? "" : line + "\n";
-    const std::string plain = here ? plain_words_of(line) : words_of(line);
+    const std::string plain = here ? plain_words(line, *here) : words_of(line);
     const std::optional<SourcePlace> place = here ? here : place_of_error(i);
     if (!place || plain.empty()) return line + "\n";
     is_dropped_ = true;
     return told_.insert(place->line).second ? error_at(*place, plain) : "";
+  }
+
+  std::string plain_words(const std::string& error, const SourcePlace& place) const {
+    const bool is_there = place.line > 0 && place.line <= code_lines_.size();
+    const std::string words =
+        is_there ? words_about_line(error, code_, code_lines_[place.line - 1], place.column) : "";
+    return words.empty() ? plain_words_of(error) : words;
   }
 
   /// The place in the source that led to the error in line i.
@@ -163,7 +250,9 @@ class Rewriting {
   }
 
   std::string source_;
-  std::vector<std::string> text_, output_;
+  std::vector<std::string> text_;
+  std::string code_;  ///< of the text
+  std::vector<std::string> code_lines_, output_;
   std::set<std::size_t> told_;  ///< lines of the source
   bool is_dropped_ = false;
 };

@@ -110,6 +110,15 @@ TEST_CASE("forgotten parentheses are named, which gcc does not") {
     CHECK(advice_on(missing).find("Eigen/Core alone, and Quaterniond is not") != std::string::npos);
 }
 
+TEST_CASE("a contract that is looked for in another folder: the right line is given") {
+  using tumble::judge::advice_on;
+  for (const char* missing :
+       {"a.cpp:1:10: fatal error: ../contract.hpp: No such file or directory\n",
+        "a.cpp:1:10: fatal error: '../contract.hpp' file not found\n"})
+    CHECK(advice_on(missing) == "(Write #include \"contract.hpp\", without a folder.)\n");
+  CHECK(advice_on("a.cpp:1:10: fatal error: matrix.hpp: No such file or directory\n").empty());
+}
+
 TEST_CASE("the functions that a linker finds twice, whichever linker it is") {
   const std::vector<std::string> cross{"momentum::cross"};
   using tumble::judge::duplicate_functions;

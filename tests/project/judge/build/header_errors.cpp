@@ -106,3 +106,59 @@ TEST_CASE("what led nowhere in the file stays as it is") {
              "/usr/a.hpp:1:1: error: static assertion failed: X\n") ==
         "/tmp/w/a.cpp:9:12: error: X\n");
 }
+
+namespace {
+
+/// What is said of an error, in the only line of a file, without that line.
+std::string said_of(const std::string& line, std::size_t column, const std::string& words) {
+  const std::string place = source + ":1:" + std::to_string(column) + ": error: ";
+  const std::string output = header_errors_at(source, line + "\n", place + words + "\n");
+  const std::string first = output.substr(0, output.find('\n'));
+  return first.starts_with(place) ? first.substr(place.size()) : first;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "characters that look like others are named, once for a line, in gcc's and clang's words") {
+  CHECK(said_of("return\u00a0x;", 1, "extended character \u00a0 is not valid in an identifier") ==
+        "this line contains a non-breaking space: type a plain space");
+  CHECK(said_of("return x \u2212 1;", 10, "unexpected character <U+2212>") ==
+        "this line contains a mathematical minus, −: type a plain one, -");
+  CHECK(said_of("s = \u201ca\u201d;", 5, "unexpected character <U+201C>") ==
+        "this line contains a typographic quote, “: type a plain one, \"");
+  CHECK(said_of("x = 1 // a \u2212 b", 6, "expected ';'") == "expected ';'");
+}
+
+TEST_CASE("what is const is copied first, and ^ is no power") {
+  const std::string start = "V a(const VectorXd& y, double h) { ";
+  const auto column = [&](const std::string& rest, char c) {
+    return start.size() + rest.find(c) + 1;
+  };
+  const std::string copy =
+      "y is const, which you can't change: copy it first (Eigen::VectorXd next = y;), and change "
+      "the copy";
+  for (const char* words : {"no match for 'operator+=' (operand types are 'const Eigen::VectorXd')",
+                            "no viable overloaded '+='"})
+    CHECK(said_of(start + "y += h * f(t, y);", column("y += h", '+'), words) == copy);
+  for (const char* words : {"assignment of read-only location 'y'",
+                            "cannot assign to return value because function 'operator[]' returns"})
+    CHECK(said_of(start + "y[0] = 1;", column("y[0] = 1;", '='), words) == copy);
+  CHECK(said_of(start + "h += y;", column("h += y", '+'), "no viable overloaded '+='") ==
+        "no viable overloaded '+='");
+  for (const char* words : {"invalid operands of types 'const double' and 'int' to binary "
+                            "'operator^'",
+                            "invalid operands to binary expression ('const double' and 'int')"})
+    CHECK(said_of("return r[1]^2;", 12, words) ==
+          "in C++ ^ is no power: write x * x for x², or std::pow(x, n)");
+}
+
+TEST_CASE("what a right-hand side takes") {
+  const std::string takes = "f takes (t, y): first the time, then the state";
+  CHECK(said_of("return y + h * f(y);", 17,
+                "no match for call to '(const Rhs {aka …}) (double)'") == takes);
+  CHECK(said_of("return y + h * f(y);", 16,
+                "no matching function for call to object of type 'const Rhs' (aka '…')") == takes);
+  const std::string other = "no match for call to '(const Other) (double)'";
+  CHECK(said_of("return g(y);", 9, other) == other);
+}
