@@ -68,7 +68,8 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
     TUMBLE_UNIT,
     {{"transposed",
       "All signs are the other way round: your matrix makes b × a. Write out the first component "
-      "of a × b and compare it with your first row.",
+      "of a × b and compare it with your first row. If your signs are right, Eigen may have read a "
+      "C array column by column: it stores matrices so.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 { return tumble::rotation::skew(a).transpose(); }},
      {"minus signs forgotten",
