@@ -9,6 +9,8 @@
 #include "judge/commands/given_files.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "judge/course/progress.hpp"
+#include "judge/spec/load_spec.hpp"
+#include "judge/spec/run.hpp"
 #include "judge/verdict/console.hpp"
 #include "judge/verdict/json.hpp"
 #include "judge/verdict/judge_all.hpp"
@@ -37,11 +39,23 @@ Selection select(const Course& course, const Progress& progress, const std::stri
     const std::optional<Unit> open = progress.next_open();
     return open ? Selection{{*open}, 0} : Selection{};
   }
+  if (what.ends_with(".cpp")) return {course.select(what), 0};
   const auto first_dot = what.find('.');
   const auto second_dot = what.find('.', first_dot + 1);
   if (first_dot == std::string::npos || second_dot == std::string::npos)
     return {course.select(what), 0};
   return {course.select(what.substr(0, second_dot)), number_of(what.substr(second_dot + 1))};
+}
+
+/// @throws std::invalid_argument if a unit has no case of the number that was asked for
+void require_case(const Selection& selection) {
+  if (selection.only_case == 0) return;
+  for (const Unit& unit : selection.units) {
+    load_spec(unit);
+    const std::size_t cases = count_cases(unit.id());
+    require(selection.only_case <= cases, unit.number, " has cases 1 to ", cases, ", and no case ",
+            selection.only_case);
+  }
 }
 
 fs::path source_of(const Course& course, const CheckOptions& options,
@@ -94,6 +108,7 @@ int check(const Course& course, const CheckOptions& options) {
     print_next(course, progress.next_open());
     return 0;
   }
+  require_case(selection);
   print_namesakes(selection.units, options.what);
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
   Judgement judgement;

@@ -31,6 +31,13 @@ constexpr const char* seconds_help =
     "seconds after which we begin no exercise; we report the rest as not judged";
 constexpr const char* strict_help = "refuse to judge if a wall of the sandbox is missing";
 
+/// A seed is not negative: without this check, "-1" is read as a huge number.
+std::string why_no_seed(const std::string& text) {
+  const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return is_number ? "" : "'" + text + "' is no seed: give a whole number from 0 on";
+}
+const CLI::Validator is_seed{[](const std::string& text) { return why_no_seed(text); }, "", "seed"};
+
 class CommandLine {
  public:
   CommandLine() {
@@ -112,7 +119,8 @@ class CommandLine {
     app.add_option("what", check_.what,
                    "exercise (4.1 or product), chapter (4), all; 4.1.3 is one case");
     app.add_option("--seed", check_.seed,
-                   "of the random inputs; another one each time if not given");
+                   "of the random inputs; another one each time if not given")
+        ->check(is_seed);
     app.add_option("--seeds", check_.seeds, "try this many, one after the other")
         ->check(CLI::Range(1, 100000).description("1 to 100000"));
     app.add_option("--from", check_.from,
@@ -262,14 +270,16 @@ class CommandLine {
         },
         [this](const Course& course) { return specs_of(course.select(what_)); });
     kills.add_option("what", what_, "exercise, chapter, all")->capture_default_str();
-    kills.add_option("--seed", seed_, "of the random inputs")->capture_default_str();
+    kills.add_option("--seed", seed_, "of the random inputs")
+        ->check(is_seed)
+        ->capture_default_str();
     kills.add_flag("--page", page_, "the page of the book instead: what students get wrong");
     CLI::App& odd = command(
         "odd-answers", "every answer and evaluation put out of shape: the judge survives",
         [this](const Course& course) { return odd_answers(course, what_, seed_); },
         [this](const Course& course) { return specs_of(course.select(what_)); });
     odd.add_option("what", what_, "exercise, chapter, all")->capture_default_str();
-    odd.add_option("--seed", seed_, "of the random inputs")->capture_default_str();
+    odd.add_option("--seed", seed_, "of the random inputs")->check(is_seed)->capture_default_str();
     command("stubs", "every stub is untouched and fails every case", stubs, everything);
     command("sandbox", "which walls stand here", sandbox, nothing);
   }

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "support/nearest.hpp"
@@ -59,6 +60,35 @@ std::vector<std::vector<Unit>> chapters_of(const Course& course) {
   return chapters;
 }
 
+/// The exercise that a file is named after, as select() knows it: "01_particles/flatten" of
+/// "exercises/01_particles/flatten.cpp". Other words stay as they are.
+std::string without_file_name(const Course& course, const std::string& what) {
+  const fs::path path = what;
+  if (path.extension() != ".cpp") return what;
+  const std::string folder = path.parent_path().filename().string(), name = path.stem().string();
+  const bool is_chapter = std::any_of(course.units.begin(), course.units.end(),
+                                      [&](const Unit& unit) { return unit.chapter == folder; });
+  return is_chapter ? folder + "/" + name : name;
+}
+
+/// The number of a unit that was written with another sign than its dot, or with none: "1.3" of
+/// "1,3" and of "13".
+std::optional<std::string> number_meant(const Course& course, const std::string& what) {
+  const auto digits_of = [](const std::string& text) {
+    std::string digits;
+    for (const char c : text)
+      if (c >= '0' && c <= '9') digits += c;
+    return digits;
+  };
+  const std::string digits = digits_of(what);
+  if (what.find('.') != std::string::npos || digits.empty() || what.size() > digits.size() + 1 ||
+      what.find_first_not_of("0123456789,;:-_/ ") != std::string::npos)
+    return std::nullopt;
+  for (const Unit& unit : course.units)
+    if (digits_of(unit.number) == digits) return unit.number;
+  return std::nullopt;
+}
+
 /// "product (4.1)", "chapter 4 (quaternions)"
 std::string with_numbers(const Course& course, const std::string& name) {
   for (const Unit& unit : course.units)
@@ -69,6 +99,7 @@ std::string with_numbers(const Course& course, const std::string& name) {
 
 /// What was probably meant, or what there is.
 std::string suggestion(const Course& course, const std::string& what) {
+  if (const auto number = number_meant(course, what)) return "did you mean " + *number + "?";
   std::vector<std::string> names;
   for (const Unit& unit : course.units) names.push_back(unit.name);
   std::string known;
@@ -93,12 +124,13 @@ std::string numbers_of(const std::vector<Unit>& units) {
 }
 
 std::vector<Unit> Course::select(const std::string& what) const {
+  const std::string meant = without_file_name(*this, what);
   std::vector<Unit> chosen;
   std::copy_if(units.begin(), units.end(), std::back_inserter(chosen),
-               [&](const Unit& unit) { return means(what, unit); });
+               [&](const Unit& unit) { return means(meant, unit); });
   if (chosen.empty())
     throw std::invalid_argument("there is no exercise or chapter '" + what + "'; " +
-                                suggestion(*this, what));
+                                suggestion(*this, meant));
   return chosen;
 }
 

@@ -71,8 +71,8 @@ struct Course {
   fs::path hints(const Unit& unit) const { return root / "exercises" / unit.chapter / "hints.md"; }
   fs::path page(const Unit& unit) const { return root / "chapters" / unit.chapter / "README.md"; }
 
-  /// The units that a student means by "4.1", "product", "04_quaternions/product", "4", "04" or
-  /// "all".
+  /// The units that a student means by "4.1", "product", "04_quaternions/product", "4", "04",
+  /// "all", or by the name of a file: "product.cpp", "exercises/04_quaternions/product.cpp".
   /// @throws std::invalid_argument if there are none; the message says what was probably meant
   std::vector<Unit> select(const std::string& what) const;
 

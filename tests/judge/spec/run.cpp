@@ -21,6 +21,7 @@ namespace {
 
 std::vector<CaseResult>* results = nullptr;
 std::size_t first_number = 1;
+std::size_t counted = 0;  ///< cases that doctest would run
 
 /// What doctest saw that no demand has filed: a plain assertion, or an exception of the spec.
 void file_if_nothing_else(const std::string& detail) {
@@ -55,7 +56,9 @@ struct Collector : doctest::IReporter {
     results->back().finding = Session::current().take_finding();
   }
 
-  void report_query(const doctest::QueryData&) override {}
+  void report_query(const doctest::QueryData& data) override {
+    counted = data.run_stats->numTestCasesPassingFilters;
+  }
   void test_run_start() override {}
   void test_run_end(const doctest::TestRunStats&) override {}
   void test_case_reenter(const doctest::TestCaseData&) override {}
@@ -71,15 +74,20 @@ DOCTEST_REGISTER_REPORTER("collector", 0, Collector);
 
 namespace {
 
+/// Of the cases of a unit alone, told to the collector.
+void choose_cases_of(const std::string& unit, doctest::Context& context) {
+  context.setOption("reporters", "collector");
+  context.setOption("order-by", "file");
+  context.addFilter("test-suite", unit.c_str());
+}
+
 /// Runs the cases that are wanted in `session`.
 std::vector<CaseResult> run_cases(const SpecRun& run, const Session& session) {
   std::vector<CaseResult> collected;
   results = &collected;
   first_number = run.only_case > 0 ? run.only_case : 1;
   doctest::Context context;
-  context.setOption("reporters", "collector");
-  context.setOption("order-by", "file");
-  context.addFilter("test-suite", run.unit.c_str());
+  choose_cases_of(run.unit, context);
   if (run.only_case > 0) {
     context.setOption("first", static_cast<int>(run.only_case));
     context.setOption("last", static_cast<int>(run.only_case));
@@ -191,6 +199,15 @@ std::vector<Misconception> names_of_numbers(const CaseResult& result, const Sess
 }
 
 }  // namespace
+
+std::size_t count_cases(const std::string& unit) {
+  doctest::Context context;
+  choose_cases_of(unit, context);
+  context.setOption("count", true);
+  counted = 0;
+  context.run();
+  return counted;
+}
 
 std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
   Session session(run.unit, answerer, run.seed);

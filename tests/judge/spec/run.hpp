@@ -18,6 +18,9 @@ struct SpecRun {
   std::size_t only_case = 0;  ///< 0: all of them
 };
 
+/// How many test cases the spec of a unit has.
+std::size_t count_cases(const std::string& unit);
+
 /// The result of every test case of the spec, in the order of its file.
 /// @throws std::invalid_argument if there is no such spec, or no such case
 std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer);

@@ -90,6 +90,8 @@ TEST_CASE("check: a unit by number or name, a chapter, or the next open one") {
   CHECK(unknown.status == 2);
   CHECK(contains(unknown.output,
                  "tumble: there is no exercise or chapter '9.9'; the chapters are 1 crossing"));
+  for (const std::string file : {"twice.cpp", "./twice.cpp", "exercises/01_crossing/twice.cpp"})
+    CHECK_MESSAGE(contains(judge("check " + file).output, "1.2 twice  not implemented"), file);
   CHECK(contains(judge("check twcie").output, "did you mean twice (1.2)?"));
   CHECK(contains(judge("check 1.2.x").output, "'x' is not the number of a case"));
 
@@ -119,7 +121,9 @@ TEST_CASE("check: what was asked, what came back, the misconception, and how to 
   };
   CHECK(from_question(again) == from_question(output));
   CHECK(contains(again, "0 of 1 laws hold"));
-  CHECK(contains(judge("check 1.2.9").output, "has no test case number 9"));
+  const CommandResult beyond = judge("check 1.2.9");
+  CHECK(beyond.status == 2);
+  CHECK_MESSAGE(beyond.output == "tumble: 1.2 has cases 1 to 3, and no case 9\n", beyond.output);
 }
 
 TEST_CASE("check: where nobody knows the mistake, the section that derives the function is named") {
@@ -215,6 +219,9 @@ TEST_CASE("wrong usage: what is wrong, what was meant, and status 2") {
   const std::vector<std::pair<const char*, const char*>> wrong = {
       {"check --sed 3", "tumble: there is no option '--sed'; did you mean --seed?"},
       {"check --seed x", "x"},
+      {"check --seed -1", "'-1' is no seed"},
+      {"check 1,2", "did you mean 1.2?"},
+      {"check 12", "did you mean 1.2?"},
       {"check 1.1 1.2", "tumble: '1.2' is one argument too many"},
       {"check 1.1 --seeds 0", "--seeds"},
       {"chekc 1.1", "tumble: there is no command 'chekc'; did you mean check?"},

@@ -36,6 +36,21 @@ TEST_CASE("select: a unit, a chapter, all, or all functions of a name") {
   CHECK(numbers_of(small_course().select("4")) == "4.1 to 4.3");
 }
 
+TEST_CASE("select: a file means the exercise that it is named after") {
+  CHECK(numbers_of(small_course().select("flatten.cpp")) == "1.1");
+  CHECK(numbers_of(small_course().select("exercises/09_rigid_body/dydt.cpp")) == "9.4");
+  CHECK(numbers_of(small_course().select("../elsewhere/dydt.cpp")) == "1.2 and 9.4");
+  CHECK_REFUSED(small_course().select("prodct.cpp"),
+                "no exercise or chapter 'prodct.cpp'; did you mean product (4.1)?");
+}
+
+TEST_CASE("select: a number without its dot") {
+  for (const char* written : {"4,2", "42", "4-2", "4 2"})
+    CHECK_REFUSED(small_course().select(written), "did you mean 4.2?");
+  CHECK_REFUSED(small_course().select("4,9"), "the chapters are");
+  CHECK_REFUSED(small_course().select("4,,2"), "the chapters are");
+}
+
 TEST_CASE("select: of a word that means nothing, what was probably meant") {
   CHECK_REFUSED(small_course().select("prodct"),
                 "no exercise or chapter 'prodct'; did you mean product (4.1)?");
