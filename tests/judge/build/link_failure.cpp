@@ -136,7 +136,7 @@ std::string advice_for(const Course& course, const Unit& unit, const std::string
   if (scope && *scope != space + "::") return "Put it into namespace " + space + ".\n";
   if (const std::string why = why_hidden(code, unit.name); !scope && !why.empty())
     return "Your " + unit.name + " is " + why +
-           ": other files can't see it, and the judge is one of them.\nDefine it as a plain "
+           ".\nOther files can't see it, and the judge is one of them.\nDefine it as a plain "
            "function in namespace " +
            space + ".\n";
   return "Its name, the types of its arguments (with const and &) and the namespace have to be\n"

@@ -95,7 +95,7 @@ std::size_t count_nonzero(const Value& value) {
 
 bool is_argument(const Finding& finding) {
   return finding.question && count_nonzero(*finding.answer) >= 2 &&
-         may_be_argument(finding.question->arguments, *finding.answer);
+         equals_argument(finding.question->arguments, *finding.answer);
 }
 
 bool is_huge(double x) { return std::abs(x) > 1e150; }
@@ -260,11 +260,10 @@ std::vector<Misconception> names_of_likeness(const Finding& finding) {
 
 }  // namespace
 
-bool may_be_argument(const List& arguments, const Value& answer) {
-  return count_nonzero(answer) < 2 ||
-         std::any_of(arguments.begin(), arguments.end(), [&](const Value& argument) {
-           return argument.as<List>() && largest_difference(argument, answer) == 0;
-         });
+bool equals_argument(const List& arguments, const Value& answer) {
+  return std::any_of(arguments.begin(), arguments.end(), [&](const Value& argument) {
+    return argument.as<List>() && largest_difference(argument, answer) == 0;
+  });
 }
 
 std::vector<Misconception> general_misconceptions(const Finding& finding, Inputs inputs) {

@@ -20,7 +20,7 @@ std::vector<Misconception> general_misconceptions(const Finding& finding, Inputs
 /// The name of an answer that is one of the arguments.
 inline constexpr const char* argument_as_it_came = "the argument as it came";
 
-/// Whether an answer is one of the arguments, or has too few numbers to tell.
-bool may_be_argument(const List& arguments, const Value& answer);
+/// Whether an answer is one of the arguments that are lists.
+bool equals_argument(const List& arguments, const Value& answer);
 
 }  // namespace tumble::judge

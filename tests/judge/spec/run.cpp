@@ -190,7 +190,7 @@ std::vector<Misconception> names_of_numbers(const CaseResult& result, const Sess
       *result.finding, result.number == 1 ? Inputs::general : Inputs::special);
   const auto before = session.asked_before_the_wrong_answer(result.number);
   const bool may_be = std::all_of(before.begin(), before.end(), [](const Call& call) {
-    return may_be_argument(call.arguments, call.answer);
+    return equals_argument(call.arguments, call.answer);
   });
   if (!may_be)
     std::erase_if(names,

@@ -54,11 +54,11 @@ TEST_CASE("a function that other files can't see: why not") {
   const SmallCourse course;
   const std::string body = "VectorXd euler_step(const Rhs& f, double h) {\n  return f(h);\n}\n}\n";
   const std::string start = "#include \"contract.hpp\"\nnamespace particles {\n";
-  CHECK(says(course.said_of(start + "inline " + body), "Your euler_step is inline: other files"));
-  CHECK(says(course.said_of(start + "static " + body), "Your euler_step is static: other"));
-  CHECK(says(course.said_of(start + "template <class F>\n" + body), "is a template: other files"));
+  CHECK(says(course.said_of(start + "inline " + body), "Your euler_step is inline.\nOther files"));
+  CHECK(says(course.said_of(start + "static " + body), "Your euler_step is static.\nOther"));
+  CHECK(says(course.said_of(start + "template <class F>\n" + body), "is a template.\nOther files"));
   CHECK(says(course.said_of(start + "namespace {\n" + body + "}\n"),
-             "is in a namespace without a name: other files"));
+             "is in a namespace without a name.\nOther files"));
   for (const std::string& plain :
        {start + body, start + "static int n = 0;\n" + body, start + "namespace {\n}\n" + body,
         start + "// inline\n" + body, start + "inline double g(double x) { return x; }\n" + body})

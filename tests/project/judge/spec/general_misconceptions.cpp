@@ -94,7 +94,7 @@ TEST_CASE("a beginning or an end that is 0, where all else is right, is told") {
 
 TEST_CASE("the argument as it came: what speaks for it, and what against") {
   const List arguments{1., List{2., 3.}};
-  CHECK(may_be_argument(arguments, List{2., 3.}));
-  CHECK(may_be_argument(arguments, List{0., 3.}));  // one number proves nothing
-  CHECK_FALSE(may_be_argument(arguments, List{2., 4.}));
+  CHECK(equals_argument(arguments, List{2., 3.}));
+  CHECK_FALSE(equals_argument(arguments, List{2., 4.}));
+  CHECK_FALSE(equals_argument(arguments, List{2.}));
 }

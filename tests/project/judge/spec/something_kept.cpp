@@ -21,7 +21,10 @@ using Twice = Numbers(const Numbers& x);
 /// The case is a test of this program, too: there it asks nothing.
 bool is_doubling_judged = false;
 
-Numbers twice(const Numbers& x) { return {2 * x[0], 2 * x[1]}; }
+Numbers twice(Numbers x) {
+  for (double& each : x) each *= 2;
+  return x;
+}
 
 /// "static int n = 0; if (n++ > 0) return x;", or "return x;" alone.
 class ReturnsItsArgument : public Answerer {
@@ -68,12 +71,12 @@ TEST_SUITE("tests/doubling") {
   TEST_CASE("twice as much") {
     if (!is_doubling_judged) return;
     const Function<Twice> function(doubling);
-    for (const Numbers& x : {Numbers{1, 2}, Numbers{3, 4}, Numbers{5, 6}})
+    for (const Numbers& x : {Numbers{1}, Numbers{3, 4}, Numbers{5, 6}})
       REQUIRE(function(x) == close_to(twice(x), 0));
   }
 }
 
-TEST_CASE("an argument as it came has come so from the first call on") {
-  CHECK(name_given(true) == something_kept);
-  CHECK(name_given(false) == as_it_came);
+TEST_CASE("what was right once, and then is the argument as it came, keeps something") {
+  CHECK(name_given(true) == something_kept);  // right of one number, then two as they came
+  CHECK(name_given(false) != something_kept);
 }
