@@ -3,6 +3,7 @@
 /// The faces one by one: do their vertices exist, are they numbers, is there an area?
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tumble/mesh/mesh_defect.hpp"
@@ -21,11 +22,17 @@ bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Whether all triangles of a face have an area of exactly 0.
 bool has_no_area(const PolygonMesh& mesh, std::span<const int> face);
 
+/// The vertex that a face has at two corners; −1 if there is none.
+int repeated_vertex(std::span<const int> face);
+
 /// What is degenerate about a face, in words; null when nothing is.
 const char* degeneracy(const PolygonMesh& mesh, std::span<const int> face);
 
 /// Whether a face has less than three corners.
 bool has_short_faces(const PolygonMesh& mesh);
+
+/// ": vertex #4 at (…)", the vertex that stands there twice, or else the first three.
+std::string described_corners(const PolygonMesh& mesh, std::span<const int> face);
 
 /// Finds faces without area.
 std::vector<MeshDefect> find_degenerate_faces(const PolygonMesh& mesh);

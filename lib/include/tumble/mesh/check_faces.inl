@@ -73,17 +73,20 @@ TUMBLE_BODY bool has_no_area(const PolygonMesh& mesh, std::span<const int> face)
   return true;
 }
 
-TUMBLE_BODY const char* degeneracy(const PolygonMesh& mesh, std::span<const int> face) {
-  if (face.size() < 3) return "has fewer than 3 corners";
-  if (face.size() == 3) {
-    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
-      return "has the same vertex at two corners";
-    return has_no_area(mesh, face) ? "has an area of exactly 0" : nullptr;
+TUMBLE_BODY int repeated_vertex(std::span<const int> face) {
+  if (face.size() == 3) {  // most are: without memory of their own
+    if (face[1] == face[2]) return face[1];
+    return face[0] == face[1] || face[0] == face[2] ? face[0] : -1;
   }
   std::vector<int> sorted(face.begin(), face.end());
   std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    return "has the same vertex at two corners";
+  const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+  return repeated == sorted.end() ? -1 : *repeated;
+}
+
+TUMBLE_BODY const char* degeneracy(const PolygonMesh& mesh, std::span<const int> face) {
+  if (face.size() < 3) return "has fewer than 3 corners";
+  if (repeated_vertex(face) >= 0) return "has the same vertex at two corners";
   return has_no_area(mesh, face) ? "has an area of exactly 0" : nullptr;
 }
 
@@ -94,16 +97,23 @@ TUMBLE_BODY bool has_short_faces(const PolygonMesh& mesh) {
   return any;
 }
 
+TUMBLE_BODY std::string described_corners(const PolygonMesh& mesh, std::span<const int> face) {
+  if (const int twice = repeated_vertex(face); face.size() >= 3 && twice >= 0)
+    return ": " + describe_vertex(mesh, twice);
+  std::string text;
+  for (std::size_t k = 0; k < face.size() && k < 3; ++k)
+    text += (k == 0 ? ": " : ", ") + describe_vertex(mesh, face[k]);
+  return text;
+}
+
 TUMBLE_BODY std::vector<MeshDefect> find_degenerate_faces(const PolygonMesh& mesh) {
   MeshDefectsOfOneKind bad(MeshDefectKind::degenerate_face);
   for (int f = 0; f < mesh.face_count(); ++f) {
     const char* what = degeneracy(mesh, mesh.face(f));
     if (what == nullptr) continue;
     bad.add(f, {-1, -1}, [&] {
-      std::string text = "face #" + std::to_string(f + 1) + " " + what;
-      for (std::size_t k = 0; k < mesh.face(f).size() && k < 3; ++k)
-        text += (k == 0 ? ": " : ", ") + describe_vertex(mesh, mesh.face(f)[k]);
-      return text;
+      const std::string text = "face #" + std::to_string(f + 1) + " " + what;
+      return text + described_corners(mesh, mesh.face(f));
     });
   }
   std::vector<MeshDefect> findings;

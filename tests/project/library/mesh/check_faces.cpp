@@ -48,6 +48,28 @@ TEST_CASE("degeneracy: says what is wrong with a face, and nothing of one that i
   CHECK(what({0, 1, 2, 4}) == "");  // three corners in a line are no harm
 }
 
+TEST_CASE("find_degenerate_faces: names the vertex that stands there twice, and no other") {
+  PolygonMesh mesh = test::cube();
+  const auto message = [&](const std::vector<int>& face) {
+    PolygonMesh with = mesh;
+    with.add_face(face);
+    return find_degenerate_faces(with).front().message;
+  };
+  const auto count = [](const std::string& text) {
+    std::size_t found = 0;
+    for (auto at = text.find("vertex #"); at != text.npos; at = text.find("vertex #", at + 1))
+      ++found;
+    return found;
+  };
+  for (const std::vector<int>& face :
+       {std::vector{0, 1, 3, 3, 2}, {3, 1, 3}, {3, 3, 1}, {1, 3, 3}, {0, 3, 1, 3}}) {
+    const std::string text = message(face);
+    CHECK_MESSAGE(text.find("at two corners: vertex #4 at") != std::string::npos, text);
+    CHECK(count(text) == 1);
+  }
+  CHECK(count(message({0, 1})) == 2);  // what it has
+}
+
 TEST_CASE("find_nonplanar_faces: says how far a corner is from the plane, and forgives rounding") {
   PolygonMesh mesh = test::cube();
   CHECK(find_nonplanar_faces(mesh).empty());
