@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/mesh/components.hpp"
 #include "tumble/mesh/edge_use.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
 
@@ -32,6 +33,14 @@ std::vector<MeshDefect> find_duplicate_faces(const PolygonMesh& mesh);
 
 /// "faces #1, #2 and #9".
 std::string describe_faces(std::span<const EdgeUse> uses);
+
+/// The two sides of each face, 2 f and 2 f + 1. Those that look the same way across an edge of two
+/// faces are joined: if both sides of a face are, the surface around it has one side only.
+DisjointSets joined_sides(const PolygonMesh& mesh, const std::vector<EdgeUse>& uses);
+
+/// Two faces that go along an edge in the same direction, and whether turning one is a cure.
+std::string describe_turned(const PolygonMesh& mesh, std::span<const EdgeUse> edge,
+                            DisjointSets& sides);
 
 /// Finds where the surface is not closed: open edges, neighbours that disagree on what is outside,
 /// and edges with an odd company of faces.

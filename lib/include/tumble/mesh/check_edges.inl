@@ -66,6 +66,29 @@ TUMBLE_BODY std::string describe_faces(std::span<const EdgeUse> uses) {
   return uses.size() > 6 ? text + ", …" : text;
 }
 
+TUMBLE_BODY DisjointSets joined_sides(const PolygonMesh& mesh, const std::vector<EdgeUse>& uses) {
+  DisjointSets sides(2 * static_cast<std::size_t>(mesh.face_count()));
+  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    for (j = i; j < uses.size() && uses[i].same_edge(uses[j]);) ++j;
+    if (j != i + 2) continue;
+    const int a = 2 * uses[i].face, b = 2 * uses[i + 1].face;
+    const int turned = uses[i].forward == uses[i + 1].forward ? 1 : 0;
+    sides.join(a, b + turned);
+    sides.join(a + 1, b + 1 - turned);
+  }
+  return sides;
+}
+
+TUMBLE_BODY std::string describe_turned(const PolygonMesh& mesh, std::span<const EdgeUse> edge,
+                                        DisjointSets& sides) {
+  const int side = 2 * edge.front().face;
+  return describe_faces(edge) + " go along " + describe_edge(mesh, edge.front()) +
+         " in the same direction: " +
+         (sides.root(side) == sides.root(side + 1)
+              ? "the surface has one side only, as a Möbius strip has. Turning faces is no cure"
+              : "one of them is turned the wrong way round");
+}
+
 TUMBLE_BODY std::vector<MeshDefect> find_uneven_edges(const PolygonMesh& mesh) {
   const std::vector<EdgeUse> uses = edge_uses(mesh);
   std::vector<EdgeUse> all_open;
@@ -78,6 +101,7 @@ TUMBLE_BODY std::vector<MeshDefect> find_uneven_edges(const PolygonMesh& mesh) {
                                ? "; the surface is closed once vertices at equal positions are "
                                  "merged: call weld(), or save the mesh as STL"
                                : "";
+  DisjointSets sides = joined_sides(mesh, uses);
   MeshDefectsOfOneKind open(MeshDefectKind::open_edge), uneven(MeshDefectKind::uneven_edge);
   MeshDefectsOfOneKind turned(MeshDefectKind::inconsistent_orientation);
   for_each_uneven_edge(uses, [&](std::span<const EdgeUse> edge) {
@@ -90,10 +114,8 @@ TUMBLE_BODY std::vector<MeshDefect> find_uneven_edges(const PolygonMesh& mesh) {
                (cure.empty() ? describe_t_junction(mesh, first, all_open) : cure);
       });
     else if (edge.size() == 2)
-      turned.add(first.face, {first.low, first.high}, [&] {
-        return describe_faces(edge) + " go along " + describe_edge(mesh, first) +
-               " in the same direction: one of them is turned the wrong way round";
-      });
+      turned.add(first.face, {first.low, first.high},
+                 [&] { return describe_turned(mesh, edge, sides); });
     else
       uneven.add(first.face, {first.low, first.high}, [&] {
         return describe_edge(mesh, first) + " has " + std::to_string(edge.size()) +

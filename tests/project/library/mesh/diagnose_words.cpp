@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "project/harness/refusal.hpp"
 #include "project/library/mesh/shapes.hpp"
@@ -19,6 +21,47 @@ std::string text(const PolygonMesh& mesh) {
 }
 
 PolygonMesh triangles() { return test::triangulated(test::cube()); }
+
+/// A band of quadrilaterals, closed after `parts`, turned over in between or not.
+PolygonMesh band(int parts, bool turned_over) {
+  PolygonMesh mesh;
+  for (int i = 0; i < parts; ++i) {
+    const double angle = 2 * std::numbers::pi * i / parts, lean = turned_over ? angle / 2 : 0.3;
+    const Vec3 out(std::cos(angle), std::sin(angle), 0);
+    const Vec3 side = 0.3 * (std::cos(lean) * out + std::sin(lean) * Vec3::UnitZ());
+    mesh.vertices.push_back(out - side);
+    mesh.vertices.push_back(out + side);
+  }
+  for (int i = 0; i + 1 < parts; ++i) mesh.add_face({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
+  const int last = 2 * parts - 2;
+  if (turned_over)
+    mesh.add_face({last, last + 1, 0, 1});
+  else
+    mesh.add_face({last, last + 1, 1, 0});
+  return mesh;
+}
+
+/// A grid that closes in both directions, in one of them turned over: a Klein bottle.
+PolygonMesh klein_bottle(int n) {
+  PolygonMesh mesh;
+  for (int i = 0; i < n * n; ++i)
+    mesh.vertices.emplace_back(i / n, i % n, (i * i) % 7);  // where they are does not matter
+  const auto vertex = [n](int i, int j) {
+    const int row = i == n ? 0 : i, column = i == n ? (2 * n - j) % n : j % n;
+    return row * n + column;
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      mesh.add_face({vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)});
+  return mesh;
+}
+
+std::string said_of_turned(const PolygonMesh& mesh) {
+  std::string all;
+  for (const MeshDefect& finding : diagnose(mesh))
+    if (finding.kind == MeshDefectKind::inconsistent_orientation) all += finding.message + '\n';
+  return all;
+}
 
 }  // namespace
 
@@ -112,6 +155,22 @@ TEST_CASE("diagnose: shows a line on which the surface crosses itself") {
     CHECK_MESSAGE(message.find(part) != std::string::npos, message);
 }
 
+TEST_CASE("diagnose: where no turning of faces is a cure, a surface with one side is named") {
+  const char* one_side = "the surface has one side only";
+  const char* turned = "one of them is turned the wrong way round";
+  for (const PolygonMesh& mesh : {band(12, true), klein_bottle(5)}) {
+    CHECK(said_of_turned(mesh).find(one_side) != std::string::npos);
+    CHECK(said_of_turned(mesh).find(turned) == std::string::npos);
+  }
+  const PolygonMesh cube = test::with_face_flipped(test::cube(), 0);
+  CHECK(said_of_turned(cube).find(turned) != std::string::npos);
+  CHECK(said_of_turned(cube).find(one_side) == std::string::npos);
+  CHECK(said_of_turned(test::with_face_flipped(band(12, false), 3)).find(one_side) ==
+        std::string::npos);
+  const PolygonMesh both = test::together(cube, band(12, true));  // each part has its own words
+  CHECK(said_of_turned(both).find(turned) != std::string::npos);
+}
+
 TEST_CASE(
     "require_body: lets a body pass, even with a degenerate face, and throws all findings else") {
   CHECK_NOTHROW(require_body(test::cube()));
@@ -126,7 +185,7 @@ TEST_CASE(
     const std::string message = error.what();
     CHECK(message.find("the mesh does not bound a body:\n  open_edge: the edge") == 0);
     CHECK(message.find(
-              "\n  degenerate_face: face #12 has the same vertex at two corners: vertex #1") !=
+              "\n  degenerate_face: face #12 has the same vertex at two corners: vertex #2") !=
           std::string::npos);
   }
 }
