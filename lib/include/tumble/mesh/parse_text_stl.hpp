@@ -4,7 +4,8 @@
 ///
 /// Source: 3D Systems, StereoLithography Interface Specification (1988), as in M. Burns, Automated
 /// Fabrication (1993), section 6.5. Words are separated by any blanks and line ends; the name after
-/// `solid` and `endsolid` is the rest of the line. Files with several solids are one mesh.
+/// `solid` and `endsolid` is the rest of the line, or what comes before a facet in it. Files with
+/// several solids are one mesh.
 
 #include <cmath>
 #include <limits>
@@ -37,10 +38,22 @@ class StlTextReader {
  private:
   void read_solid() {
     expect("solid");
-    text_.rest_of_line();
+    skip_name("facet");
     for (text_.skip_to_word(); next_is("facet"); text_.skip_to_word()) read_facet();
     expect("endsolid");
-    text_.rest_of_line();
+    skip_name("solid");
+  }
+
+  /// The name is the rest of the line. Some programs write all in one line: there it ends at the
+  /// last word `next` before a facet.
+  void skip_name(std::string_view next) {
+    TextScanner line(text_.rest_of_line(), name_);
+    std::string_view before, last;
+    for (auto word = line.next_word(); !word.empty(); before = word, word = line.next_word()) {
+      if (is_keyword(word, next)) last = word;
+      if (is_keyword(before, "facet") && is_keyword(word, "normal") && !last.empty())
+        return text_.move_to(last.data());
+    }
   }
 
   void read_facet() {

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -105,6 +106,20 @@ TEST_CASE("parse_stl: words are separated by anything, capitals do not matter") 
           .face_count() == 1);
   const std::string one = solid_of(facet_begin + three_vertices + facet_end);
   CHECK(parse_stl("\xEF\xBB\xBF" + one + "\n\n" + one, "x").face_count() == 2);
+}
+
+TEST_CASE("parse_stl: all may stand in one line, with names or without") {
+  const auto in_one_line = [](std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+  };
+  const std::string facet = facet_begin + three_vertices + facet_end;
+  CHECK(parse_stl(in_one_line(solid_of(facet + facet)), "x").face_count() == 2);
+  CHECK(parse_stl(in_one_line("solid " + facet + "endsolid"), "x").face_count() == 1);
+  CHECK(parse_stl(in_one_line(solid_of(facet) + solid_of(facet)), "x").face_count() == 2);
+  CHECK(
+      parse_stl("solid a facet of it\n" + facet + "endsolid a solid facet\n" + solid_of(facet), "x")
+          .face_count() == 2);
 }
 
 TEST_CASE("parse_stl: refuses a facet without three vertices, and words in the wrong place") {
