@@ -13,19 +13,21 @@ namespace tumble::detail {
 
 TUMBLE_BODY std::string inertia_defect(const Mat3& I) {
   using detail::text_of;
-  const auto exactly = std::setprecision(17);
+  const auto readable = std::setprecision(9);
   const double allowance = detail::inertia_rounding * I.trace();
-  if (!I.allFinite()) return text_of(exactly, "has an entry that is not a finite number:\n", I);
+  if (!I.allFinite()) return text_of(readable, "has an entry that is not a finite number:\n", I);
   const double skewed = (I - I.transpose()).cwiseAbs().maxCoeff();
   if (skewed > std::abs(allowance))
-    return text_of(exactly, "is not symmetric: it differs from its transpose by ", skewed);
+    return text_of(readable, "is not symmetric: it differs from its transpose by ", skewed);
   const Vec3 moments = principal_axes(I).moments;
   if (!(moments[0] > 0))
-    return text_of(exactly, "is not positive definite: its principal moments are ",
+    return text_of(readable, "is not positive definite: its principal moments are ",
                    detail::AsPoint{moments});
-  if (moments[2] - moments[1] - moments[0] > allowance)
-    return text_of(exactly, "breaks the triangle inequality: the principal moments ", moments[0],
-                   " + ", moments[1], " are less than ", moments[2], ", so no body has it");
+  const double excess = moments[2] - moments[1] - moments[0];
+  if (excess > allowance)  // it may be smaller than the digits of the moments show
+    return text_of(readable, "breaks the triangle inequality: the principal moments ", moments[0],
+                   " + ", moments[1], " are less than ", moments[2], ", by ", std::setprecision(2),
+                   excess, ", so no body has it");
   return {};
 }
 

@@ -55,7 +55,11 @@ TEST_CASE("require_valid_inertia: says which condition fails, with numbers") {
   CHECK_REFUSED(detail::require_valid_inertia(I),
                 "not symmetric: it differs from its transpose by 0.5");
   CHECK_REFUSED(detail::require_valid_inertia(diagonal(1, 2, 4)), "triangle inequality");
-  CHECK_REFUSED(detail::require_valid_inertia(diagonal(1, 2, 4)), "1 + 2 are less than 4");
+  CHECK_REFUSED(detail::require_valid_inertia(diagonal(1, 2, 4)), "1 + 2 are less than 4, by 1,");
+  CHECK_REFUSED(detail::require_valid_inertia(diagonal(1, 1, 2.0000001)),
+                "1 + 1 are less than 2.0000001, by 1e-07, so no body has it");
+  CHECK_REFUSED(detail::require_valid_inertia(diagonal(1, 1, 2 + 1e-13)),
+                "1 + 1 are less than 2, by 1e-13");
   CHECK_REFUSED(detail::require_valid_inertia(diagonal(-1, 2, 2)), "not positive definite");
   CHECK_REFUSED(detail::require_valid_inertia(diagonal(0, 2, 2)), "not positive definite");
   CHECK_REFUSED(detail::require_valid_inertia(Mat3::Zero()), "not positive definite");
