@@ -4,7 +4,6 @@
 /// many it would take.
 
 #include <iomanip>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -45,18 +44,21 @@ class StepBudget {
   int steps_ = 0, before_ = 0, next_check_ = 256;
 };
 
+/// An integration would not end: programs have advice of their own.
+struct TooManySteps : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Ends an integration that would not end.
 /// @param who    the function that was asked
 /// @param advice what to do
-/// @throws std::runtime_error that says how many steps it would take, and where it was
+/// @throws TooManySteps that says how many steps it would take, and where it was
 [[noreturn]] inline void refuse_hopeless(const char* who, const StepBudget& budget, double most,
                                          double t, const std::string& advice) {
-  throw_error<std::runtime_error>(
+  throw_error<TooManySteps>(
       std::setprecision(3), who, ": too many steps: it would take about ",
       budget.predicted() > budget.steps() ? budget.predicted() : budget.steps(), ", and at most ",
-      most,
-      " are taken; stopped at t = ", std::setprecision(std::numeric_limits<double>::max_digits10),
-      t, ": ", advice);
+      most, " are taken; stopped at t = ", std::setprecision(9), t, ": ", advice);
 }
 
 }  // namespace tumble::detail
