@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/nearest.hpp"
+#include "support/printable.hpp"
 
 namespace tumble::support {
 
@@ -24,7 +25,7 @@ inline constexpr int broken = 2;        ///< wrong usage, a missing file, a full
 /// Says what went wrong.
 inline int failed(const std::string& what) {
   std::cout.flush();
-  std::cerr << "tumble: " << what << "\n";
+  std::cerr << "tumble: " << printable(what) << "\n";
   return exit_status::broken;
 }
 

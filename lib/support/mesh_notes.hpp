@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "support/printable.hpp"
 #include "tumble/mesh/diagnose.hpp"
 
 namespace tumble::support {
@@ -18,7 +19,7 @@ inline std::vector<std::string> mesh_notes(int welded, const std::vector<MeshDef
                   " vertices for earlier ones at exactly the same place, so that faces that meet "
                   "share their edges");
   for (const MeshDefect& finding : findings)
-    all.push_back(std::string(name_of(finding.kind)) + ": " + finding.message);
+    all.push_back(std::string(name_of(finding.kind)) + ": " + escaped(finding.message));
   return all;
 }
 

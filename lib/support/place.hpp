@@ -9,6 +9,7 @@
 #include <string>
 
 #include "support/nearest.hpp"
+#include "support/printable.hpp"
 #include "tumble/core/require.hpp"
 #include "tumble/core/types.hpp"
 
@@ -45,7 +46,7 @@ class Place {
     require(value_.is_object(), name_, " is not { … }, but ", value_.dump());
     std::vector<std::pair<std::string, Place>> places;
     for (const auto& [key, value] : value_.items())
-      places.emplace_back(key, Place(value, name_ + "." + key));
+      places.emplace_back(key, Place(value, name_ + "." + escaped(key)));
     return places;
   }
 
@@ -92,7 +93,7 @@ class Place {
     for (const auto& [key, value] : value_.items()) {
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
       const std::string meant = did_you_mean(key, {known.begin(), known.end()});
-      require(false, name_, " has \"", key, "\", which means nothing here",
+      require(false, name_, " has \"", escaped(key), "\", which means nothing here",
               meant.empty() ? "; there are: " + listed(known) : meant);
     }
   }

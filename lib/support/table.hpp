@@ -11,15 +11,17 @@
 #include <vector>
 
 #include "support/csv.hpp"
+#include "support/printable.hpp"
 #include "support/wrapped.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::support {
 
-/// A number with `digits` significant digits, in scientific notation where that is shorter.
+/// A number with `digits` significant digits, in scientific notation where that is shorter. A zero
+/// has no sign.
 inline std::string number(double value, int digits = 3) {
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value + 0.0);
   return text.data();
 }
 
@@ -77,8 +79,8 @@ class Table {
     std::string out;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       for (std::size_t c = 0; c < rows_[r].size(); ++c) {
-        const std::string gap(column_width(c) - characters(rows_[r][c]), ' ');
-        out += c == 0 ? "  " + rows_[r][c] + gap : "   " + gap + rows_[r][c];
+        const std::string gap(column_width(c) - characters(cell(r, c)), ' ');
+        out += c == 0 ? "  " + cell(r, c) + gap : "   " + gap + cell(r, c);
       }
       out.erase(out.find_last_not_of(' ') + 1);
       out += '\n';
@@ -93,12 +95,12 @@ class Table {
     std::size_t line = 2;
     for (std::size_t c = 0; c < rows_[0].size(); ++c) line += column_width(c) + (c == 0 ? 0 : 3);
     if (line <= width) return text();
-    std::string out = wrapped(rows_[0][0], width, 2) + '\n';
+    std::string out = wrapped(cell(0, 0), width, 2) + '\n';
     for (std::size_t r = 1; r < rows_.size(); ++r) {
-      out += "  " + wrapped(rows_[r][0], width - 2, 4) + '\n';
+      out += "  " + wrapped(cell(r, 0), width - 2, 4) + '\n';
       for (std::size_t c = 1; c < rows_[r].size(); ++c)
         if (!rows_[r][c].empty())
-          out += "    " + wrapped(rows_[0][c] + ": " + rows_[r][c], width - 4, 6) + '\n';
+          out += "    " + wrapped(cell(0, c) + ": " + cell(r, c), width - 4, 6) + '\n';
     }
     return out;
   }
@@ -117,9 +119,12 @@ class Table {
   }
 
  private:
+  /// As it is shown: names come from files of others.
+  std::string cell(std::size_t r, std::size_t c) const { return escaped(rows_[r][c]); }
+
   std::size_t column_width(std::size_t c) const {
     std::size_t width = 0;
-    for (const std::vector<std::string>& row : rows_) width = std::max(width, characters(row[c]));
+    for (std::size_t r = 0; r < rows_.size(); ++r) width = std::max(width, characters(cell(r, c)));
     return width;
   }
 

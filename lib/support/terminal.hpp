@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "support/printable.hpp"
 #include "support/table.hpp"
 #include "support/wrapped.hpp"
 
@@ -28,7 +29,8 @@ inline std::optional<std::size_t> terminal_width() {
 /// A line, broken between words where the terminal is narrower.
 inline std::string fitted(const std::string& line) {
   const auto width = terminal_width();
-  return width && characters(line) > *width ? wrapped(line, *width, 2) : line;
+  const std::string shown = printable(line);
+  return width && characters(shown) > *width ? wrapped(shown, *width, 2) : shown;
 }
 
 /// A table, stacked where the terminal is narrower.

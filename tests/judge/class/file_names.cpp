@@ -8,6 +8,7 @@
 #include "judge/class/file_kinds.hpp"
 #include "judge/course/stable_hash.hpp"
 #include "judge/verdict/number_text.hpp"
+#include "support/printable.hpp"
 
 namespace tumble::judge {
 
@@ -64,12 +65,6 @@ std::string cut(const std::string& text, std::size_t most) {
   return text.substr(0, most);
 }
 
-std::string hexadecimal(unsigned char byte) {
-  char text[8];
-  std::snprintf(text, sizeof text, "\\x%02X", byte);
-  return text;
-}
-
 }  // namespace
 
 std::string exercise_named(const std::string& file) {
@@ -112,20 +107,6 @@ std::string file_name_for(const std::string& student) {
   return name + number;
 }
 
-std::string escaped(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '\n')
-      text += "\\n";
-    else if (c == '\t')
-      text += "\\t";
-    else if (code < 0x20 || code == 0x7f)
-      text += hexadecimal(code);
-    else
-      text += c;
-  }
-  return one_line(text, 300);
-}
+std::string escaped(const std::string& name) { return one_line(support::escaped(name), 300); }
 
 }  // namespace tumble::judge

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "support/printable.hpp"
+
 namespace tumble::judge {
 
 namespace {
@@ -76,19 +78,6 @@ std::string matrix_text(const List& rows, int digits, std::size_t indent) {
   return text;
 }
 
-/// The bytes at `at` that start a character which must not reach a terminal; 0 if none does.
-std::size_t unprintable_bytes(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
-  };
-  if ((byte(0) < 0x20 && byte(0) != '\n' && byte(0) != '\t') || byte(0) == 0x7f) return 1;
-  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;  // C1: CSI and the like
-  const bool general = byte(0) == 0xe2;  // U+2028 to U+202E and U+2066 to U+2069: direction, lines
-  if (general && byte(1) == 0x80 && byte(2) >= 0xa8 && byte(2) <= 0xae) return 3;
-  if (general && byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9) return 3;
-  return 0;
-}
-
 }  // namespace
 
 std::string text_of(const Value& value, int digits, std::size_t indent) {
@@ -100,7 +89,7 @@ std::string text_of(const Value& value, int digits, std::size_t indent) {
 std::string printable(const std::string& text) {
   std::string clean;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t bad = unprintable_bytes(text, i);
+    const std::size_t bad = support::unprintable_bytes(text, i);
     clean += bad > 0 ? '?' : text[i];
     i += std::max<std::size_t>(bad, 1);
   }

@@ -56,7 +56,7 @@ TEST_CASE("names: nothing reaches a terminal that it would obey") {
   CHECK(escaped("a\x1b[2Jb\nc") == "a\\x1B[2Jb\\nc");
   CHECK(escaped("Müller") == "Müller");
   CHECK(escaped("a\xe2\x80\xae"
-                "b") == "a?b");  // which turns the direction of writing
+                "b") == "a\\xE2\\x80\\xAEb");  // which turns the direction of writing
 }
 
 TEST_CASE("UTF-16 becomes UTF-8") {
