@@ -3,10 +3,12 @@
 /// JSON that a person has written: what the format leaves open is refused, for it is a slip.
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tumble/core/require.hpp"
@@ -25,9 +27,43 @@ inline std::string line_and_column(const std::string& text, std::size_t byte) {
 
 /// What the parser expected, without its own names for things.
 inline std::string what_was_expected(const std::string& what) {
+  constexpr std::array<std::array<std::string_view, 2>, 6> plain{{
+      {"control character",
+       "a text holds a raw control character: write \\t for a tab, and \\n "
+       "where a line ends"},
+      {"surrogate",
+       "a text holds half of a character, \\ud800 to \\udfff: write both halves one "
+       "after the other, or the character itself"},
+      {"ill-formed UTF-8", "a text is not UTF-8: save the file as UTF-8"},
+      {"forbidden character after backslash",
+       "a text holds a \\ before a character that needs none: write \\\\ for a \\ itself"},
+      {"'\\u' must be followed", "a text holds a \\u without four hexadecimal digits behind it"},
+      {"missing closing quote", "a text has no quotation mark at its end"},
+  }};
+  for (const auto& [sign, words] : plain)
+    if (what.find(sign) != std::string::npos) return std::string(words);
   const std::size_t dash = what.find(" - "), bracket = what.find("] ");
   if (dash != std::string::npos) return what.substr(dash + 3);
   return bracket != std::string::npos ? what.substr(bracket + 2) : what;
+}
+
+/// The last byte that the parser has read, and the word that it could not take.
+struct FirstFault : nlohmann::detail::json_sax_acceptor<nlohmann::json> {
+  std::size_t byte = 0;
+  std::string token;
+
+  bool parse_error(std::size_t at, const std::string& last, const nlohmann::json::exception&) {
+    byte = at;
+    token = last;
+    return false;
+  }
+};
+
+/// Where a document cannot be read: its exceptions know that only of what is not JSON.
+inline FirstFault first_fault(const std::string& text) {
+  FirstFault fault;
+  nlohmann::json::sax_parse(text, &fault);
+  return fault;
 }
 
 /// The value of a document in which no { … } has a key twice: all but the last would be lost.
@@ -56,8 +92,10 @@ inline nlohmann::json parsed_json(const std::string& text, const std::string& na
   } catch (const Json::parse_error& error) {
     throw std::invalid_argument(name + " is not valid JSON: " + line_and_column(text, error.byte) +
                                 ": " + what_was_expected(error.what()));
-  } catch (const Json::exception& error) {  // a number that is too large
-    throw std::invalid_argument(name + " is not valid JSON: " + what_was_expected(error.what()));
+  } catch (const Json::out_of_range&) {
+    const FirstFault fault = first_fault(text);
+    throw std::invalid_argument(name + ", " + line_and_column(text, fault.byte) + ": the number " +
+                                fault.token + " is too large: a double ends at 1.8e308");
   }
 }
 
