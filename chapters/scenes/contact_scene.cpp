@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "support/printable.hpp"
+
 namespace tumble::scenes {
 
 contact::ContactScene contact_scene(const Scene& scene) {
   contact::ContactScene made{
       {}, {}, scene.gravity, scene.contact->restitution, scene.contact->friction};
   for (const SceneBody& body : scene.bodies)
-    made.bodies.push_back({body.name, body.body, body.shape->convex, body.start});
+    made.bodies.push_back({support::escaped(body.name), body.body, body.shape->convex, body.start});
   for (const SceneWall& wall : scene.contact->walls) made.walls.push_back(wall.half_space);
   return made;
 }

@@ -2,6 +2,7 @@
 
 #include "scenes/film_scene.hpp"
 #include "scenes/motion_output.hpp"
+#include "support/printable.hpp"
 #include "support/space_sketch.hpp"
 #include "support/table.hpp"
 #include "support/view.hpp"
@@ -72,7 +73,8 @@ std::string film_strip(const Scene& scene, const Motions& motions) {
   for (std::size_t i = 0; i < film.paths.size(); ++i) {
     space.curve(film.paths[i], {colour_of(i), 1.4});
     const double above = layout.window.scale * scene.bodies[i].shape->convex.reach() + 6;
-    space.words(film.paths[i].front(), {0, -above}, scene.bodies[i].name, colour_of(i));
+    space.words(film.paths[i].front(), {0, -above}, support::escaped(scene.bodies[i].name),
+                colour_of(i));
   }
   sketch.words(box.min(), {0, 30}, "a picture every " + support::number(film.between) + " s",
                "faint");

@@ -6,6 +6,7 @@
 
 #include "scenes/scene.hpp"
 #include "support/place.hpp"
+#include "support/printable.hpp"
 
 namespace tumble::scenes {
 
@@ -15,7 +16,8 @@ inline std::size_t find_body(const support::Place& place, const std::vector<Scen
   const std::string name = place.text();
   const auto found = std::find_if(bodies.begin(), bodies.end(),
                                   [&](const SceneBody& body) { return body.name == name; });
-  require(found != bodies.end(), place.name(), ": there is no body \"", name, "\"");
+  require(found != bodies.end(), place.name(), ": there is no body \"", support::escaped(name),
+          "\"");
   return static_cast<std::size_t>(found - bodies.begin());
 }
 

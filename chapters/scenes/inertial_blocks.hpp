@@ -3,35 +3,37 @@
 /// Mass properties as other programs' files want them. All three give the tensor about the centre
 /// of mass, in the axes of the link, with products that carry the minus sign, as ours do.
 
-#include <array>
-#include <cstdio>
+#include <cmath>
 #include <string>
 
-#include "tumble/core/require.hpp"
+#include "support/shortest.hpp"
 #include "tumble/mass/mass_properties.hpp"
 
 namespace tumble::scenes {
 
-/// All digits of a number.
-inline std::string digits(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.17g", x == 0 ? 0.0 : x);
-  return text.data();
+using support::shortest;
+
+inline std::string shortest(const Vec3& v) {
+  return shortest(v.x()) + " " + shortest(v.y()) + " " + shortest(v.z());
 }
 
-inline std::string digits(const Vec3& v) {
-  return digits(v.x()) + " " + digits(v.y()) + " " + digits(v.z());
+/// Why there is no block: other programs read no number that is not finite. Empty if there is one.
+inline std::string block_defect(const MassProperties& body) {
+  if (body.mass == 0 && !body.centre.allFinite())
+    return "the mesh encloses no volume, so there is no mass and no centre of mass to write down";
+  if (std::isfinite(body.mass) && body.centre.allFinite() && body.inertia.allFinite()) return {};
+  return "the mass, the centre of mass or the inertia is no finite number";
 }
 
 /// Source: the URDF XML specification, `link`: the origin is the centre of mass in the link's
 /// frame, ixy = −∫ x y dm.
 inline std::string urdf_block(const MassProperties& body) {
   const Mat3& I = body.inertia;
-  return "<inertial>\n  <origin xyz=\"" + digits(body.centre) +
-         "\" rpy=\"0 0 0\"/>\n  <mass value=\"" + digits(body.mass) + "\"/>\n  <inertia ixx=\"" +
-         digits(I(0, 0)) + "\" ixy=\"" + digits(I(0, 1)) + "\" ixz=\"" + digits(I(0, 2)) +
-         "\" iyy=\"" + digits(I(1, 1)) + "\" iyz=\"" + digits(I(1, 2)) + "\" izz=\"" +
-         digits(I(2, 2)) + "\"/>\n</inertial>\n";
+  return "<inertial>\n  <origin xyz=\"" + shortest(body.centre) +
+         "\" rpy=\"0 0 0\"/>\n  <mass value=\"" + shortest(body.mass) + "\"/>\n  <inertia ixx=\"" +
+         shortest(I(0, 0)) + "\" ixy=\"" + shortest(I(0, 1)) + "\" ixz=\"" + shortest(I(0, 2)) +
+         "\" iyy=\"" + shortest(I(1, 1)) + "\" iyz=\"" + shortest(I(1, 2)) + "\" izz=\"" +
+         shortest(I(2, 2)) + "\"/>\n</inertial>\n";
 }
 
 /// Source: SDFormat specification 1.9, `inertial`: the pose is that of the centre of mass in the
@@ -39,10 +41,10 @@ inline std::string urdf_block(const MassProperties& body) {
 inline std::string sdf_block(const MassProperties& body) {
   const Mat3& I = body.inertia;
   const auto element = [](const std::string& name, double x) {
-    return "    <" + name + ">" + digits(x) + "</" + name + ">\n";
+    return "    <" + name + ">" + shortest(x) + "</" + name + ">\n";
   };
-  return "<inertial>\n  <pose>" + digits(body.centre) + " 0 0 0</pose>\n  <mass>" +
-         digits(body.mass) + "</mass>\n  <inertia>\n" + element("ixx", I(0, 0)) +
+  return "<inertial>\n  <pose>" + shortest(body.centre) + " 0 0 0</pose>\n  <mass>" +
+         shortest(body.mass) + "</mass>\n  <inertia>\n" + element("ixx", I(0, 0)) +
          element("ixy", I(0, 1)) + element("ixz", I(0, 2)) + element("iyy", I(1, 1)) +
          element("iyz", I(1, 2)) + element("izz", I(2, 2)) + "  </inertia>\n</inertial>\n";
 }
@@ -51,9 +53,9 @@ inline std::string sdf_block(const MassProperties& body) {
 /// M(1,3) M(2,3), in the body's frame.
 inline std::string mjcf_block(const MassProperties& body) {
   const Mat3& I = body.inertia;
-  return "<inertial pos=\"" + digits(body.centre) + "\" mass=\"" + digits(body.mass) +
-         "\" fullinertia=\"" + digits(Vec3(I.diagonal())) + " " +
-         digits(Vec3(I(0, 1), I(0, 2), I(1, 2))) + "\"/>\n";
+  return "<inertial pos=\"" + shortest(body.centre) + "\" mass=\"" + shortest(body.mass) +
+         "\" fullinertia=\"" + shortest(Vec3(I.diagonal())) + " " +
+         shortest(Vec3(I(0, 1), I(0, 2), I(1, 2))) + "\"/>\n";
 }
 
 inline std::string inertial_block(const std::string& format, const MassProperties& body) {

@@ -15,7 +15,8 @@ namespace tumble::scenes {
 struct MassAnswer {
   std::string file;
   std::vector<MeshDefect> findings;
-  std::string refusal = {};  ///< why we could not answer: the file could not be read
+  std::string refusal = {};   ///< why we could not answer: the file could not be read
+  std::string no_block = {};  ///< why there is no --urdf, --sdf or --mjcf
   bool usable = true;
   int welded = 0;  ///< how many vertices were taken for others at the same position
   BoundedMassProperties body = {};

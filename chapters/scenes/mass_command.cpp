@@ -6,6 +6,7 @@
 #include "scenes/mass_output.hpp"
 #include "scenes/mesh_files.hpp"
 #include "support/command_line.hpp"
+#include "support/printable.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -18,7 +19,7 @@ void print_all(const std::vector<MassAnswer>& all, const MassCommand& command) {
   } else if (!command.block.empty()) {
     for (const MassAnswer& found : all) {
       for (const std::string& sentence : sentences(found)) std::cerr << sentence << '\n';
-      if (all.size() > 1) std::cout << "<!-- " << found.file << " -->\n";
+      if (all.size() > 1) std::cout << "<!-- " << support::escaped(found.file) << " -->\n";
       if (found.usable) std::cout << inertial_block(command.block, found.body);
     }
   } else if (all.size() > 1) {
@@ -37,12 +38,22 @@ void require_one_if_needed(const std::vector<std::string>& files, const MassComm
           " files has no room for it: ask for --json, or about one file");
 }
 
+/// Notes where there are no numbers for a block.
+void require_finite_blocks(std::vector<MassAnswer>& all) {
+  for (MassAnswer& found : all)
+    if (found.usable && !(found.no_block = block_defect(found.body)).empty()) found.usable = false;
+}
+
 /// Says why a file has no numbers.
 /// @return the exit status for it
 int complain(const MassAnswer& found, const MassCommand& command) {
   if (!found.refusal.empty()) return support::failed(found.refusal);
-  std::cerr << "tumble: " << found.file
-            << (command.is_shell() ? ": faces of this shell count twice."
+  std::cerr << "tumble: " << support::escaped(found.file);
+  if (!found.no_block.empty()) {
+    std::cerr << ": " << found.no_block << ". We print no --" << command.block << " block\n";
+    return support::exit_status::not_achieved;
+  }
+  std::cerr << (command.is_shell() ? ": faces of this shell count twice."
                                    : ": this is not the boundary of a body.")
             << " You find the reasons above."
             << (command.accept ? "" : " With --accept we compute what we can.") << '\n';
@@ -60,6 +71,7 @@ int run(const MassCommand& command) {
   for (const std::string& file : files)
     all.push_back(files.size() == 1 ? mass_answer(command, file)
                                     : answer_or_refusal(command, file));
+  if (!command.block.empty()) require_finite_blocks(all);
   print_all(all, command);
   int status = support::exit_status::achieved;
   for (const MassAnswer& found : all)

@@ -11,11 +11,8 @@ namespace {
 
 std::string numbers(std::initializer_list<double> list, int digits = 16) {
   std::string text;
-  for (const double x : list) {
-    const double no_minus_zero = x + 0.0;
-    text +=
-        (text.empty() ? "" : "  ") + (std::isnan(x) ? "-" : support::number(no_minus_zero, digits));
-  }
+  for (const double x : list)
+    text += (text.empty() ? "" : "  ") + (std::isnan(x) ? "-" : support::number(x, digits));
   return text;
 }
 

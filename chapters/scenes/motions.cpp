@@ -7,9 +7,11 @@
 #include "scenes/contact_motion.hpp"
 #include "scenes/contact_scene.hpp"
 #include "scenes/joined_motion.hpp"
+#include "support/printable.hpp"
 #include "tumble/body/derived.hpp"
 #include "tumble/contact/can_touch.hpp"
 #include "tumble/core/rounding.hpp"
+#include "tumble/core/step_budget.hpp"
 #include "tumble/mass/principal_axes.hpp"
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/simulate.hpp"
@@ -58,27 +60,51 @@ double rounding_of_start(const SceneBody& body, double span) {
   return roundings * detail::unit_roundoff * fastest * (span + 1 / omega);
 }
 
+Trajectory with_report(const Trajectory& motion, const SimulationReport& report) {
+  return {std::make_shared<const SameMotion>(motion), motion.t0(), motion.t1(), report};
+}
+
 /// Closed forms take the start as exact; runs begin beside it.
 Trajectory with_rounded_start(const Trajectory& motion, double rounding) {
   SimulationReport report = motion.report();
   if (report.runs > 0) return motion;
   report.error_estimate += rounding;
-  return {std::make_shared<const SameMotion>(motion), motion.t0(), motion.t1(), report};
+  return with_report(motion, report);
 }
 
-/// @throws std::runtime_error that names the body
-Trajectory named_motion_of(const SceneBody& body, const SimulationTask& task) {
+/// What `f()` gives. What the library says names a body here, and its advice is one that a scene
+/// can follow.
+/// @throws std::runtime_error that begins with `who`
+template <class F>
+auto in_words_of_scenes(const std::string& who, F&& f) -> decltype(f()) {
   try {
-    return with_rounded_start(motion_of(body, task), rounding_of_start(body, task.t1 - task.t0));
+    return f();
+  } catch (const detail::TooManySteps&) {
+    throw std::runtime_error(
+        who +
+        ": to follow this motion to the end takes too many steps. It turns or swings too often in "
+        "that time, or a strong drag stops it almost at once. Give a shorter duration, or make "
+        "what is so fast or so strong weaker");
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(body.name + ": " + error.what());
+    throw std::runtime_error(who + ": " + error.what());
   }
+}
+
+Trajectory named_motion_of(const SceneBody& body, const SimulationTask& task) {
+  const auto motion = in_words_of_scenes(support::escaped(body.name), [&] {
+    return with_rounded_start(motion_of(body, task), rounding_of_start(body, task.t1 - task.t0));
+  });
+  if (task.t1 > task.t0) return motion;
+  SimulationReport report = motion.report();
+  report.method = "none: the duration is 0";  // a scene file has no t0 and no t1
+  return with_report(motion, report);
 }
 
 Motions move_each(const Scene& scene) {
   Motions motions{.start = scene.task.t0, .end = scene.task.t1};
   const std::vector<std::size_t> joined = joined_bodies(scene);
-  const std::vector<Trajectory> together = move_joined(scene, joined);
+  const std::vector<Trajectory> together = in_words_of_scenes(
+      "the bodies that springs join", [&] { return move_joined(scene, joined); });
   std::size_t next = 0;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const bool is_joined = next < joined.size() && joined[next] == i;

@@ -33,7 +33,7 @@ void print_impacts(const Scene& scene, const Motions& motions) {
     table.add({support::number(motions.start + impact.t, 9),
                scene.bodies[static_cast<std::size_t>(impact.body)].name, hit_name(scene, impact),
                three_digits(impact.normal), three_digits(impact.impulse),
-               support::number(0 - impact.energy)});
+               support::number(-impact.energy)});
   }
   if (!impacts.empty()) std::cout << support::fitted(table) << '\n';
 }
@@ -41,9 +41,9 @@ void print_impacts(const Scene& scene, const Motions& motions) {
 void print_energy(const contact::EnergyLedger& energy) {
   support::Table table({"energy of all bodies", "[J]"});
   table.add({"at the start", support::number(energy.start, 9)});
-  table.add({"lost in impacts", support::number(0 - energy.impacts, 9)});
-  table.add({"lost in sliding", support::number(0 - energy.sliding, 9)});
-  table.add({"lost when put to rest", support::number(0 - energy.settled, 9)});
+  table.add({"lost in impacts", support::number(-energy.impacts, 9)});
+  table.add({"lost in sliding", support::number(-energy.sliding, 9)});
+  table.add({"lost when put to rest", support::number(-energy.settled, 9)});
   table.add({"at the end", support::number(energy.end, 9)});
   std::cout << support::fitted(table) << '\n';
 }
@@ -79,8 +79,8 @@ void print_hops(const Scene& scene, const Motions& motions) {
   std::string hopped;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (const auto hops = motions.contacts->run.hops(i); hops > 0)
-      hopped += (hopped.empty() ? "" : ", ") + scene.bodies[i].name + " (" + std::to_string(hops) +
-                (hops == 1 ? " hop)" : " hops)");
+      hopped += (hopped.empty() ? "" : ", ") + support::escaped(scene.bodies[i].name) + " (" +
+                std::to_string(hops) + (hops == 1 ? " hop)" : " hops)");
   if (hopped.empty()) return;
   std::cout << support::fitted("These stayed in touch and moved on, in hops: " + hopped +
                                ". That is not exact, and the comparison above does not see it. "

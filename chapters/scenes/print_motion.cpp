@@ -40,17 +40,17 @@ void print_flights(const Scene& scene, const Motions& motions, std::size_t i) {
   print_line("collides as ", shape.as);
   if (shape.missing > 0)
     print_line("the shape reaches at most ", support::number(shape.missing, 2), " m beyond it");
-  print_line("at the end: ", how_it_ended(scene, motions, i));
+  print_line("at the end: ", support::escaped(how_it_ended(scene, motions, i)));
   std::cout << '\n';
 }
 
 void print_end(const Scene& scene, const Motions& motions) {
   std::cout << (motions.stopped ? "stopped at t = " : "until t = ")
-            << support::number(motions.end, 16) << " s\n";
+            << support::number(motions.end, 9) << " s\n";
   if (scene.stop && !motions.stopped) {
     const StopWhen& stop = *scene.stop;
     std::cout << "stop_when: the "
-              << "xyz"[stop.coordinate] << " of " << scene.bodies[stop.body].name
+              << "xyz"[stop.coordinate] << " of " << support::escaped(scene.bodies[stop.body].name)
               << " has not passed " << support::number(stop.level, 6) << " m by then\n";
   }
   if (scene.contact && !motions.contacts) print_line("nothing can touch: no collision code ran");

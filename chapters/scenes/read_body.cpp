@@ -150,6 +150,8 @@ SceneBody read_body(const Place& place, std::size_t index, const Surroundings& a
       .steady = Weight{around.gravity}.steady(body),
       .springs = {},
       .held = held};
+  if (shape && place["shape"].has("mesh"))
+    result.mesh = mesh_path(place["shape"]["mesh"], around.folder);
   if (place.has("forces"))
     for (const Place& force : place["forces"].elements()) add_force(force, mass.centre, result);
   if (around.contact)

@@ -56,8 +56,8 @@ void require_apart(const Place& root, const Scene& scene) {
       const double gap =
           distance(body.shape->convex, {body.start.x, to_matrix(body.start.q)}, wall.half_space)
               .gap;
-      require(gap >= -contact_tolerance(scene), bodies[i].name(), ": ", body.name, " starts ", -gap,
-              " m deep in the ", wall.name);
+      require(gap >= -contact_tolerance(scene), bodies[i].name(), ": ", support::escaped(body.name),
+              " starts ", -gap, " m deep in the ", support::escaped(wall.name));
     }
   root.refused_here([&] { contact_scene(scene).require_valid(contact_tolerance(scene)); });
 }

@@ -43,8 +43,8 @@ void require_numbers_of_this_world(const nlohmann::json& value, const std::strin
 void require_different_names(const Scene& scene, const Place& root) {
   std::set<std::string> names;
   const auto require_new = [&](const std::string& name, const std::string& list, std::size_t i) {
-    require(names.insert(name).second, root.name(), ".", list, "[", i, "] is called \"", name,
-            "\", and so is one before it");
+    require(names.insert(name).second, root.name(), ".", list, "[", i, "] is called \"",
+            support::escaped(name), "\", and so is one before it");
   };
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     require_new(scene.bodies[i].name, "bodies", i);
@@ -97,7 +97,8 @@ Scene interpret(const Place& root, const std::filesystem::path& folder) {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file) {
-  return parse_scene(support::read_text(file), file.filename().string(), file.parent_path());
+  return parse_scene(support::read_text(file), support::escaped(file.filename().string()),
+                     file.parent_path());
 }
 
 Scene parse_scene(const std::string& text, const std::string& name,

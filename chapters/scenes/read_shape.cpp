@@ -37,7 +37,7 @@ void print_notes(const Place& place, int welded, const std::vector<MeshDefect>& 
 
 ReadShape mesh_shape(const Place& place, const std::filesystem::path& folder,
                      const parts::Densities& densities) {
-  parts::LabelledMesh mesh = read_mesh((folder / place.text()).string());
+  parts::LabelledMesh mesh = read_mesh(mesh_path(place, folder).string());
   const int welded = detail::weld_if_open(mesh);
   const auto noted = [&](const auto& body) {
     print_notes(place, welded, body.findings);
@@ -98,6 +98,10 @@ BodyShape shape_around(const PolygonMesh& mesh, const Vec3& centre) {
 }
 
 }  // namespace
+
+std::filesystem::path mesh_path(const Place& mesh, const std::filesystem::path& folder) {
+  return folder / mesh.text();
+}
 
 ReadShape read_shape(const Place& shape, const std::filesystem::path& folder,
                      const parts::Densities& densities) {

@@ -17,6 +17,9 @@ struct ReadShape {
   MassProperties unit;  ///< at 1 kg/m³, or with the densities of its parts
 };
 
+/// The file that a mesh names: beside the scene's.
+std::filesystem::path mesh_path(const support::Place& mesh, const std::filesystem::path& folder);
+
 /// @param densities of the parts of a mesh; empty if the shape has the same density everywhere
 /// @throws std::invalid_argument that says where in the file, and what
 ReadShape read_shape(const support::Place& shape, const std::filesystem::path& folder,

@@ -16,7 +16,7 @@ struct End {
 End read_end(const Place& place, const std::vector<SceneBody>& bodies) {
   place.require_only({"body", "at"});
   const std::size_t body = find_body(place["body"], bodies);
-  require(!bodies[body].held, place.name(), ".body: ", bodies[body].name,
+  require(!bodies[body].held, place.name(), ".body: ", support::escaped(bodies[body].name),
           " is held at a point. Give it a spring to the world, or let it go");
   const Vec3 centre = bodies[body].centre;
   return {body, place.has("at") ? Vec3(place["at"].vector() - centre) : Vec3(0, 0, 0)};
@@ -25,7 +25,8 @@ End read_end(const Place& place, const std::vector<SceneBody>& bodies) {
 SpringBetween read_spring(const Place& place, const std::vector<SceneBody>& bodies) {
   place.require_only({"from", "to", "stiffness", "length", "damping"});
   const End from = read_end(place["from"], bodies), to = read_end(place["to"], bodies);
-  require(from.body != to.body, place.name(), " joins ", bodies[from.body].name, " to itself");
+  require(from.body != to.body, place.name(), " joins ", support::escaped(bodies[from.body].name),
+          " to itself");
   SpringBetween spring{from.body,
                        to.body,
                        from.p_body,

@@ -31,6 +31,7 @@ struct SceneBody {
   std::vector<SpringToWorld> springs;
   std::optional<HeldBody> held = {};    ///< if a point of it stays where it is
   std::optional<BodyShape> shape = {};  ///< if the scene has contact
+  std::filesystem::path mesh = {};      ///< the file of its shape, if it has one
 };
 
 /// A floor or a wall.

@@ -3,10 +3,23 @@
 #include "scenes/commands.hpp"
 #include "scenes/contact_motion.hpp"
 #include "scenes/motion_output.hpp"
+#include "support/own_files.hpp"
+#include "support/printable.hpp"
 #include "support/text_file.hpp"
 
 namespace tumble::scenes {
 namespace {
+
+using support::escaped;
+
+/// @throws std::invalid_argument if a file that we are to write is another one of the command
+void require_own_outputs(const SimulateCommand& command, const Scene& scene) {
+  std::vector<support::NamedFile> inputs = {{"your scene", command.file}};
+  for (const SceneBody& body : scene.bodies)
+    if (!body.mesh.empty()) inputs.push_back({"the mesh of " + escaped(body.name), body.mesh});
+  support::require_own_files(
+      inputs, {{"--csv", command.csv}, {"--svg", command.svg}, {"--impacts", command.impacts}});
+}
 
 void write_files(const SimulateCommand& command, const Scene& scene, const Motions& motions) {
   if (!command.csv.empty()) support::write_text(command.csv, states_csv(scene, motions));
@@ -21,8 +34,9 @@ bool tolerances_reached(const Scene& scene, const Motions& motions) {
   for (std::size_t i = 0; i < motions.trajectories.size(); ++i) {
     const SimulationReport& report = motions.trajectories[i].report();
     if (report.reached()) continue;
-    std::cerr << "tumble: " << scene.bodies[i].name << ": your tolerance " << report.tolerance
-              << " was not reached. The error is about " << report.error_estimate << '\n';
+    std::cerr << "tumble: " << escaped(scene.bodies[i].name) << ": your tolerance "
+              << report.tolerance << " was not reached. The error is about "
+              << report.error_estimate << '\n';
     reached = false;
   }
   return reached;
@@ -33,7 +47,7 @@ bool followed_to_the_end(const Scene& scene, const Motions& motions) {
   const contact::ContactRun& run = motions.contacts->run;
   std::cerr << "tumble: at t = " << motions.end << " s ";
   if (run.undecided >= 0)
-    std::cerr << scene.bodies[static_cast<std::size_t>(run.undecided)].name
+    std::cerr << escaped(scene.bodies[static_cast<std::size_t>(run.undecided)].name)
               << " stays in touch, and we can't tell how it goes on. The motion "
                  "ends here\n";
   else
@@ -49,6 +63,7 @@ int run(const SimulateCommand& command) {
   require(scene.contact || command.impacts.empty(), command.file,
           ": there are no impacts without contact. Give the scene a floor, walls, restitution or "
           "friction");
+  require_own_outputs(command, scene);
   const Motions motions = move(scene);
   write_files(command, scene, motions);
   if (command.json) {

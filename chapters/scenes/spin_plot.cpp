@@ -1,5 +1,6 @@
 #include "scenes/motion_output.hpp"
 #include "support/plot.hpp"
+#include "support/printable.hpp"
 
 namespace tumble::scenes {
 
@@ -12,7 +13,8 @@ std::string spin_plot(const Scene& scene, const Motions& motions) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const std::string axis(1, "xyz"[k]);
-      support::Series series{several ? scene.bodies[i].name + " " + axis : "about " + axis, {}, {}};
+      support::Series series{
+          several ? support::escaped(scene.bodies[i].name) + " " + axis : "about " + axis, {}, {}};
       for (const double t : record_times(scene, motions)) {
         const RigidBodyState<> s = motions.at(i, t);
         series.x.push_back(t);
