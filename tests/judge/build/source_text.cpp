@@ -2,13 +2,42 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
+#include <optional>
 
 namespace tumble::judge {
 
 namespace {
 
-/// The length of the UTF-8 character at `at`, 0 if there is none (Unicode 15, table 3-7: no
-/// overlong forms, no surrogates, nothing above U+10FFFF).
+/// Where a text stops being one.
+struct BadByte {
+  std::size_t line;
+  unsigned char byte;
+};
+
+/// The first byte that is not UTF-8 or is NUL, if there is one.
+std::optional<BadByte> first_bad_byte(const std::string& text) {
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    if (length == 0) return BadByte{line, static_cast<unsigned char>(text[i])};
+    if (text[i] == '\n') ++line;
+    i += length;
+  }
+  return std::nullopt;
+}
+
+std::string why_no_text(const BadByte& bad) {
+  const std::string line = "line " + std::to_string(bad.line);
+  if (bad.byte == 0) return "has a NUL byte in " + line + ": save it as UTF-8 text";
+  char byte[8];
+  std::snprintf(byte, sizeof byte, "0x%02X", bad.byte);
+  return std::string("is not UTF-8 text: see the byte ") + byte + " in " + line +
+         ", and save it as UTF-8";
+}
+
+}  // namespace
+
 std::size_t character_length(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) {
     return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
@@ -24,20 +53,6 @@ std::size_t character_length(const std::string& text, std::size_t at) {
   return first >= 0xf0 && first < 0xf5 && continues(3) ? 4 : 0;
 }
 
-/// The line of the first byte that is not UTF-8 or is NUL; 0 if there is none.
-std::size_t line_that_is_no_text(const std::string& text) {
-  std::size_t line = 1;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_length(text, i);
-    if (length == 0) return line;
-    if (text[i] == '\n') ++line;
-    i += length;
-  }
-  return 0;
-}
-
-}  // namespace
-
 std::string too_large(std::size_t size) {
   if (size <= largest_submission) return {};
   return "has " + std::to_string(size) + " bytes: more than the " +
@@ -47,8 +62,7 @@ std::string too_large(std::size_t size) {
 std::string reason_to_refuse(const std::string& text) {
   if (std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }))
     return "is empty";
-  if (const std::size_t line = line_that_is_no_text(text); line > 0)
-    return "is not UTF-8 text: see line " + std::to_string(line);
+  if (const auto bad = first_bad_byte(text)) return why_no_text(*bad);
   return {};
 }
 

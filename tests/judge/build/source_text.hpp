@@ -13,7 +13,11 @@ inline constexpr std::size_t largest_submission = 256 << 10;
 /// Why a file of `size` bytes is not read: "has … bytes: …"; empty if it is.
 std::string too_large(std::size_t size);
 
-/// Why this text is not compiled: "is empty", "is not UTF-8 text: see line 3"; empty if it is.
+/// The length of the UTF-8 character at `at`, 0 if there is none or it is NUL (Unicode 15, table
+/// 3-7: no overlong forms, no surrogates, nothing above U+10FFFF).
+std::size_t character_length(const std::string& text, std::size_t at);
+
+/// Why this text is not compiled: "is empty", "has a NUL byte in line 3: …"; empty if it is.
 std::string reason_to_refuse(const std::string& text);
 
 }  // namespace tumble::judge

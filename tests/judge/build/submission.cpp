@@ -22,7 +22,7 @@ void require_working_machine(const std::filesystem::path& path, int error) {
     throw std::runtime_error("cannot read " + path.string() + ": " + std::strerror(error));
 }
 
-std::string read_submission(const std::filesystem::path& path) {
+DecodedText read_decoded_submission(const std::filesystem::path& path) {
   const auto refuse = [&](const std::string& why) { throw Refused(path.string() + " " + why); };
   // O_NOFOLLOW: a link, or a folder that is one, could lead to another's work.
   // O_NONBLOCK: a pipe would wait for its writer.
@@ -49,8 +49,13 @@ std::string read_submission(const std::filesystem::path& path) {
   }
   if (text.size() < size)
     throw std::runtime_error("cannot read all of " + path.string() + ": a disk that fails?");
-  if (const std::string why = reason_to_refuse(text); !why.empty()) refuse(why);
-  return text;
+  DecodedText result = decoded(text);
+  if (const std::string why = reason_to_refuse(result.text); !why.empty()) refuse(why);
+  return result;
+}
+
+std::string read_submission(const std::filesystem::path& path) {
+  return read_decoded_submission(path).text;
 }
 
 }  // namespace tumble::judge

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "judge/build/source_text.hpp"
+#include "judge/build/text_encoding.hpp"
 
 namespace tumble::judge {
 
@@ -21,10 +22,14 @@ struct Refused : std::runtime_error {
 ///         fails, no permission
 void require_working_machine(const std::filesystem::path& path, int error);
 
-/// The text of a regular file (no link, no pipe, no device), UTF-8 without NUL.
+/// The text of a regular file (no link, no pipe, no device), without NUL and as UTF-8: of other
+/// encodings decoded() makes it.
 /// @throws Refused if it is missing, empty, too large, or anything else
 /// @throws std::runtime_error if this machine cannot read it: a disk that fails, too many open
 ///         files, no permission
 std::string read_submission(const std::filesystem::path& path);
+
+/// The same, and in which encoding it was.
+DecodedText read_decoded_submission(const std::filesystem::path& path);
 
 }  // namespace tumble::judge

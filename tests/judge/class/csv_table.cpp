@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "judge/build/utf16.hpp"
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
-#include "judge/class/utf16.hpp"
 #include "support/csv.hpp"
 #include "tumble/core/require.hpp"
 

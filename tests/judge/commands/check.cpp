@@ -5,6 +5,7 @@
 #include <random>
 
 #include "judge/build/object_cache.hpp"
+#include "judge/build/submission.hpp"
 #include "judge/commands/commands.hpp"
 #include "judge/commands/given_files.hpp"
 #include "judge/commands/sandbox.hpp"
@@ -95,6 +96,18 @@ void print_namesakes(const std::vector<Unit>& units, const std::string& what) {
     std::cerr << "tumble: " << what << " means " << numbers_of(units) << "\n";
 }
 
+/// Says which file is not UTF-8: an editor that does not know it would show other characters.
+void print_encoding(const Course& course, const fs::path& file) {
+  try {
+    const std::string was = read_decoded_submission(file).was;
+    if (was.empty()) return;
+    std::cerr << "tumble: " << fs::relative(file, course.root).string() << " is " << was
+              << ", not UTF-8: we judge it converted, and leave your file as it is\n";
+  } catch (const std::runtime_error&) {
+    // the verdict says so
+  }
+}
+
 }  // namespace
 
 std::vector<Unit> units_to_check(const Course& course, const std::string& what) {
@@ -127,6 +140,8 @@ int check(const Course& course, const CheckOptions& options) {
   ConsoleStyle style = style_of_terminal();
   style.every_case = options.every_case;
   const bool own_work = !options.from && !options.solutions && selection.only_case == 0;
+  for (const Unit& unit : selection.units)
+    print_encoding(course, source_of(course, options, given, unit));
   std::vector<UnitResult> results;
   std::vector<UnitRecord> records;
   judge_all(

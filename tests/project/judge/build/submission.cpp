@@ -47,13 +47,22 @@ TEST_CASE("no file, an empty one, one that is no text, one that is too large") {
   CHECK(refusal(folder.path / "none.cpp").ends_with("does not exist"));
   CHECK(refusal(folder.file("")).ends_with("is empty"));
   CHECK(refusal(folder.file(" \n\t\n")).ends_with("is empty"));
-  CHECK(refusal(folder.file("a\nb\xff\n")).ends_with("is not UTF-8 text: see line 2"));
-  CHECK(refusal(folder.file("a\n\nb\xc3")).ends_with("see line 3"));
-  CHECK(refusal(folder.file(std::string("a\0b", 3))).ends_with("see line 1"));
-  CHECK(refusal(folder.file("\xc0\xaf overlong")).ends_with("see line 1"));
-  CHECK(refusal(folder.file("\xed\xa0\x80 a surrogate")).ends_with("see line 1"));
+  CHECK(refusal(folder.file(std::string("a\n\0b", 4)))
+            .ends_with("has a NUL byte in line 2: save it as UTF-8 text"));
   CHECK(refusal(folder.file(std::string(largest_submission + 1, 'x'))).find("has 262145 bytes") !=
         std::string::npos);
+}
+
+TEST_CASE("text that is not UTF-8: read as what it is, and a byte of it is named") {
+  const Folder folder;
+  CHECK(read_submission(folder.file("// gr\xf6\xdf"
+                                    "er\n")) == "// gr\u00f6\u00dfer\n");
+  CHECK(read_decoded_submission(folder.file("\x93\n")).was == "Windows-1252");
+  CHECK(read_submission(folder.file(std::string("\xff\xfei\0", 4))) == "i");
+  CHECK(reason_to_refuse("a\nb\xff\n") ==
+        "is not UTF-8 text: see the byte 0xFF in line 2, and save it as UTF-8");
+  for (const char* none : {"a\xc3", "\xc0\xaf overlong", "\xed\xa0\x80 a surrogate"})
+    CHECK_FALSE_MESSAGE(reason_to_refuse(none).empty(), none);
 }
 
 TEST_CASE("a giant is refused without being read") {

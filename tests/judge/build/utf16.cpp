@@ -1,4 +1,4 @@
-#include "judge/class/utf16.hpp"
+#include "judge/build/utf16.hpp"
 
 #include <cstdint>
 
