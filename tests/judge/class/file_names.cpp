@@ -49,12 +49,17 @@ int natural_order(const std::string& a, const std::string& b) {
   return i < a.size() ? 1 : j < b.size() ? -1 : 0;
 }
 
-/// The parts of a path, of the last one what stands before the ending.
+/// What stands before the ending of a source file or an archive; other names are as they are.
+std::string without_known_ending(const std::string& name) {
+  for (const std::string& stem : {source_stem(name), archive_stem(name)})
+    if (!stem.empty()) return stem;
+  return name;
+}
+
+/// The parts of a path, without their endings: in hw.zip/a.cpp an archive stands for a folder.
 std::vector<std::string> path_parts(const fs::path& path) {
   std::vector<std::string> parts;
-  for (const fs::path& part : path) parts.push_back(part.string());
-  if (!parts.empty())
-    if (const std::string stem = source_stem(parts.back()); !stem.empty()) parts.back() = stem;
+  for (const fs::path& part : path) parts.push_back(without_known_ending(part.string()));
   return parts;
 }
 

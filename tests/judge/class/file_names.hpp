@@ -15,7 +15,7 @@ std::string exercise_named(const std::string& file);
 /// that differ are never equal.
 bool natural_less(const std::string& a, const std::string& b);
 
-/// The same of paths: folder by folder, the file at last without its ending.
+/// The same of paths: part by part, source files and archives without their endings.
 bool natural_less(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// A name for the file that is kept about a student: the student's, or where that is too long or

@@ -84,6 +84,14 @@ TEST_CASE("a unit's file: of several, by a rule that is the same everywhere") {
   CHECK(counted({"product.cpp", "product-1.cpp", "product-2.cpp"}) == "product-2.cpp");
   CHECK(counted({"product.cpp", "product (1).cpp"}) == "product (1).cpp");
   CHECK(counted({"product.cpp.txt", "product.cpp"}) == "product.cpp");
+  // An archive stands for a folder: its ending counts for nothing.
+  for (const char* ending : {".zip", ".tar.gz", ".tgz", ".7z", ".tar.bz2", ".ZIP"})
+    for (const char* newer : {"hw-1", "hw (1)", "hw2"}) {
+      const std::string second = std::string(newer) + ending + "/product.cpp";
+      CHECK(counted({std::string("hw") + ending + "/product.cpp", second}) == second);
+    }
+  CHECK(counted({"two/hw.zip/product.cpp", "two/hw-1.tar.gz/product.cpp"}) ==
+        "two/hw-1.tar.gz/product.cpp");
   CHECK(counted({"a/product.cpp", "B/product.cpp"}) == "B/product.cpp");
   CHECK(counted({"v9/product.cpp", "exercises/04_quaternions/product.cpp"}) ==
         "exercises/04_quaternions/product.cpp");
