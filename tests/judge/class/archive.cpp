@@ -15,6 +15,7 @@
 #include "judge/class/tools.hpp"
 #include "judge/sandbox/confined_process.hpp"
 #include "judge/sandbox/pipe.hpp"
+#include "support/entry.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -109,6 +110,37 @@ std::string without_dots(const fs::path& path) {
   return all.string();
 }
 
+/// Keeps an archive's source files, and counts those that it has under one path.
+class SourceFiles {
+ public:
+  /// Of one path the last counts: who adds to an archive puts the new file behind the old one.
+  void add(const std::string& path, const std::string& text, Unpacked& to) {
+    const std::string place = fs::path(path).lexically_normal().string();
+    Entry& known = entries_[place];
+    if (++known.count > 1) {
+      known.differ = known.differ || to.files.at(known.path) != text;
+      to.files.erase(known.path);  // "./a.cpp" is "a.cpp"
+    }
+    known.path = path;
+    to.files[path] = text;
+  }
+
+  void note_several(Unpacked& to) const {
+    for (const auto& [place, entry] : entries_)
+      if (entry.differ)
+        to.notes.push_back(place + " is in it " + std::to_string(entry.count) +
+                           " times: counted the last");
+  }
+
+ private:
+  struct Entry {
+    std::string path;  ///< the last
+    int count = 0;
+    bool differ = false;
+  };
+  std::map<std::string, Entry> entries_;
+};
+
 void put_left_out(const EntryLeftOut& entry, const fs::path& to) {
   const fs::path path = harmless(entry.path);
   const bool is_whole = path.filename() == fs::path(entry.path).filename();
@@ -126,7 +158,11 @@ void put(const nlohmann::json& entry, const fs::path& to, std::vector<EntryLeftO
     return put_left_out(left_out.back(), to);
   }
   const fs::path file = to / bytes_in(entry.at("path"));
-  support::write_text_and_folders(file, entry.contains("text") ? bytes_in(entry.at("text")) : "");
+  const std::string text = entry.contains("text") ? bytes_in(entry.at("text")) : "";
+  if (support::is_file(file) && !text.empty() && support::read_text(file) != text)
+    left_out.push_back(
+        {without_dots(bytes_in(entry.at("path"))), "has several entries: counted the last", false});
+  support::write_text_and_folders(file, text);
 }
 
 }  // namespace
@@ -151,16 +187,18 @@ Unpacked unpack(const fs::path& archive) {
   if (!unreadable && size > largest_archive)
     return {{}, "has " + std::to_string(size) + " bytes: more than 32 MB"};
   Unpacked unpacked;
+  SourceFiles sources;
   const Limits limits{.cpu_seconds = 20, .wall_seconds = 60};
   const auto take = [&](const nlohmann::json& entry) {
     if (entry.contains("note"))
       unpacked.notes.push_back(bytes_in(entry.at("note")));
     else if (entry.contains("text"))
-      unpacked.files[bytes_in(entry.at("path"))] = bytes_in(entry.at("text"));
+      sources.add(bytes_in(entry.at("path")), bytes_in(entry.at("text")), unpacked);
     else
       unpacked.others.push_back(bytes_in(entry.at("path")));
   };
   unpacked.refused = read_archive(archive, "student", 2 * largest_content, limits, take);
+  sources.note_several(unpacked);
   return unpacked.refused.empty() ? unpacked : Unpacked{{}, unpacked.refused};
 }
 

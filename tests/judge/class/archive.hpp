@@ -40,9 +40,10 @@ std::string why_not_read(const Finished& reader, const fs::path& archive);
 /// The status with which the reader ends if it could not read from the disk.
 inline constexpr int disk_failed = 3;
 
-/// Reads an archive's source files. Refused are archives with a path that leads out of them, a link
-/// or a device, a file and a folder of one name, a path that is too long, more than 20,000 entries,
-/// 256 MB of content or 32 MB packed, or that are damaged or encrypted.
+/// Reads an archive's source files; of several entries of one path the last, with a note. Refused
+/// are archives with a path that leads out of them, a link or a device, a file and a folder of one
+/// name, a path that is too long, more than 20,000 entries, 256 MB of content or 32 MB packed, or
+/// that are damaged or encrypted.
 /// @throws std::runtime_error if the judge itself is broken, or this machine: no memory, a disk
 /// that
 ///         fails, too many open files

@@ -7,6 +7,7 @@
 ///     tumble_unpack class      a platform's download: leaves such entries out, and says so
 #include <archive.h>
 #include <archive_entry.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -22,6 +23,7 @@
 #include "judge/build/submission.hpp"
 #include "judge/class/archive.hpp"
 #include "judge/class/file_kinds.hpp"
+#include "judge/class/unreadable_archive.hpp"
 
 namespace tumble::judge {
 
@@ -75,14 +77,25 @@ bool leads_out(const fs::path& path) {
          std::find(path.begin(), path.end(), "..") != path.end();
 }
 
+/// The first bytes of standard input, a file, of which none counts as read.
+std::string start_of_input() {
+  std::string bytes(known_start, '\0');
+  const ssize_t got = ::read(0, bytes.data(), bytes.size());
+  if (got < 0 || ::lseek(0, 0, SEEK_SET) != 0) throw DiskFailed();
+  bytes.resize(static_cast<std::size_t>(got));
+  return bytes;
+}
+
 /// An open archive: standard input, or bytes in memory.
 class Reader {
  public:
   Reader(const Allowed& allowed, Used& used) : Reader(&allowed, &used) {
     constexpr std::size_t block = 1 << 16;
+    start_ = start_of_input();
     require_ok(archive_read_open_fd(archive_.get(), 0, block));
   }
   Reader(const Allowed& allowed, Used& used, const std::string& bytes) : Reader(&allowed, &used) {
+    start_ = bytes.substr(0, known_start);
     require_ok(archive_read_open_memory(archive_.get(), bytes.data(), bytes.size()));
   }
 
@@ -130,12 +143,13 @@ class Reader {
   [[noreturn]] void refuse() const {
     const int error = archive_errno(archive_.get());
     if (error == EIO || error == ESTALE || error == ETIMEDOUT) throw DiskFailed();
-    const char* why = archive_error_string(archive_.get());
-    throw Refused(std::string("cannot be unpacked: ") + (why ? why : "it is damaged"));
+    const char* words = archive_error_string(archive_.get());
+    throw Refused(why_unreadable(start_, words ? words : ""));
   }
 
   const Allowed* allowed_;
   Used* used_;
+  std::string start_;  ///< its first bytes
   std::unique_ptr<archive, int (*)(archive*)> archive_;
 };
 

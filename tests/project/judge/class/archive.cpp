@@ -100,9 +100,39 @@ TEST_CASE("archives: too many, too large, or none at all") {
   const std::vector<Entry> crowd(most_entries + 1, {"x.txt", ""});
   CHECK(unpacked("a.tar.gz", crowd).refused == "has more than 20000 entries");
   CHECK(unpacked_bytes(std::string(largest_archive + 1, 'x')).refused.ends_with("more than 32 MB"));
-  for (const char* bytes : {"", "hello", "PK\x03\x04 and so on"})
-    CHECK_MESSAGE(unpacked_bytes(bytes).refused.starts_with("cannot be unpacked"), bytes);
   CHECK(unpack("/nowhere.zip").refused == "cannot be read");
+}
+
+TEST_CASE("archives: what is wrong with one that cannot be read") {
+  CHECK(unpacked_bytes("").refused == "is empty");
+  CHECK(unpacked_bytes("hello").refused == "is no archive, whatever its name says");
+  CHECK(unpacked_bytes("Rar!\x1a\x07 and so on").refused ==
+        "is a RAR archive, which cannot be read here: ask for a .zip");
+  CHECK(unpacked_bytes("%PDF-1.4").refused ==
+        "is a PDF, which cannot be read here: ask for a .zip");
+  CHECK(unpacked_bytes("PK\x03\x04 and so on").refused.starts_with("is damaged"));
+  const Unpacked both = unpacked("a.zip", {{"b.zip", ""}, {"c.zip", "Rar!\x1a\x07"}});
+  REQUIRE(both.notes.size() == 2);
+  CHECK(both.notes[0] == "b.zip in it is empty");
+  CHECK(both.notes[1] == "c.zip in it is a RAR archive, which cannot be read here: ask for a .zip");
+}
+
+TEST_CASE("archives: of two entries of one path the last counts, and that is said") {
+  for (const char* name : {"a.zip", "a.tar.gz"}) {
+    const Unpacked result = unpacked(
+        name,
+        {{"a.cpp", "int old;"}, {"b.cpp", "int b;"}, {"b.cpp", "int b;"}, {"./a.cpp", "int a;"}});
+    REQUIRE(result.files.size() == 2);
+    CHECK(result.files.at("./a.cpp") == "int a;");
+    CHECK(result.notes == std::vector<std::string>{"a.cpp is in it 2 times: counted the last"});
+  }
+  const WorkFolder folder;
+  write_archive(folder.path() / "all.zip", {{"Ann_1_assignsubmission_file_/a.cpp", "int old;"},
+                                            {"Ann_1_assignsubmission_file_/a.cpp", "int a;"}});
+  const auto left_out = unpack_class(folder.path() / "all.zip", folder.path() / "all");
+  REQUIRE(left_out.size() == 1);
+  CHECK(left_out[0].why == "has several entries: counted the last");
+  CHECK_FALSE(left_out[0].is_work);
 }
 
 TEST_CASE("archives: a damaged one is refused as a whole") {
@@ -110,7 +140,7 @@ TEST_CASE("archives: a damaged one is refused as a whole") {
   const auto file = folder.path() / "a.tar.gz";
   write_archive(file, {{"a.cpp", "int a;"}, {"b.cpp", std::string(5000, 'b')}});
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-  CHECK(unpack(file).refused.starts_with("cannot be unpacked"));
+  CHECK(unpack(file).refused.starts_with("is damaged"));
   CHECK(unpack(file).files.empty());
 }
 
@@ -127,7 +157,7 @@ TEST_CASE("archives: a checksum that is wrong is damage, not an empty file") {
   spoil("PK\x07\x08", 4);
   spoil("PK\x01\x02", 16);
   std::ofstream(file, std::ios::binary) << bytes;
-  CHECK(unpack(file).refused.starts_with("cannot be unpacked: ZIP bad CRC"));
+  CHECK(unpack(file).refused.starts_with("is damaged (ZIP bad CRC"));
   const std::vector<EntryLeftOut> left_out = unpack_class(file, folder.path() / "all");
   REQUIRE(left_out.size() == 1);
   CHECK(left_out[0].path == "a.cpp");

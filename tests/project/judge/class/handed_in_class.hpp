@@ -95,7 +95,7 @@ inline ExpectedRows hand_in_folders(const fs::path& to) {
           {"oda", {"0", "no exercise found in it; it is empty"}},
           {"\x1b[2Jpia\nqux", {"2", ""}},
           {std::string(250, 'r'), {"2", ""}},
-          {"sue", {"0", "has broken.zip in it, which cannot be unpacked"}},
+          {"sue", {"0", "has broken.zip in it, which is damaged"}},
           {"uma", {"1", "1.1 is refused: carry.cpp is a symbolic link, not a file"}}};
 }
 
