@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "judge/class/moment.hpp"
+#include "judge/class/units_meant.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -31,7 +32,7 @@ LateRule read_late(const Place& place) {
   return rule;
 }
 
-Override read_override(const Course& course, const Place& place) {
+Override read_override(const Course& course, const std::vector<Unit>& counted, const Place& place) {
   Override by_hand;
   for (const auto& [key, value] : place.members()) {
     if (key == "reason") {
@@ -39,7 +40,8 @@ Override read_override(const Course& course, const Place& place) {
     } else if (key == "points") {
       by_hand.points = number_between(value, 0, 1e6);
     } else {
-      const auto units = value.refused_here([&, what = key] { return course.select(what); });
+      const auto units =
+          value.refused_here([&, what = key] { return counted_units(course, counted, what); });
       require(units.size() == 1, value.name(), " is more than one exercise");
       by_hand.units[units.front().id()] = number_between(value, 0, 1e6);
     }
@@ -65,7 +67,8 @@ std::string read_moment(const Place& place) {
   return place.text();
 }
 
-ClassRules read_rules(const Course& course, const Place& settings) {
+ClassRules read_rules(const Course& course, const std::vector<Unit>& counted,
+                      const Place& settings) {
   ClassRules rules;
   if (settings.has("late")) {
     require(settings.has("due"), settings.name(), ".late means nothing without \"due\"");
@@ -76,11 +79,12 @@ ClassRules read_rules(const Course& course, const Place& settings) {
       rules.extensions[student] = read_moment(place);
   if (settings.has("overrides"))
     for (const auto& [student, place] : settings["overrides"].members())
-      rules.overrides[student] = read_override(course, place);
+      rules.overrides[student] = read_override(course, counted, place);
   if (settings.has("several")) rules.several = read_several(settings["several"]);
   if (settings.has("extra"))
     for (const Place& each : settings["extra"].elements())
-      for (const Unit& unit : each.refused_here([&] { return course.select(each.text()); }))
+      for (const Unit& unit :
+           each.refused_here([&] { return counted_units(course, counted, each.text()); }))
         rules.extra.insert(unit.id());
   return rules;
 }

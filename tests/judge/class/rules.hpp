@@ -50,9 +50,11 @@ struct ClassRules {
   std::set<std::string> extra;  ///< ids of units whose points come on top
 };
 
+/// @param counted the exercises that count: of others nothing can be said
 /// @param settings the whole of course.json
 /// @throws std::invalid_argument naming the place of what means nothing
-ClassRules read_rules(const Course& course, const support::Place& settings);
+ClassRules read_rules(const Course& course, const std::vector<Unit>& counted,
+                      const support::Place& settings);
 
 /// A moment that has to be exact.
 /// @throws std::invalid_argument naming the place if it is none

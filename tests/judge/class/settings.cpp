@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "judge/class/json_slips.hpp"
 #include "judge/class/units_meant.hpp"
 #include "judge/course/stable_hash.hpp"
 #include "support/parsed_json.hpp"
@@ -31,15 +33,6 @@ std::vector<Unit> units_in(const Course& course, const Place& list) {
   return units;
 }
 
-/// Those of the units that a text means which count.
-std::vector<Unit> counted(const Course& course, const CourseSettings& settings,
-                          const std::string& text) {
-  std::vector<Unit> units = units_meant(course, text);
-  std::erase_if(units, [&](const Unit& unit) { return !settings.weights.contains(unit.id()); });
-  require(!units.empty(), text, " does not count: it is not in \"units\"");
-  return units;
-}
-
 double weight(const Place& place) {
   const double points = place.number();
   require(points >= 0 && points <= 1e6, place.name(), " is ", points, ", not in 0 … 1e6 points");
@@ -59,7 +52,7 @@ std::vector<Weight> weights_in(const Course& course, const Place& weights,
   std::vector<Weight> all;
   for (const auto& [text, place] : weights.members()) {
     std::vector<Unit> units =
-        place.refused_here([&, w = text] { return counted(course, settings, w); });
+        place.refused_here([&, w = text] { return counted_units(course, settings.units, w); });
     all.push_back({text, units_meant(course, text).size(), std::move(units), weight(place)});
   }
   return all;
@@ -85,7 +78,7 @@ void read_hidden(const Course& course, const Place& hidden, CourseSettings& sett
   require(!hidden.elements().empty(), hidden.name(), " is empty: leave it out if nothing is");
   for (const Place& each : hidden.elements())
     for (const Unit& unit :
-         each.refused_here([&] { return counted(course, settings, each.text()); }))
+         each.refused_here([&] { return counted_units(course, settings.units, each.text()); }))
       settings.hidden.insert(unit.id());
 }
 
@@ -101,6 +94,17 @@ std::uint64_t read_seed(const Place& place) {
   require(seed >= 0 && seed <= 9e15 && seed == std::floor(seed), place.name(), " is ", seed,
           ", not a whole number in 0 … 9e15");
   return static_cast<std::uint64_t>(seed);
+}
+
+/// The value of a file's text; what is wrong with it is said in plain words, if we know it.
+nlohmann::json json_in(const std::string& text, const std::string& name) {
+  try {
+    return support::parsed_json(text, name);
+  } catch (const std::invalid_argument&) {
+    const std::string slip = json_slip_in(text);
+    if (slip.empty()) throw;
+    throw std::invalid_argument(name + " is not valid JSON: " + slip);
+  }
 }
 
 CourseSettings settings_of(const Course& course, const Place& place) {
@@ -119,7 +123,7 @@ CourseSettings settings_of(const Course& course, const Place& place) {
   if (place.has("due")) settings.due = read_moment(place["due"]);
   if (place.has("seed")) settings.seed = read_seed(place["seed"]);
   if (place.has("curve")) settings.curve = place["curve"].yes();
-  settings.rules = read_rules(course, place);
+  settings.rules = read_rules(course, settings.units, place);
   require(settings.most() > 0, place.name(), ": no exercise is worth any points");
   return settings;
 }
@@ -162,7 +166,7 @@ CourseSettings read_settings(const Course& course, const std::filesystem::path& 
 }
 
 CourseSettings settings_in(const Course& course, const std::string& text, const std::string& name) {
-  const nlohmann::json json = support::parsed_json(text, name);
+  const nlohmann::json json = json_in(text, name);
   return settings_of(course, Place(json, name));
 }
 

@@ -6,17 +6,49 @@
 
 namespace tumble::judge {
 
+namespace {
+
+/// The text with a hyphen for each dash that looks like one.
+std::string with_hyphens(std::string text) {
+  for (const std::string dash :
+       {"\u2010", "\u2011", "\u2012", "\u2013", "\u2014", "\u2015", "\u2212"})
+    for (std::size_t at; (at = text.find(dash)) != std::string::npos;)
+      text.replace(at, dash.size(), "-");
+  return text;
+}
+
+std::string trimmed(const std::string& text) {
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+}  // namespace
+
 std::vector<Unit> units_meant(const Course& course, const std::string& text) {
-  const std::size_t hyphen = text.find('-');
-  if (hyphen == std::string::npos) return course.select(text);
-  const std::string from = course.select(text.substr(0, hyphen)).front().id(),
-                    to = course.select(text.substr(hyphen + 1)).back().id();
+  const std::string plain = with_hyphens(text);
+  const std::size_t hyphen = plain.find('-');
+  if (hyphen == std::string::npos) return course.select(trimmed(plain));
+  const std::string from = course.select(trimmed(plain.substr(0, hyphen))).front().id(),
+                    to = course.select(trimmed(plain.substr(hyphen + 1))).back().id();
   const auto at = [&](const std::string& id) {
     return std::find_if(course.units.begin(), course.units.end(),
                         [&](const Unit& unit) { return unit.id() == id; });
   };
   require(at(from) <= at(to), "'", text, "' is a range that ends before it begins");
   return {at(from), at(to) + 1};
+}
+
+std::vector<Unit> counted_units(const Course& course, const std::vector<Unit>& counted,
+                                const std::string& text) {
+  std::vector<Unit> units = units_meant(course, text);
+  std::erase_if(units, [&](const Unit& unit) {
+    return std::none_of(counted.begin(), counted.end(),
+                        [&](const Unit& each) { return each.id() == unit.id(); });
+  });
+  require(!units.empty(), text, " does not count: it is not in \"units\"");
+  return units;
 }
 
 }  // namespace tumble::judge

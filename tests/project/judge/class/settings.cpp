@@ -98,6 +98,31 @@ TEST_CASE("settings: what does not count has no weight and hides nothing") {
   CHECK_REFUSED(settings(R"({"hidden": []})"), "hidden is empty");
 }
 
+TEST_CASE("settings: no points by hand, and none on top, for what does not count") {
+  CHECK_REFUSED(settings(R"({"units": ["1.1"], "overrides": {"ben": {"4.1": 1, "reason": "x"}}})"),
+                "overrides.ben.4.1: 4.1 does not count");
+  CHECK_REFUSED(settings(R"({"units": ["4"], "extra": ["1.1"]})"), "extra[0]: 1.1 does not count");
+}
+
+TEST_CASE("settings: dashes and blanks as editors write them") {
+  for (const char* dash : {"-", "\u2013", "\u2014", "\u2212", " \u2013 "})
+    CHECK(settings(std::string(R"({"units": ["1.1)") + dash + R"(4.1"]})").units.size() == 2);
+  CHECK(settings(R"({"units": [" 1.1 ", "product "]})").units.size() == 2);
+}
+
+TEST_CASE("settings: slips that other formats allow are said in plain words") {
+  CHECK_REFUSED(settings("{\n  \u201cunits\u201d: [\"4\"]}"),
+                "course.json is not valid JSON: line 2, column 3: the quote \u201c has to be the "
+                "straight one, \"");
+  CHECK_REFUSED(settings("{'units': [\"4\"]}"),
+                "line 1, column 2: the quote ' has to be the double");
+  CHECK_REFUSED(settings("{\"units\": [\"4\",\n]}"),
+                "line 1, column 15: this comma has nothing behind it: delete it");
+  CHECK_REFUSED(settings("{ // all\n}"), "line 1, column 3: a comment begins here");
+  CHECK_REFUSED(settings("{\"title\": \"a // b, \u201cc\u201d\" \"seed\": 1}"), "line 1, column");
+  CHECK(settings("{\"title\": \"a // b,] \u201cc\u201d\"}").units.size() == 3);
+}
+
 TEST_CASE("settings: what is said twice is refused") {
   CHECK_REFUSED(settings(R"({"seed": 1, "seed": 2})"), R"(course.json has "seed" twice)");
   CHECK_REFUSED(settings(R"({"weights": {"4.1": 1, "4.1": 2}})"),
