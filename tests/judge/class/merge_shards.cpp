@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "judge/class/one_student_each.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -79,6 +80,7 @@ ShardedClass::ShardedClass(const Course& course, const std::vector<fs::path>& fo
   require_all_there();
   require_same_class();
   settings_ = settings_of(course, first());
+  settings_.rules = with_names_of_rows(settings_.rules, everybody(roll()));
   require_this_course(course);
   require_sound_records();
 }

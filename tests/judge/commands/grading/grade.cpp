@@ -41,7 +41,6 @@ struct Work {
     roll.left_out = std::move(all.left_out);
     roll.lms = all.lms;
     if (roll.roster) roll.match = judge::match(*roll.roster, roll.submissions);
-    require_one_student_each(settings.rules, roll);
     if (roll.lms == Lms::none && roll.roster && !from) roll.lms = roll.roster->lms;
   }
 };
@@ -51,17 +50,16 @@ std::vector<Submission> wanted(const std::vector<Submission>& all,
                                const std::vector<std::string>& students) {
   if (students.empty()) return all;
   std::vector<Submission> chosen;
+  const std::vector<StudentRecord> records = everybody({all, {}, Lms::none, {}, "", {}});
+  std::vector<std::string> names;
+  for (const Submission& submission : all) names.push_back(submission.student);
   for (const std::string& student : students) {
-    const std::size_t before = chosen.size();
-    std::vector<std::string> names;
-    for (const Submission& submission : all) {
-      StudentRecord record{submission.student, 1, 0, "", {}};
-      record.who = submission.who;
-      if (is_called(record, student)) chosen.push_back(submission);
-      names.push_back(submission.student);
-    }
-    require(chosen.size() > before, "there is no submission of '", student, "'",
+    const std::vector<std::string> rows = rows_called(records, student);
+    require(!rows.empty(), "there is no submission of '", student, "'",
             support::did_you_mean(student, names));
+    std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [&](const Submission& each) {
+      return std::find(rows.begin(), rows.end(), each.student) != rows.end();
+    });
   }
   return chosen;
 }
@@ -165,12 +163,13 @@ int finish_shard(const Shard& shard, const GradesFolder& folder, const CourseSet
 int grade(const Course& course, const GradeOptions& options) {
   if (!options.merge.empty()) return merge(course, options);
   require(!options.folders.empty(), "DIR is required: the folder of the submissions");
-  const CourseSettings settings = settings_or_default(course, options.settings);
+  CourseSettings settings = settings_or_default(course, options.settings);
   std::optional<Shard> shard;
   if (options.shard) shard = shard_in(*options.shard);
   const GradesFolder folder{options.out};
   if (shard) require_seed(settings, folder);
   const Work work(course, settings, options);
+  settings.rules = with_names_of_rows(settings.rules, everybody(work.roll));
   const std::vector<Submission>& all = work.roll.submissions;
   const std::vector<Submission> submissions = chosen(all, options, shard);
   const std::set<std::string> only = units_named(course, settings, options.only);

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "judge/class/grade_class.hpp"
+#include "judge/class/one_student_each.hpp"
 #include "judge/commands/grading/grading.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
@@ -25,7 +26,8 @@ CourseSettings settings_of_report(const Course& course, const ReportOptions& opt
 int report(const Course& course, const ReportOptions& options) {
   const GradesFolder folder{options.grades};
   const KeptRecords kept = read_records(folder);
-  const CourseSettings settings = settings_of_report(course, options, folder);
+  CourseSettings settings = settings_of_report(course, options, folder);
+  settings.rules = with_names_of_rows(settings.rules, kept.records);
   const ReportNotes notes{kept.unreadable, identical_files(settings, kept.records)};
   support::write_text(
       options.out,

@@ -130,10 +130,12 @@ TEST_CASE("course.json: a name that two students have is refused, for it would b
                       {"Ann Lee_2", "", false, {}, {"Ann Lee", "2", ""}}};
   ClassRules rules;
   rules.extensions["1"] = rules.extensions["Ann Lee_2"] = "2026-12-08T23:59:00Z";
-  require_one_student_each(rules, roll);
+  CHECK(with_names_of_rows(rules, everybody(roll)).extensions == rules.extensions);
   rules.overrides["ann lee"] = {};
-  CHECK_REFUSED(require_one_student_each(rules, roll),
+  CHECK_REFUSED(with_names_of_rows(rules, everybody(roll)),
                 "course.json, overrides: ann lee means 2 students, Ann Lee_1 and Ann Lee_2: ");
+  rules.overrides = {{"ANN LEE_2", {}}};
+  CHECK(with_names_of_rows(rules, everybody(roll)).overrides.contains("Ann Lee_2"));
 }
 
 TEST_CASE("Moodle: its worksheet, filled in") {
