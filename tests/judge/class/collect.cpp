@@ -10,6 +10,7 @@
 #include "judge/class/file_names.hpp"
 #include "judge/class/gradescope_metadata.hpp"
 #include "support/entry.hpp"
+#include "support/how_many.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
 
@@ -171,10 +172,13 @@ class SubmissionCollector {
 
   void add_moodle(const LmsEntry& says, const fs::path& entry) {
     Submission& submission = of(says);
-    if (says.is_text)
+    if (!says.kind.empty())
+      submission.notes.push_back("Moodle's \"" + says.kind + "\" are there: they are not graded");
+    else if (says.is_text)
       submission.notes.emplace_back("a text was typed into Moodle: it is not graded");
     submission.answer_under = says.key() + "_assignsubmission_file_/";
-    add_part(submission, says.is_text ? "typed text" : says.file, entry);
+    const std::string typed = says.kind.empty() ? "typed text" : says.kind;
+    add_part(submission, says.is_text ? typed : says.file, entry);
   }
 
   void add_canvas(const LmsEntry& says, const fs::path& entry) {
@@ -297,6 +301,27 @@ std::string some_reasons(const ClassWork& all, std::size_t first) {
   return text;
 }
 
+/// Most of what nobody's row has is work that Canvas has named? Then one name among them that is
+/// not Canvas's has hidden what this folder is, and most of the class would be missing.
+void require_no_hidden_download(const ClassWork& all, std::size_t first, const fs::path& given) {
+  std::size_t canvas = 0, others = 0;
+  std::string strange;
+  for (std::size_t i = first; i < all.left_out.size(); ++i) {
+    const fs::path what = all.left_out[i].what;
+    const std::string name = file_of(what);
+    if (source_stem(name).empty() || !why_nobodys(what).empty()) continue;
+    const bool named = canvas_entry(name).has_value();
+    ++(named ? canvas : others);
+    if (!named && strange.empty()) strange = name;
+  }
+  require(canvas <= others, escaped(given.string()),
+          " looks like a download of Canvas: ", support::how_many(canvas, "file"),
+          " in it would be nobody's work",
+          strange.empty() ? "" : ", because Canvas would not have written the name ",
+          escaped(strange), ". If it is one: --from canvas. If it is not: --from folders",
+          some_reasons(all, first));
+}
+
 void collect_one(const Course& course, const fs::path& given, const std::optional<Lms>& from,
                  const WorkFolder& work, std::size_t number, ClassWork& all) {
   std::vector<EntryLeftOut> not_unpacked;
@@ -307,6 +332,7 @@ void collect_one(const Course& course, const fs::path& given, const std::optiona
   const Lms lms = from.value_or(recognised(folder));
   const std::size_t before = all.submissions.size(), left_before = all.left_out.size();
   SubmissionCollector(all, folder, lms).collect();
+  if (lms == Lms::none && !from) require_no_hidden_download(all, left_before, given);
   for (std::size_t i = left_before; i < all.left_out.size(); ++i)  // no path of the work folder
     if (all.left_out[i].what.starts_with(unpacked.string() + "/"))
       all.left_out[i].what =

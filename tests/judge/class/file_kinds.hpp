@@ -39,9 +39,11 @@ inline std::string archive_stem(const std::string& file) {
 
 /// The name of an archive that cannot be read, without its ending; empty for anything else.
 inline std::string foreign_archive_stem(const std::string& file) {
-  static constexpr std::array<std::string_view, 14> endings = {
-      ".rar", ".tar.lz", ".tar.lz4", ".tar.z", ".lzh", ".arj", ".cab",
-      ".ace", ".lz",     ".gz",      ".bz2",   ".xz",  ".iso", ".dmg"};
+  static constexpr std::array<std::string_view, 36> endings = {
+      ".rar",   ".zipx", ".jar",  ".war", ".cpio", ".tar.lz", ".tar.lz4", ".tar.lzo", ".tar.lzma",
+      ".tar.z", ".tlz",  ".taz",  ".lzh", ".lha",  ".arj",    ".arc",     ".zoo",     ".cab",
+      ".ace",   ".sit",  ".sitx", ".xar", ".wim",  ".lz",     ".lz4",     ".lzo",     ".lzma",
+      ".z",     ".gz",   ".bz2",  ".xz",  ".zst",  ".iso",    ".dmg",     ".001",     ".z01"};
   return archive_stem(file).empty() ? without_ending(file, endings) : "";
 }
 

@@ -28,11 +28,12 @@ std::string name_of(Lms lms) {
 }
 
 std::optional<LmsEntry> moodle_entry(const std::string& name) {
-  static const std::regex pattern(
-      R"(([^/]+)_(\d+)_assignsubmission_(file|onlinetext)(?:_([^/]*))?)");
+  static const std::regex pattern(R"(([^/]+)_(\d+)_assignsubmission_([a-z0-9]+)(?:_([^/]*))?)");
   std::smatch match;
   if (!std::regex_match(name, match, pattern)) return std::nullopt;
-  return LmsEntry{match[1], match[2], match[4], "", false, match[3] == "onlinetext"};
+  LmsEntry entry{match[1], match[2], match[4], "", false, match[3] != "file"};
+  if (entry.is_text && match[3] != "onlinetext") entry.kind = match[3];
+  return entry;
 }
 
 std::optional<LmsEntry> canvas_entry(const std::string& name) {

@@ -28,12 +28,14 @@ struct LmsEntry {
   std::string attachment;  ///< Canvas's number for the file
   bool late = false;       ///< marked as late
   bool is_text = false;    ///< what was typed into the platform itself
+  std::string kind = {};   ///< Moodle's name for it, if it is not the work: "comments"
 
   /// "Ann Meyer_4711": two students of one name have two numbers.
   std::string key() const { return name + "_" + id; }
 };
 
-/// "Ann Meyer_4711_assignsubmission_file_": a folder, or with more behind it a file.
+/// "Ann Meyer_4711_assignsubmission_file_": a folder, or with more behind it a file. Instead of
+/// "file" any of Moodle's plugins may stand there: "onlinetext", "comments".
 std::optional<LmsEntry> moodle_entry(const std::string& name);
 
 /// "doejane_12345_67890_product-1.cpp", "doejane_LATE_12345_67890_product.cpp",

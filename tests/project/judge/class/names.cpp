@@ -2,10 +2,11 @@
 /// Names of files and students: their order, what may reach a terminal, what a file may be called.
 #include <doctest/doctest.h>
 
+#include "judge/build/text_encoding.hpp"
+#include "judge/build/utf16.hpp"
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
 #include "judge/class/lms.hpp"
-#include "judge/class/utf16.hpp"
 #include "project/harness/refusal.hpp"
 
 using namespace tumble::judge;
@@ -30,7 +31,8 @@ TEST_CASE("names: kinds of files, whatever their case") {
   CHECK(archive_stem("a.7z") == "a");
   CHECK(archive_stem(".zip") == "");
   CHECK(archive_stem("zip") == "");
-  CHECK(foreign_archive_stem("a.rar") == "a");
+  for (const char* other : {"a.rar", "a.zipx", "a.jar", "a.cpio", "a.lzma", "a.tar.lzma", "a.Z"})
+    CHECK_MESSAGE(foreign_archive_stem(other) == "a", other);
   CHECK(foreign_archive_stem("a.tar.gz") == "");
   CHECK(source_stem("x.CPP") == "x");
 }
@@ -69,6 +71,22 @@ TEST_CASE("UTF-16 becomes UTF-8") {
   CHECK(utf8_of_utf16("\xff\xfe"s) == "");
 }
 
+TEST_CASE("Windows-1252 becomes UTF-8, byte by byte") {
+  using namespace std::string_literals;
+  CHECK(decoded("// Gr\xf6\xdf"
+                "e")
+            .text == "// Gr\u00f6\u00dfe");
+  CHECK(decoded("\x80\x93x\x94\x81\xff").text == "\u20ac\u201cx\u201d\ufffd\u00ff");
+  CHECK(decoded("\xf6").was == "Windows-1252");
+  const DecodedText mixed = decoded(
+      "Gr\u00f6\u00dfe, gr\xf6\xdf"
+      "er");
+  CHECK(mixed.text == "Gr\u00f6\u00dfe, gr\u00f6\u00dfer");
+  CHECK(decoded("Gr\u00f6\u00dfe").was == "");
+  CHECK(decoded("\xff\xfei\0"s).was == "UTF-16");
+  CHECK(decoded("\xf6\0"s).text == "\xf6\0"s);  // no text
+}
+
 TEST_CASE("platforms: what an entry of a download says") {
   const auto moodle = moodle_entry("Ann van Meyer_4711001_assignsubmission_file_");
   REQUIRE(moodle);
@@ -79,6 +97,8 @@ TEST_CASE("platforms: what an entry of a download says") {
   CHECK(moodle_entry("A_1_assignsubmission_file")->file == "");  // Moodle 4.1
   CHECK(moodle_entry("A_1_assignsubmission_file_b_c.cpp")->file == "b_c.cpp");
   CHECK(moodle_entry("A_1_assignsubmission_onlinetext_")->is_text);
+  CHECK(moodle_entry("A_1_assignsubmission_comments_")->kind == "comments");
+  CHECK(moodle_entry("A_1_assignsubmission_comments_")->key() == "A_1");
   CHECK_FALSE(moodle_entry("ann").has_value());
 
   const auto canvas = canvas_entry("doejane_LATE_12345_67890_rk4_step-1.cpp");

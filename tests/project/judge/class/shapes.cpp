@@ -149,7 +149,14 @@ TEST_CASE("shapes: Canvas's flat files are one submission a student") {
   // In doubt nothing is guessed, and nothing vanishes.
   test::write_file(place.handed_in / "somebody.cpp", "x");
   test::write_files(place.handed_in / "ann", test::both());
-  const CommandResult doubtful = place.grade(place.handed_in);
+  const CommandResult refused = place.grade(place.handed_in);
+  CHECK(refused.status == 2);
+  CHECK_MESSAGE(
+      says(refused.output,
+           "looks like a download of Canvas: 3 files in it would be nobody's work, because "
+           "Canvas would not have written the name somebody.cpp. If it is one: --from canvas"),
+      refused.output);
+  const CommandResult doubtful = place.grade(place.handed_in, "--from folders");
   CHECK(says(doubtful.output,
              "doejane_12345_67890_carry.cpp: neither a folder nor an archive; if "
              "Canvas has named it: --from canvas"));
