@@ -4,11 +4,12 @@
 #include <stdexcept>
 
 #include "judge/build/submission.hpp"
+#include "judge/build/text_encoding.hpp"
+#include "judge/build/untouched.hpp"
 #include "judge/class/archive.hpp"
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
 #include "judge/class/unjudged_files.hpp"
-#include "judge/class/utf16.hpp"
 #include "judge/course/progress.hpp"
 #include "support/entry.hpp"
 #include "support/nearest.hpp"
@@ -35,6 +36,15 @@ std::string some_of(const std::vector<std::string>& names) {
     text += (i == 0 ? "" : ", ") + escaped(names[i]);
   if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
   return text;
+}
+
+/// "hidden folders", or those that an operating system puts beside the files.
+const char* kind_of_folders(const std::vector<fs::path>& files) {
+  const bool of_system = std::all_of(files.begin(), files.end(), [](const fs::path& path) {
+    return std::any_of(path.begin(), path.end(),
+                       [](const fs::path& part) { return is_clutter(part.string()); });
+  });
+  return of_system ? "folders of the operating system" : "hidden folders";
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -177,23 +187,22 @@ void Sources::add_archive(const std::string& within, const fs::path& archive) {
   }
   for (const auto& [path, text] : unpacked.files) {
     const fs::path name = (fs::path(within) / path).lexically_normal();
-    if (is_nobodys(name)) {
-      if (!is_clutter(name.filename().string())) hidden_.push_back(name);
-      continue;
-    }
-    support::write_text_and_folders(own_.path() / name, text);
+    if (!is_nobodys(name)) support::write_text_and_folders(own_.path() / name, text);
     add_file(name, own_.path() / name);
   }
   for (const std::string& path : unpacked.others)
-    if (!is_nobodys(path) && !path.ends_with("/"))
-      others_.push_back((fs::path(within) / path).lexically_normal().string());
+    if (!path.ends_with("/")) add_file((fs::path(within) / path).lexically_normal(), "");
   const std::string before = within.empty() ? "" : within + "/";
   for (const std::string& note : unpacked.notes) notes_.push_back(before + note);
 }
 
 void Sources::add_file(const fs::path& name, const fs::path& file) {
-  if (is_nobodys(name)) return;
-  if (!source_stem(name.filename().string()).empty())
+  const bool is_source = !source_stem(name.filename().string()).empty();
+  if (is_nobodys(name.parent_path()) && is_source && !is_clutter(name.filename().string()))
+    hidden_.push_back(name);
+  else if (is_nobodys(name))
+    passed_over_.push_back(name.string());
+  else if (is_source)
     files_[name] = file;
   else
     others_.push_back(name.string());
@@ -216,6 +225,7 @@ void Sources::choose(const Course& course, const std::vector<Unit>& counted) {
     note_ties(unit, chosen.at(unit.id()));
     convert(unit.id());
   }
+  for (const Unit& unit : counted) note_work_in_solutions(unit);
   const bool any = without_file.size() < counted.size();
   if (any || refused_archives_.empty()) {
     for (const std::string& archive : refused_archives_) notes_.push_back("not read: " + archive);
@@ -260,27 +270,42 @@ void Sources::note_other_names(const Course& course, const std::vector<fs::path>
     notes_.push_back("not judged, as no exercise has such a name: " + some_of(strange));
 }
 
+void Sources::note_work_in_solutions(const Unit& unit) {
+  std::vector<fs::path> names;
+  for (const auto& [name, file] : files_) names.push_back(name);
+  const std::vector<fs::path> found = files_in_solutions(unit, names);
+  const bool is_theirs = std::any_of(found.begin(), found.end(), [&](const fs::path& name) {
+    return fingerprint(files_.at(name)) != fingerprint(course_->solution(unit));
+  });
+  if (is_theirs && (!handed_in(unit) || is_untouched(*course_, unit, of(unit))))
+    notes_.push_back(note_on_solutions(found.front()));
+}
+
 void Sources::note_nothing_found() {
   std::vector<std::string> found = others_;
   for (const auto& [name, file] : files_) found.push_back(name.string());
   std::sort(found.begin(), found.end(), [](const std::string& a, const std::string& b) {
     return natural_less(fs::path(a), fs::path(b));
   });
-  notes_.push_back("no exercise found in it; it " + (!found.empty() ? "holds " + some_of(found)
-                                                     : hidden_.empty()
-                                                         ? "is empty"
-                                                         : "holds hidden folders only"));
+  std::string holds = "is empty";
+  if (!found.empty())
+    holds = "holds " + some_of(found);
+  else if (!hidden_.empty())
+    holds = std::string("holds ") + kind_of_folders(hidden_) + " only";
+  else if (!passed_over_.empty())
+    holds = "holds what is hidden or an operating system's own: " + some_of(passed_over_);
+  notes_.push_back("no exercise found in it; it " + holds);
 }
 
 void Sources::convert(const std::string& unit) {
   const std::optional<std::string> bytes = small_text(of_unit_.at(unit));
   if (!bytes) return;
-  const std::optional<std::string> text = utf8_of_utf16(*bytes);
-  if (!text) return;
+  const DecodedText text = decoded(*bytes);
+  if (text.was.empty()) return;
   const fs::path name = handed_in_.at(unit), file = own_.path() / name;
-  support::write_text_and_folders(file, *text);
+  support::write_text_and_folders(file, text.text);
   of_unit_[unit] = file;
-  notes_.push_back(escaped(name.string()) + " is UTF-16: converted to UTF-8");
+  notes_.push_back(escaped(name.string()) + " is " + text.was + ": converted to UTF-8");
 }
 
 }  // namespace tumble::judge

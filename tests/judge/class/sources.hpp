@@ -46,10 +46,12 @@ class Sources {
   void choose(const Course& course, const std::vector<Unit>& counted);
   void note_ties(const Unit& unit, const ChosenFile& chosen);
   void note_nothing_found();
+  /// Of a unit without a file, or with the untouched one.
+  void note_work_in_solutions(const Unit& unit);
   /// A file that no exercise is called is not judged: does its student know?
   void note_other_names(const Course& course, const std::vector<fs::path>& others);
   std::vector<std::string> spellings(const fs::path& path) const;
-  /// Makes UTF-8 of a file that is UTF-16.
+  /// Makes UTF-8 of a file that is in another encoding.
   void convert(const std::string& unit);
 
   const Course* course_;
@@ -57,9 +59,10 @@ class Sources {
   fs::path folder_;
   std::string refused_;
   std::vector<std::string> notes_, refused_archives_;
-  std::map<fs::path, fs::path> files_;  ///< where each is that was handed in, by its path there
-  std::vector<std::string> others_;     ///< paths of what can be no source
-  std::vector<fs::path> hidden_;        ///< paths of sources in hidden folders
+  std::map<fs::path, fs::path> files_;    ///< where each is that was handed in, by its path there
+  std::vector<std::string> others_;       ///< paths of what can be no source
+  std::vector<std::string> passed_over_;  ///< paths of what is hidden or an operating system's own
+  std::vector<fs::path> hidden_;          ///< paths of sources in hidden folders
   std::map<std::string, fs::path> handed_in_, of_unit_;
   std::size_t archives_ = 0;
 };

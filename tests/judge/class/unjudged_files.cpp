@@ -73,4 +73,25 @@ std::vector<std::string> notes_on_hidden(const Course& course,
   return notes;
 }
 
+std::vector<fs::path> files_in_solutions(const Unit& unit, const std::vector<fs::path>& sources) {
+  const auto has_part = [](const fs::path& path, const std::string& name) {
+    return std::any_of(path.begin(), path.end(),
+                       [&](const fs::path& part) { return lower_case(part.string()) == name; });
+  };
+  std::vector<fs::path> found;
+  if (std::none_of(sources.begin(), sources.end(),
+                   [&](const fs::path& path) { return has_part(path, "exercises"); }))
+    return found;
+  for (const fs::path& path : sources)
+    if (has_part(path, "solutions") && has_part(path, unit.chapter) &&
+        exercise_named(path.filename().string()) == unit.name)
+      found.push_back(path);
+  return found;
+}
+
+std::string note_on_solutions(const fs::path& path) {
+  return not_judged(path.string()) +
+         "beside a folder exercises/ we look for no exercise in a folder solutions/";
+}
+
 }  // namespace tumble::judge

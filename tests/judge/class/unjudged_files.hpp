@@ -25,4 +25,11 @@ std::vector<std::string> notes_on_hidden(const Course& course,
                                          const std::vector<Unit>& without_file,
                                          const std::vector<fs::path>& hidden);
 
+/// The source files in solutions/, beside an exercises/, that are called as a unit's: its student
+/// may have written in the wrong one.
+std::vector<fs::path> files_in_solutions(const Unit& unit, const std::vector<fs::path>& sources);
+
+/// "solutions/04_quaternions/product.cpp is not judged: …"
+std::string note_on_solutions(const fs::path& path);
+
 }  // namespace tumble::judge

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "judge/course/contract.hpp"
 #include "project/harness/command.hpp"
 #include "project/judge/class/archives.hpp"
 #include "project/judge/class/without_files.hpp"
@@ -108,6 +109,54 @@ TEST_CASE("sources: if all there is lies in a hidden folder, that is said") {
   CHECK(notes_on({".work/product.cpp", ".work/main.cpp", ".git/inverse.cpp"}) ==
         "no exercise found in it; it holds hidden folders only\n"
         ".work/product.cpp is not judged: it lies in .work/, a hidden folder\n");
+}
+
+TEST_CASE("sources: what was passed over is said where nothing else is there") {
+  CHECK(notes_on({"__MACOSX/product.cpp"}) ==
+        "no exercise found in it; it holds folders of the operating system only\n"
+        "__MACOSX/product.cpp is not judged: it lies in __MACOSX/, a folder of the operating "
+        "system\n");
+  CHECK(notes_on({"._product.cpp"}) ==
+        "no exercise found in it; it holds what is hidden or an operating system's own: "
+        "._product.cpp\n");
+}
+
+TEST_CASE("sources: work in solutions/ beside an exercise that is not there is said") {
+  CHECK(
+      notes_on({"exercises/04_quaternions/inverse.cpp", "solutions/04_quaternions/product.cpp",
+                "solutions/04_quaternions/inverse.cpp"}) ==
+      "solutions/04_quaternions/product.cpp is not judged: beside a folder exercises/ we look for "
+      "no exercise in a folder solutions/\n");
+}
+
+TEST_CASE("sources: work in solutions/ beside the untouched exercise is said") {
+  Course course;
+  course.root = tumble::test::variable("TUMBLE_FIXTURE");
+  course.units = {{"1.1", "01_crossing", "carry", "", {}, {}}};
+  const Unit& unit = course.units.front();
+  const WorkFolder work;
+  const auto notes_with = [&](const std::string& in_solutions) {
+    support::write_text_and_folders(work.path() / "exercises" / (unit.id() + ".cpp"),
+                                    stub_of(course, unit));
+    support::write_text_and_folders(work.path() / "solutions" / (unit.id() + ".cpp"), in_solutions);
+    return Sources(course, course.units, {"ben", work.path()}).notes();
+  };
+  CHECK(notes_with(support::read_text(course.solution(unit))).empty());  // the course's own
+  REQUIRE(notes_with("// mine\n").size() == 1);
+  CHECK(
+      notes_with("// mine\n").front().starts_with("solutions/" + unit.id() + ".cpp is not judged"));
+}
+
+TEST_CASE("sources: what is not UTF-8 is converted, and a NUL byte is named") {
+  const Course all = four_units();
+  const WorkFolder work;
+  support::write_text_and_folders(work.path() / "product.cpp",
+                                  "// Gr\xf6\xdf"
+                                  "e\n");
+  const Sources sources(all, all.units, {"ben", work.path()});
+  CHECK(support::read_text(sources.of(all.units[1])) == "// Gr\u00f6\u00dfe\n");
+  CHECK(sources.notes() ==
+        std::vector<std::string>{"product.cpp is Windows-1252: converted to UTF-8"});
 }
 
 TEST_CASE("sources: a folder that this machine cannot open is no refusal of the student's work") {
