@@ -2,6 +2,7 @@
 /// The judge's command line; ./tumble calls it.
 #include <signal.h>
 
+#include <cmath>
 #include <functional>
 #include <iostream>
 
@@ -37,6 +38,31 @@ std::string why_no_seed(const std::string& text) {
   return is_number ? "" : "'" + text + "' is no seed: give a whole number from 0 on";
 }
 const CLI::Validator is_seed{[](const std::string& text) { return why_no_seed(text); }, "", "seed"};
+
+/// Seconds, more than none. CLI11's own check would name the largest number that there is.
+CLI::Validator some_seconds() {
+  return {[](const std::string& text) -> std::string {
+            double seconds = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, seconds);
+            return is_number && seconds > 0 && std::isfinite(seconds)
+                       ? ""
+                       : "it has to be more than 0 s, not " + text;
+          },
+          "SECONDS"};
+}
+
+/// A whole number that is not out of all proportion.
+CLI::Validator whole_number_to(int most) {
+  const std::string allowed = "1 to " + std::to_string(most);
+  return {[=](const std::string& text) -> std::string {
+            int number = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, number);
+            return is_number && number >= 1 && number <= most
+                       ? ""
+                       : "it has to be a whole number from " + allowed + ", not " + text;
+          },
+          allowed};
+}
 
 class CommandLine {
  public:
@@ -122,7 +148,7 @@ class CommandLine {
                    "of the random inputs; another one each time if not given")
         ->check(is_seed);
     app.add_option("--seeds", check_.seeds, "try this many, one after the other")
-        ->check(CLI::Range(1, 100000).description("1 to 100000"));
+        ->check(whole_number_to(100000));
     app.add_option("--from", check_.from,
                    "folder or zip with the files to judge, instead of exercises/");
     CLI::Option* json =
@@ -198,8 +224,8 @@ class CommandLine {
         app.add_option("--student", grade_.students, "judge only these students"),
         app.add_option("--jobs", grade_.at_once,
                        "submissions at a time; as many as cores if not given")
-            ->check(CLI::Range(1, 1000).description("1 to 1000")),
-        app.add_option("--deadline", grade_.seconds, seconds_help)->check(CLI::PositiveNumber),
+            ->check(whole_number_to(1000)),
+        app.add_option("--deadline", grade_.seconds, seconds_help)->check(some_seconds()),
         app.add_flag("--strict", grade_.strict, strict_help),
         app.add_option(
             "--shard", grade_.shard,
@@ -259,7 +285,7 @@ class CommandLine {
     app.add_option("PLATFORM", platform_.platform, platforms)->required();
     app.add_option("ROOT", platform_.root, "/autograder, /grade, the checkout")->required();
     app.add_option("--course", platform_.settings, "course.json");
-    app.add_option("--deadline", platform_.seconds, seconds_help)->check(CLI::PositiveNumber);
+    app.add_option("--deadline", platform_.seconds, seconds_help)->check(some_seconds());
   }
 
   void add_proofs() {

@@ -303,6 +303,32 @@ TEST_CASE("late work, extensions, overrides, extra credit") {
   CHECK(two.cell("ben", "percent") == "100");
 }
 
+TEST_CASE("names in course.json: whatever their case, with and without a roster") {
+  const TwoStudents two;
+  const std::string by_hand = R"({"overrides": {"BEN": {"1.2": 0.5, "reason": "lost by us"}}})";
+  const CommandResult graded = two.grade_with(by_hand);
+  CHECK_FALSE_MESSAGE(tells(graded, "names students who are not here"), graded.output);
+  CHECK(two.cell("ben", "points") == "1.5");
+  CHECK(tells(two.grade("--student Ben"), "1 submission, "));
+  CHECK(two.run("report --names").status == 0);
+  CHECK(tells(two.grade_with(R"({"overrides": {"BEN": {"1.2": 0.5, "reason": "a"},
+                                               "ben": {"1.2": 1, "reason": "b"}}})"),
+              "overrides: BEN and ben are one student, ben: which counts?"));
+  test::write_files(two.handed_in / "Ben", test::both());
+  REQUIRE(two.grade_with(R"({"overrides": {"Ben": {"points": 0.25, "reason": "r"}}})").status == 0);
+  CHECK(two.cell("Ben", "points") == "0.25");
+  CHECK(two.cell("ben", "points") == "1");
+  CHECK(tells(two.grade_with(by_hand), "BEN means 2 students, Ben and ben"));
+}
+
+TEST_CASE("grading: numbers that make no sense are refused in plain words") {
+  const TwoStudents two;
+  CHECK(tells(two.grade("--deadline 0"), "--deadline: it has to be more than 0 s, not 0\n"));
+  CHECK(tells(two.grade("--deadline x"), "--deadline: it has to be more than 0 s, not x\n"));
+  CHECK(
+      tells(two.grade("--jobs 0"), "--jobs: it has to be a whole number from 1 to 1000, not 0\n"));
+}
+
 TEST_CASE("several submissions of a student: the last, or the best") {
   const TwoStudents two;
   test::write_files(two.work.path() / "second/ben", {{"twice.cpp", test::twice()}});
