@@ -17,12 +17,11 @@ namespace tumble::support {
 
 /// "line 3, column 7" of the byte with this number, from 1.
 inline std::string line_and_column(const std::string& text, std::size_t byte) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-  const auto line = 1 + std::count(text.begin(), end, '\n');
-  const std::size_t before = text.substr(0, std::min(byte, text.size())).rfind('\n');
-  const std::size_t column = before == std::string::npos ? byte : byte - before - 1;
-  return "line " + std::to_string(line) + ", column " +
-         std::to_string(std::max<std::size_t>(1, column));
+  const std::string before = text.substr(0, byte > 0 ? byte - 1 : 0);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t end = before.rfind('\n');
+  const std::size_t column = before.size() - (end == std::string::npos ? 0 : end + 1) + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
 /// What the parser expected, without its own names for things.

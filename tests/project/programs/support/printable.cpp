@@ -28,7 +28,7 @@ TEST_CASE("tables, lines and notes: names are escaped, and CSV has them as they 
   Table table({"a\x1b", "value"});
   table.add({"b\n\x1b[31mc", "1"});
   CHECK(table.text() ==
-        "  a\\x1B           value\n  ────────────────────────\n"
+        "  a\\x1B          value\n  ────────────   ─────\n"
         "  b\\n\\x1B[31mc       1\n");
   CHECK(table.text_within(10).find('\x1b') == std::string::npos);
   CHECK(table.csv() == "a\x1b,value\n\"b\n\x1b[31mc\",1\n");
