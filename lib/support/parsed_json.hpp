@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "support/json_fault.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::support {
@@ -44,25 +45,6 @@ inline std::string what_was_expected(const std::string& what) {
   const std::size_t dash = what.find(" - "), bracket = what.find("] ");
   if (dash != std::string::npos) return what.substr(dash + 3);
   return bracket != std::string::npos ? what.substr(bracket + 2) : what;
-}
-
-/// The last byte that the parser has read, and the word that it could not take.
-struct FirstFault : nlohmann::detail::json_sax_acceptor<nlohmann::json> {
-  std::size_t byte = 0;
-  std::string token;
-
-  bool parse_error(std::size_t at, const std::string& last, const nlohmann::json::exception&) {
-    byte = at;
-    token = last;
-    return false;
-  }
-};
-
-/// Where a document cannot be read: its exceptions know that only of what is not JSON.
-inline FirstFault first_fault(const std::string& text) {
-  FirstFault fault;
-  nlohmann::json::sax_parse(text, &fault);
-  return fault;
 }
 
 /// The value of a document in which no { … } has a key twice: all but the last would be lost.

@@ -192,8 +192,10 @@ Misconception never_written(const Finding& finding) {
 /// over a vector that began with zeros.
 std::optional<Misconception> left_at_zero(const Finding& finding) {
   const std::optional<Places> wrong = wrong_places(finding);
+  constexpr std::size_t of_a_loop = 6;  // fewer numbers hardly come from one
   if (!wrong || wrong->size() < 2) return std::nullopt;
   const List& answer = *finding.answer->as<List>();
+  if (answer.size() < of_a_loop) return std::nullopt;
   const bool is_run = wrong->back() - wrong->front() + 1 == wrong->size(),
              is_at_an_end = wrong->front() == 0 || wrong->back() + 1 == answer.size(),
              is_zero = std::all_of(wrong->begin(), wrong->end(),
