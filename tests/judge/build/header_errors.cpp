@@ -132,8 +132,9 @@ std::string const_parameter(const std::string& code, const std::string& code_lin
 std::string words_about_line(const std::string& error, const std::string& code,
                              const std::string& code_line, std::size_t column) {
   if (const std::string words = words_about_lookalike(code_line); !words.empty()) return words;
-  const bool is_operation = has(error, "operator^'") || has(error, "to binary expression");
-  if (is_operation && column > 0 && column <= code_line.size() && code_line[column - 1] == '^')
+  // The sum before it may be what fails: ^ binds more weakly than + does.
+  const bool is_operation = has(error, "'operator") || has(error, "to binary expression");
+  if (is_operation && has(code_line, "^"))
     return "in C++ ^ is no power: write x * x for x², or std::pow(x, n)";
   const bool is_call = has(error, "no match for call to") ||
                        has(error, "no matching function for call to object of type");

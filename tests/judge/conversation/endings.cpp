@@ -85,9 +85,16 @@ std::string subject_of(const std::string& text) {
 /// What an assertion says in words, as Eigen's do: "invalid matrix product" of
 /// `a == b && "invalid matrix product"`. The assertion itself if it has none.
 std::string in_words(const std::string& assertion) {
-  const auto start = assertion.find("&& \"");
-  const auto end = assertion.find('"', start == std::string::npos ? start : start + 4);
-  return end == std::string::npos ? assertion : assertion.substr(start + 4, end - start - 4);
+  auto quote = assertion.find("&& \"");
+  if (quote == std::string::npos) return assertion;
+  std::string words;  // of literals that stand side by side
+  for (quote += 3; quote < assertion.size() && assertion[quote] == '"';) {
+    const auto end = assertion.find('"', quote + 1);
+    if (end == std::string::npos) return assertion;
+    words += assertion.substr(quote + 1, end - quote - 1);
+    quote = assertion.find_first_not_of(' ', end + 1);
+  }
+  return words;
 }
 
 std::string with_what_it_is_about(const std::string& text) {

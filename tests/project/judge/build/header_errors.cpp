@@ -153,6 +153,12 @@ TEST_CASE("what is const is copied first, and ^ is no power") {
           "in C++ ^ is no power: write x * x for x², or std::pow(x, n)");
 }
 
+TEST_CASE("^ is no power where the sum before it fails, too") {
+  CHECK(said_of("return y + h^2 * f(y, t);", 10,
+                "no match for 'operator+' (operand types are 'V')") ==
+        "in C++ ^ is no power: write x * x for x², or std::pow(x, n)");
+}
+
 TEST_CASE("what a right-hand side takes") {
   const std::string takes = "f takes (t, y): first the time, then the state";
   CHECK(said_of("return y + h * f(y);", 17,

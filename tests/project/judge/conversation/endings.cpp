@@ -53,7 +53,8 @@ TEST_CASE("what an assertion of Eigen's is about, and its words where it has som
     CHECK(about(sizes).ends_with("(two vectors or matrices of different sizes)"));
   CHECK(
       about("(!check_transpose_aliasing_run_time_selector <typename Derived::Scalar,X>::run(d, o))"
-            " && \"aliasing detected during transposition, use transposeInPlace() or evaluate the "
+            " && \"aliasing detected during transposition, use transposeInPlace() \" \"or evaluate "
+            "the "
             "rhs into a temporary using .eval()\"") ==
       "an assertion failed, aliasing detected during transposition, use transposeInPlace() or "
       "evaluate the rhs into a temporary using .eval()");
