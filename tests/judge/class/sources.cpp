@@ -5,12 +5,12 @@
 
 #include "judge/build/submission.hpp"
 #include "judge/build/text_encoding.hpp"
-#include "judge/build/untouched.hpp"
 #include "judge/class/archive.hpp"
 #include "judge/class/file_kinds.hpp"
 #include "judge/class/file_names.hpp"
 #include "judge/class/unjudged_files.hpp"
 #include "judge/course/progress.hpp"
+#include "judge/verdict/names_from_source.hpp"
 #include "support/entry.hpp"
 #include "support/nearest.hpp"
 #include "support/text_file.hpp"
@@ -81,6 +81,12 @@ std::optional<std::string> small_text(const fs::path& file) {
   } catch (const std::runtime_error&) {
     return std::nullopt;  // the judge will say so
   }
+}
+
+/// Does a file still throw what the exercise throws as it was handed out?
+bool is_unwritten(const fs::path& file) {
+  const std::optional<std::string> text = small_text(file);
+  return text && mentions(*text, "NotImplemented");
 }
 
 }  // namespace
@@ -277,7 +283,7 @@ void Sources::note_work_in_solutions(const Unit& unit) {
   const bool is_theirs = std::any_of(found.begin(), found.end(), [&](const fs::path& name) {
     return fingerprint(files_.at(name)) != fingerprint(course_->solution(unit));
   });
-  if (is_theirs && (!handed_in(unit) || is_untouched(*course_, unit, of(unit))))
+  if (is_theirs && (!handed_in(unit) || is_unwritten(of(unit))))
     notes_.push_back(note_on_solutions(found.front()));
 }
 

@@ -32,14 +32,14 @@ inline std::string kind_of_file(const std::string& start) {
   return "";
 }
 
-/// "is empty", "is a RAR archive, which cannot be read here: ask for a .zip", "is damaged (…)".
+/// "is empty", "is a RAR archive, and cannot be read here: ask for a .zip", "is damaged (…)".
 /// @param start its first bytes
 /// @param words of the library that reads archives
 inline std::string why_unreadable(const std::string& start, const std::string& words) {
   const auto says = [&](const char* part) { return words.find(part) != std::string::npos; };
   if (start.empty()) return "is empty";
   if (const std::string kind = kind_of_file(start); !kind.empty())
-    return "is " + kind + ", which cannot be read here: ask for a .zip";
+    return "is " + kind + ", and cannot be read here: ask for a .zip";
   if (says("Unrecognized archive format")) return "is no archive, whatever its name says";
   const std::string in_parentheses = words.empty() ? "" : " (" + words + ")";
   if (says("ncrypt") || says("assphrase")) return "is encrypted" + in_parentheses;

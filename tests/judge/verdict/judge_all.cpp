@@ -6,8 +6,9 @@
 #include <thread>
 
 #include "judge/build/object_cache.hpp"
-#include "judge/build/untouched.hpp"
+#include "judge/build/submission.hpp"
 #include "judge/build/work_folder.hpp"
+#include "judge/course/contract.hpp"
 #include "judge/sandbox/pipe.hpp"
 #include "judge/sandbox/process_pool.hpp"
 #include "judge/spec/load_spec.hpp"
@@ -16,6 +17,15 @@
 namespace tumble::judge {
 
 namespace {
+
+/// Is this the exercise as it was handed out?
+bool is_stub(const Job& job) {
+  try {
+    return read_submission(job.source) == stub_of(job.course, job.unit);
+  } catch (const Refused&) {
+    return false;
+  }
+}
 
 /// Of a wrong answer: would the course's own solution be right here, with the same inputs?
 /// @throws std::runtime_error if not: what was built for the unit is damaged or out of date, or
@@ -34,7 +44,7 @@ void require_solution_passes(const Job& job, const Judgement& judgement) {
 
 UnitResult build_and_judge(const Job& job, const Judgement& judgement) {
   const auto start = Clock::now();
-  const bool stub = judgement.compiled && is_untouched(job.course, job.unit, job.source);
+  const bool stub = judgement.compiled && is_stub(job);
   if (stub)
     if (const auto known = judgement.compiled->verdict_on_stub(job.unit)) {
       UnitResult result = decode_result(*known, job);

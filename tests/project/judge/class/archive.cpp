@@ -107,14 +107,13 @@ TEST_CASE("archives: what is wrong with one that cannot be read") {
   CHECK(unpacked_bytes("").refused == "is empty");
   CHECK(unpacked_bytes("hello").refused == "is no archive, whatever its name says");
   CHECK(unpacked_bytes("Rar!\x1a\x07 and so on").refused ==
-        "is a RAR archive, which cannot be read here: ask for a .zip");
-  CHECK(unpacked_bytes("%PDF-1.4").refused ==
-        "is a PDF, which cannot be read here: ask for a .zip");
+        "is a RAR archive, and cannot be read here: ask for a .zip");
+  CHECK(unpacked_bytes("%PDF-1.4").refused == "is a PDF, and cannot be read here: ask for a .zip");
   CHECK(unpacked_bytes("PK\x03\x04 and so on").refused.starts_with("is damaged"));
   const Unpacked both = unpacked("a.zip", {{"b.zip", ""}, {"c.zip", "Rar!\x1a\x07"}});
   REQUIRE(both.notes.size() == 2);
   CHECK(both.notes[0] == "b.zip in it is empty");
-  CHECK(both.notes[1] == "c.zip in it is a RAR archive, which cannot be read here: ask for a .zip");
+  CHECK(both.notes[1] == "c.zip in it is a RAR archive, and cannot be read here: ask for a .zip");
 }
 
 TEST_CASE("archives: of two entries of one path the last counts, and that is said") {

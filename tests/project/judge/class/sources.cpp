@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include "judge/course/contract.hpp"
 #include "project/harness/command.hpp"
 #include "project/judge/class/archives.hpp"
 #include "project/judge/class/without_files.hpp"
@@ -135,16 +134,17 @@ TEST_CASE("sources: work in solutions/ beside the untouched exercise is said") {
   course.units = {{"1.1", "01_crossing", "carry", "", {}, {}}};
   const Unit& unit = course.units.front();
   const WorkFolder work;
-  const auto notes_with = [&](const std::string& in_solutions) {
-    support::write_text_and_folders(work.path() / "exercises" / (unit.id() + ".cpp"),
-                                    stub_of(course, unit));
+  const auto notes_with = [&](const std::string& in_exercises, const std::string& in_solutions) {
+    support::write_text_and_folders(work.path() / "exercises" / (unit.id() + ".cpp"), in_exercises);
     support::write_text_and_folders(work.path() / "solutions" / (unit.id() + ".cpp"), in_solutions);
     return Sources(course, course.units, {"ben", work.path()}).notes();
   };
-  CHECK(notes_with(support::read_text(course.solution(unit))).empty());  // the course's own
-  REQUIRE(notes_with("// mine\n").size() == 1);
-  CHECK(
-      notes_with("// mine\n").front().starts_with("solutions/" + unit.id() + ".cpp is not judged"));
+  const std::string unwritten = support::read_text(course.exercise(unit));
+  CHECK(notes_with(unwritten, support::read_text(course.solution(unit))).empty());  // the course's
+  CHECK(notes_with("// done\n", "// mine\n").empty());
+  const auto notes = notes_with(unwritten, "// mine\n");
+  REQUIRE(notes.size() == 1);
+  CHECK(notes.front().starts_with("solutions/" + unit.id() + ".cpp is not judged"));
 }
 
 TEST_CASE("sources: what is not UTF-8 is converted, and a NUL byte is named") {
