@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "judge/build/source_code.hpp"
 #include "judge/build/submission.hpp"
 #include "judge/build/text_encoding.hpp"
 #include "judge/class/archive.hpp"
@@ -10,7 +11,6 @@
 #include "judge/class/file_names.hpp"
 #include "judge/class/unjudged_files.hpp"
 #include "judge/course/progress.hpp"
-#include "judge/verdict/names_from_source.hpp"
 #include "support/entry.hpp"
 #include "support/nearest.hpp"
 #include "support/text_file.hpp"
