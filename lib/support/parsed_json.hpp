@@ -40,8 +40,9 @@ inline std::string what_was_expected(const std::string& what) {
       {"'\\u' must be followed", "a text holds a \\u without four hexadecimal digits behind it"},
       {"missing closing quote", "a text has no quotation mark at its end"},
   }};
+  const std::string of_library = what.substr(0, what.find("; last read"));  // no text of the file
   for (const auto& [sign, words] : plain)
-    if (what.find(sign) != std::string::npos) return std::string(words);
+    if (of_library.find(sign) != std::string::npos) return std::string(words);
   const std::size_t dash = what.find(" - "), bracket = what.find("] ");
   if (dash != std::string::npos) return what.substr(dash + 3);
   return bracket != std::string::npos ? what.substr(bracket + 2) : what;

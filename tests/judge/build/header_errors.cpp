@@ -105,6 +105,7 @@ std::string word_at(const std::string& code_line, std::size_t column) {
 
 /// Whether an error is about an assignment, also one as +=.
 bool is_about_assignment(const std::string& error) {
+  if (has(error, "operand types are") && !has(error, "operand types are 'const")) return false;
   if (has(error, "assignment of read-only") || has(error, "cannot assign to return value"))
     return true;
   for (const char* operation : {"=", "+=", "-=", "*=", "/="})
@@ -123,8 +124,9 @@ std::string const_parameter(const std::string& code, const std::string& code_lin
   std::size_t begin = boundary == std::string::npos || before[boundary] == ')' ? 0 : boundary + 1;
   while (begin < before.size() && !is_of_word(before[begin])) ++begin;
   const std::string name = word_at(before, begin + 1);
-  if (name.empty()) return {};
-  const std::regex parameter("\\bconst\\b[^,;(){}]{0,200}&\\s*" + name + "\\s*[,)]");
+  constexpr std::size_t longest = 100;  // a regular expression takes stack for each character
+  if (name.empty() || name.size() > longest) return {};
+  const std::regex parameter("\\bconst\\b[^,;(){}]{0,200}&\\s{0,50}" + name + "\\s{0,50}[,)]");
   return std::regex_search(code, parameter) ? name : "";
 }
 

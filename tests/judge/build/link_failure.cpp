@@ -114,15 +114,18 @@ bool defines_nothing(const std::string& code) {
 }
 
 /// The scope of the function of this name among these: "particles::", "" of "f(double)"; nothing if
-/// none has it.
+/// none has it. Of several, the one that is wanted.
 std::optional<std::string> scope_of(const std::string& name,
-                                    const std::vector<std::string>& functions) {
+                                    const std::vector<std::string>& functions,
+                                    const std::string& wanted) {
+  std::optional<std::string> scope;
   for (const std::string& function : functions) {
     const std::string whole = function.substr(0, function.find('('));
-    if (whole == name) return "";
-    if (whole.ends_with("::" + name)) return whole.substr(0, whole.size() - name.size());
+    if (whole != name && !whole.ends_with("::" + name)) continue;
+    const std::string own = whole.substr(0, whole.size() - name.size());
+    if (!scope || own == wanted) scope = own;
   }
-  return std::nullopt;
+  return scope;
 }
 
 /// What to do so that the function of the contract is found.
@@ -132,7 +135,7 @@ std::string advice_for(const Course& course, const Unit& unit, const std::string
     return "Your file defines nothing: it has comments and directives alone.\n";
   const std::string whole = unit.function(),
                     space = whole.substr(0, whole.size() - unit.name.size() - 2);
-  const std::optional<std::string> scope = scope_of(unit.name, functions);
+  const std::optional<std::string> scope = scope_of(unit.name, functions, space + "::");
   if (scope && *scope != space + "::") return "Put it into namespace " + space + ".\n";
   if (const std::string why = why_hidden(code, unit.name); !scope && !why.empty())
     return "Your " + unit.name + " is " + why +

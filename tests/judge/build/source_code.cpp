@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <iterator>
+#include <sstream>
 #include <string_view>
 
 namespace tumble::judge {
@@ -131,6 +132,13 @@ bool has_word(const std::string& code, const std::string& word) {
 
 bool mentions(const std::string& source, const std::string& word) {
   return has_word(code_of(source), word);
+}
+
+std::string code_line(const std::string& code, std::size_t number) {
+  std::istringstream in(code);
+  std::string line;
+  while (number > 0 && std::getline(in, line)) --number;
+  return number == 0 ? line : "";
 }
 
 std::size_t line_of(const std::string& code, std::size_t at) {

@@ -21,6 +21,9 @@ bool has_word(const std::string& code, const std::string& word);
 /// Whether words have such a character.
 bool is_of_word(char c);
 
+/// The line of this number, from 1; empty if there is none.
+std::string code_line(const std::string& code, std::size_t number);
+
 /// The number of the line, from 1, that holds this character.
 std::size_t line_of(const std::string& code, std::size_t at);
 

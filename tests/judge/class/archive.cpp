@@ -159,7 +159,7 @@ void put(const nlohmann::json& entry, const fs::path& to, std::vector<EntryLeftO
   }
   const fs::path file = to / bytes_in(entry.at("path"));
   const std::string text = entry.contains("text") ? bytes_in(entry.at("text")) : "";
-  if (support::is_file(file) && !text.empty() && support::read_text(file) != text)
+  if (support::is_file(file) && entry.contains("text") && support::read_text(file) != text)
     left_out.push_back(
         {without_dots(bytes_in(entry.at("path"))), "has several entries: counted the last", false});
   support::write_text_and_folders(file, text);

@@ -303,7 +303,10 @@ std::string some_reasons(const ClassWork& all, std::size_t first) {
 
 /// Most of what nobody's row has is work that Canvas has named? Then one name among them that is
 /// not Canvas's has hidden what this folder is, and most of the class would be missing.
-void require_no_hidden_download(const ClassWork& all, std::size_t first, const fs::path& given) {
+/// @param first     of those that are left out
+/// @param submitted how many have a row
+void require_no_hidden_download(const ClassWork& all, std::size_t first, std::size_t submitted,
+                                const fs::path& given) {
   std::size_t canvas = 0, others = 0;
   std::string strange;
   for (std::size_t i = first; i < all.left_out.size(); ++i) {
@@ -314,10 +317,9 @@ void require_no_hidden_download(const ClassWork& all, std::size_t first, const f
     ++(named ? canvas : others);
     if (!named && strange.empty()) strange = name;
   }
-  require(canvas <= others, escaped(given.string()),
+  require(strange.empty() || canvas <= std::max(others, submitted), escaped(given.string()),
           " looks like a download of Canvas: ", support::how_many(canvas, "file"),
-          " in it would be nobody's work",
-          strange.empty() ? "" : ", because Canvas would not have written the name ",
+          " in it would be nobody's work, because Canvas would not have written the name ",
           escaped(strange), ". If it is one: --from canvas. If it is not: --from folders",
           some_reasons(all, first));
 }
@@ -332,7 +334,8 @@ void collect_one(const Course& course, const fs::path& given, const std::optiona
   const Lms lms = from.value_or(recognised(folder));
   const std::size_t before = all.submissions.size(), left_before = all.left_out.size();
   SubmissionCollector(all, folder, lms).collect();
-  if (lms == Lms::none && !from) require_no_hidden_download(all, left_before, given);
+  if (lms == Lms::none && !from)
+    require_no_hidden_download(all, left_before, all.submissions.size() - before, given);
   for (std::size_t i = left_before; i < all.left_out.size(); ++i)  // no path of the work folder
     if (all.left_out[i].what.starts_with(unpacked.string() + "/"))
       all.left_out[i].what =

@@ -27,8 +27,9 @@ std::size_t end_of_quoted(const std::string& text, std::size_t at) {
 
 /// Does a comma at `at` stand before the end of a list or of { … }?
 bool is_last_comma(const std::string& text, std::size_t at) {
+  if (text[at] != ',') return false;
   const std::size_t next = text.find_first_not_of(" \t\r\n", at + 1);
-  return text[at] == ',' && next != std::string::npos && (text[next] == ']' || text[next] == '}');
+  return next != std::string::npos && (text[next] == ']' || text[next] == '}');
 }
 
 /// What is wrong at `at`; empty if nothing is.

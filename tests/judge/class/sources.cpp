@@ -280,11 +280,11 @@ void Sources::note_work_in_solutions(const Unit& unit) {
   std::vector<fs::path> names;
   for (const auto& [name, file] : files_) names.push_back(name);
   const std::vector<fs::path> found = files_in_solutions(unit, names);
-  const bool is_theirs = std::any_of(found.begin(), found.end(), [&](const fs::path& name) {
+  const auto theirs = std::find_if(found.begin(), found.end(), [&](const fs::path& name) {
     return fingerprint(files_.at(name)) != fingerprint(course_->solution(unit));
   });
-  if (is_theirs && (!handed_in(unit) || is_unwritten(of(unit))))
-    notes_.push_back(note_on_solutions(found.front()));
+  if (theirs != found.end() && (!handed_in(unit) || is_unwritten(of(unit))))
+    notes_.push_back(note_on_solutions(*theirs));
 }
 
 void Sources::note_nothing_found() {

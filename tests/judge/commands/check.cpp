@@ -35,12 +35,27 @@ std::size_t number_of(const std::string& text) {
   return number;
 }
 
+/// The exercise whose file has this path, or this name.
+/// @throws std::invalid_argument of a file in another folder: we would judge the course's
+std::vector<Unit> course_files_named(const Course& course, const std::string& path) {
+  std::vector<Unit> units = course.select(path);
+  std::error_code missing;
+  const bool is_elsewhere = fs::path(path).has_parent_path() &&
+                            std::none_of(units.begin(), units.end(), [&](const Unit& unit) {
+                              return fs::equivalent(path, course.exercise(unit), missing);
+                            });
+  require(!is_elsewhere, path, " is not the file that we judge, which is ",
+          fs::relative(course.exercise(units.front()), course.root).string(),
+          ". To judge files in another folder: check ", units.front().number, " --from FOLDER");
+  return units;
+}
+
 Selection select(const Course& course, const Progress& progress, const std::string& what) {
   if (what.empty()) {
     const std::optional<Unit> open = progress.next_open();
     return open ? Selection{{*open}, 0} : Selection{};
   }
-  if (what.ends_with(".cpp")) return {course.select(what), 0};
+  if (what.ends_with(".cpp")) return {course_files_named(course, what), 0};
   const auto first_dot = what.find('.');
   const auto second_dot = what.find('.', first_dot + 1);
   if (first_dot == std::string::npos || second_dot == std::string::npos)

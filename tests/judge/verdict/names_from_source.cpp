@@ -126,9 +126,11 @@ bool is_float_literal(std::string_view word) {
 
 /// What the code reads that nobody types: "std::cin"; empty if nothing.
 std::string read_from_keyboard(const std::string& code) {
-  for (const char* word : {"cin", "scanf", "getchar", "fgets", "stdin"})
-    if (has_word(code, word)) return word == std::string("cin") ? "std::cin" : word;
-  return {};
+  static const std::regex from_cin(R"(\bcin\s{0,20}>>|\bgetline\s{0,20}\(\s{0,20}(std::)?cin\b)"),
+      from_c(R"(\b(scanf|getchar|fgets)\s{0,20}\()");
+  std::smatch found;
+  if (std::regex_search(code, from_cin)) return "std::cin";
+  return std::regex_search(code, found, from_c) ? found[1].str() : "";
 }
 
 /// Whether the numbers alone have given this name, or none: what the source shows says more.
@@ -171,24 +173,24 @@ bool is_right_as_float(const Finding& finding) {
 
 }  // namespace
 
-std::vector<std::size_t> lines_that_keep_an_expression(const std::string& source) {
+std::vector<KeptExpression> kept_expressions(const std::string& source) {
   const std::string code = code_of(source), word = "auto ";
-  std::vector<std::size_t> lines;
+  std::vector<KeptExpression> kept;
   for (auto at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
     if (at > 0 && is_of_word(code[at - 1])) continue;
-    std::size_t next = skip_blanks(code, at + word.size());
+    const std::size_t begin = skip_blanks(code, at + word.size());
+    std::size_t next = begin;
     while (next < code.size() && is_of_word(code[next])) ++next;
+    const std::string name = code.substr(begin, next - begin);
     next = skip_blanks(code, next);
     if (next >= code.size() || code[next] != '=') continue;
     const std::size_t value = skip_blanks(code, next + 1);
-    if (value < code.size() && code[value] != '[') lines.push_back(line_of(code, at));
+    if (value < code.size() && code[value] != '[') kept.push_back({line_of(code, at), name});
   }
-  return lines;
+  return kept;
 }
 
-bool keeps_an_expression(const std::string& source) {
-  return !lines_that_keep_an_expression(source).empty();
-}
+bool keeps_an_expression(const std::string& source) { return !kept_expressions(source).empty(); }
 
 std::optional<Misconception> expression_that_outlives(const std::string& source,
                                                       const std::string& place) {
@@ -196,13 +198,16 @@ std::optional<Misconception> expression_that_outlives(const std::string& source,
   if (std::none_of(gone.begin(), gone.end(),
                    [&](const char* words) { return place.find(words) != std::string::npos; }))
     return std::nullopt;
-  const std::vector<std::size_t> lines = lines_that_keep_an_expression(source);
   const std::size_t used = first_number_in(place.substr(place.find(':') + 1));
-  const auto behind = std::upper_bound(lines.begin(), lines.end(), used);
-  if (behind == lines.begin()) return std::nullopt;
+  const std::string there = code_line(code_of(source), used);
+  const std::vector<KeptExpression> all = kept_expressions(source);
+  const auto kept = std::find_if(all.rbegin(), all.rend(), [&](const KeptExpression& each) {
+    return each.line <= used && has_word(there, each.name);
+  });
+  if (kept == all.rend()) return std::nullopt;
   return Misconception{
       "an auto that holds an expression",
-      "The auto in line " + std::to_string(*std::prev(behind)) +
+      "The auto in line " + std::to_string(kept->line) +
           " may hold an expression of Eigen, not its value, and what it is made of is gone where "
           "you use it. Write the type instead of auto.",
       ""};

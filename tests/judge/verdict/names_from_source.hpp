@@ -15,8 +15,12 @@ namespace tumble::judge {
 /// expression itself: not a lambda, and not a reference.
 bool keeps_an_expression(const std::string& source);
 
-/// The numbers of the lines where one does, from 1.
-std::vector<std::size_t> lines_that_keep_an_expression(const std::string& source);
+/// Such an auto: the number of its line, from 1, and its name.
+struct KeptExpression {
+  std::size_t line;
+  std::string name;
+};
+std::vector<KeptExpression> kept_expressions(const std::string& source);
 
 /// What is said where a sanitizer stops at memory that is gone, behind such an auto.
 /// @param place "euler_step.cpp:7: stack-use-after-scope"

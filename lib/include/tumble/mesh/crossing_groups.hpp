@@ -1,8 +1,11 @@
 #pragma once
 /// @file
-/// Crossings that lie apart: each pair of parts has one, and a part has one with itself. In an
-/// assembly they may be small and far from each other, so each is measured by itself.
+/// Crossings that lie apart. In an assembly they may be small and far from each other, so each is
+/// measured by itself. What two parts have in common lies where their boxes meet: pairs of parts
+/// whose common boxes are apart have nothing in common.
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -13,13 +16,14 @@
 
 namespace tumble::detail {
 
-/// The places where triangles meet, by the parts that they belong to.
+/// The places where triangles meet, in groups that lie apart.
 class CrossingGroups {
  public:
   CrossingGroups(const PolygonMesh& mesh, const Components& surface,
                  const TriangleMeetings& meetings);
 
-  /// Those where triangles pass through each other come first, the largest of them before.
+  /// Those where triangles pass through each other, the largest of them first; at last all others
+  /// together.
   const std::vector<TriangleMeetings>& list() const { return list_; }
 
   /// To which of them a piece of a line belongs; the length of the list: to none.
@@ -34,28 +38,26 @@ class CrossingGroups {
 /// Sums up the volumes of crossings. The first are all measured; of many more, which are smaller,
 /// some are drawn, one in each piece of the list. Source: systematic sampling, e.g. Cochran,
 /// "Sampling Techniques" (3rd ed. 1977), §8.1.
+/// @param faces   of the mesh: each measurement goes over all of them, some thirty times
 /// @param measure measure(k): the WrongVolume of the k-th
 template <class Measure>
-WrongVolume sum_over_crossings(std::size_t count, const Measure& measure) {
-  constexpr std::size_t most = 64;
+WrongVolume sum_over_crossings(std::size_t count, int faces, const Measure& measure) {
+  const auto most = static_cast<std::size_t>(std::clamp(2e7 / faces, 8., 64.));
+  const std::size_t first = std::min(count, most), left = count - first,
+                    step = std::max<std::size_t>(1, (left + most - 1) / most);
   WrongVolume all;
   double squares = 0;
-  const std::size_t first = std::min(count, most);
-  for (std::size_t k = 0; k < first; ++k) {
-    const WrongVolume one = measure(k);
-    all.volume += one.volume;
-    squares += one.uncertainty * one.uncertainty;
-  }
-  const std::size_t left = count - first, step = (left + most - 1) / most;
-  if (left > 0) {
-    WrongLengths drawn;
-    std::size_t number = 0;
-    for (std::size_t k = first + step / 2; k < count; k += step, ++number)
-      drawn.add(measure(k).volume);
-    const WrongVolume others = drawn.volume(static_cast<double>(number), static_cast<double>(left));
-    all.volume += others.volume;
-    squares += others.uncertainty * others.uncertainty;
-  }
+  const auto add = [&](const WrongVolume& one, double times) {
+    all.volume += times * one.volume;
+    squares += times * times * one.uncertainty * one.uncertainty;
+    return one.volume;
+  };
+  for (std::size_t k = 0; k < first; ++k) add(measure(k), 1);
+  WrongLengths drawn;
+  const auto number = static_cast<double>((left + step - 1 - step / 2) / step);
+  for (std::size_t k = first + step / 2; k < count; k += step)
+    drawn.add(add(measure(k), static_cast<double>(left) / number));
+  if (step > 1) squares += std::pow(drawn.volume(number, static_cast<double>(left)).uncertainty, 2);
   all.uncertainty = std::sqrt(squares);
   return all;
 }

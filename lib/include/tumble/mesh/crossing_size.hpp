@@ -2,6 +2,10 @@
 /// @file
 /// How much of its volume does a surface that crosses itself count wrongly?
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "tumble/mesh/crossing_cells.hpp"
 #include "tumble/mesh/crossing_groups.hpp"
 #include "tumble/mesh/crossing_pairs.hpp"
@@ -134,8 +138,8 @@ WrongVolume wrong_volume_at(const PolygonMesh& mesh, const Components& surface,
   return better ? closer : found;
 }
 
-/// The volume that counts wrongly at all crossings: each pair of parts is measured by itself,
-/// because a box around crossings that are apart has cells that are larger than they are.
+/// The volume that counts wrongly at all crossings: those that are apart are measured one by one,
+/// because a box around all of them has cells that are larger than they are.
 template <class Counts>
 WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
                          const Eigen::AlignedBox3d& box, const CrossingEvidence& evidence,
@@ -155,7 +159,8 @@ WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
     const bool only_touch = found.volume == 0 && own.meetings.through.empty();
     return only_touch ? WrongVolume{} : found;
   };
-  const WrongVolume known = sum_over_crossings(number, measure), others = measure(number);
+  const WrongVolume known = sum_over_crossings(number, mesh.face_count(), measure),
+                    others = measure(number);
   return {known.volume + others.volume, std::hypot(known.uncertainty, others.uncertainty)};
 }
 

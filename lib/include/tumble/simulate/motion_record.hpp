@@ -52,13 +52,13 @@ class MotionRecord {
   }
 
   /// The same, all of it a part of its own size however small that is; 0 if all that moves is large
-  /// enough to matter.
+  /// enough to matter, or so small that it is rounding.
   double difference_of_small(const MotionRecord& other) const {
     SquaredSizes<Numbers> own = squared_sizes(steps_.front().y);
     for (const Step& step : steps_) own = own.cwiseMax(squared_sizes(step.y));
     const SquaredSizes<Numbers> least = rhs_.least_squares(breaks_.back());
-    const bool all_matter = (own.array() == 0 || own.array() >= least.array()).all();
-    return all_matter ? 0 : difference(other, own);
+    own = (own.array() < least_motion * least_motion * least.array()).select(least, own);
+    return (own.array() >= least.array()).all() ? 0 : difference(other, own);
   }
 
   /// Where forces are not what the run thinks they are, by more than a part of its sizes.

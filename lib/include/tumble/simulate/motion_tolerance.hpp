@@ -22,6 +22,9 @@ struct MotionScale {
 /// own size, and of a turn by a radian.
 MotionScale least_sizes(const RigidBody<>& body, double span);
 
+/// A motion that is so small beside those sizes is rounding, as of forces that balance each other.
+inline constexpr double least_motion = 1e-9;
+
 /// How much of the moments a tensor in turned axes has lost to rounding: finding its axes, or its
 /// inverse, leaves of the smallest moment what rounding leaves of the largest.
 double rounding_of_moments(const Mat3& I_body, double smallest_moment);

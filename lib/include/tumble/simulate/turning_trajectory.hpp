@@ -128,11 +128,11 @@ Trajectory turning_trajectory(const steady::SteadyTorque& torque, const steady::
     rough.account(report);
     fine.account(report);
     const double L = fine.largest_L();
-    state_errors<Run>(
-        report,
-        {fine.difference(rough, least_L), L > 0 && L < least_L ? fine.difference(rough, L) : 0,
-         epsilon, fine_tolerance, fine.steps(), fine.radians()},
-        lost);
+    state_errors<Run>(report,
+                      {fine.difference(rough, least_L),
+                       L > least_motion * least_L && L < least_L ? fine.difference(rough, L) : 0,
+                       epsilon, fine_tolerance, fine.steps(), fine.radians()},
+                      lost);
     if (report.reached() || epsilon == lowest) {
       report.method = "Taylor series of order " + std::to_string(fine.order());
       return trajectory_of(std::move(fine), task, report);

@@ -83,12 +83,14 @@ TEST_CASE("where some numbers are right, the places that were never written are 
 }
 
 TEST_CASE("a beginning or an end that is 0, where all else is right, is told") {
-  CHECK(said_of_places({1., 2., 0., 0.})
-            .starts_with("places left at zero: Places 2 to 3 of your answer (counted from 0) are "
+  CHECK(said_of_places({1., 2., 3., 4., 0., 0.})
+            .starts_with("places left at zero: Places 4 to 5 of your answer (counted from 0) are "
                          "0, and all others"));
-  CHECK(said_of_places({0., 0., 3., 4.}).find("Places 0 to 1") != std::string::npos);
-  for (const List& other : {List{1., 2., 3., 0.}, List{1., 0., 0., 4., 5.}, List{1., 2., 0., 9.},
-                            List{0., 0., 0.}, List{1., 0., 0.}, List{9., 2., 0., 0.}})
+  CHECK(said_of_places({0., 0., 3., 4., 5., 6.}).find("Places 0 to 1") != std::string::npos);
+  for (const List& other :
+       {List{1., 2., 3., 4., 5., 0.}, List{1., 0., 0., 4., 5., 6.}, List{1., 2., 3., 4., 0., 9.},
+        List{0., 0., 0., 0., 0., 0.}, List{1., 0., 0., 0., 0., 0.}, List{9., 2., 3., 4., 0., 0.},
+        List{1., 2., 3., 0., 0.}})
     CHECK(said_of_places(other).empty());
 }
 

@@ -197,7 +197,10 @@ TEST_CASE("names: a sum that starts from a whole number") {
 
 TEST_CASE("names: an auto whose expression is gone, with its line") {
   const std::string source = "f() {\n  auto a = 1;\n  auto k = h * f(t, y);\n  return y + k;\n}\n";
-  CHECK(lines_that_keep_an_expression(source) == std::vector<std::size_t>{2, 3});
+  const std::vector<tumble::judge::KeptExpression> kept = kept_expressions(source);
+  REQUIRE(kept.size() == 2);
+  CHECK(kept[0].line == 2);
+  CHECK(kept[1].line == 3);
   const auto named = expression_that_outlives(source, "s.cpp:4: stack-use-after-scope");
   REQUIRE(named.has_value());
   CHECK(named->sentence.starts_with("The auto in line 3 may hold an expression of Eigen"));

@@ -331,3 +331,16 @@ TEST_CASE("a crossing that no line meets says what may be there") {
   CHECK(found.share + found.share_uncertainty >= 1e-10);
   CHECK(found.share + found.share_uncertainty < 1e-3);
 }
+
+TEST_CASE("a crossing of three parts: what all of them share counts twice, not three times") {
+  const auto bar = [](int axis, double half) {
+    Vec3 high = Vec3::Constant(half);
+    high[axis] = 5;
+    return test::box(-high, high);
+  };
+  const PolygonMesh bars = test::together(test::together(bar(0, 0.5), bar(1, 0.45)), bar(2, 0.4));
+  const double volume = 10 * (1 + 0.81 + 0.64), twice = 0.81 + 0.64 + 0.576 - 0.576;
+  const MeshDefect found = crossing_of(bars, crossings::Search::usual);
+  CAPTURE(found.share);
+  CHECK(std::abs(found.share - twice / volume) <= 2 * found.share_uncertainty + 0.003);
+}

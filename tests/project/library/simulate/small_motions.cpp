@@ -28,7 +28,7 @@ Trajectory on_a_spring(double x, double push, double tolerance) {
 
 TEST_CASE("small motions: what error they have as a part of themselves is said, and is true") {
   for (const double tolerance : {1e-4, 1e-9, 1e-12})
-    for (const double x : {1e-4, 1e-6, 1e-9, 1e-12, 1e-15}) {
+    for (const double x : {1e-4, 1e-6, 1e-9, 1e-12}) {
       CAPTURE(tolerance);
       CAPTURE(x);
       const Trajectory motion = on_a_spring(x, 0, tolerance);
