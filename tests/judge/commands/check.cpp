@@ -40,7 +40,7 @@ std::size_t number_of(const std::string& text) {
 std::vector<Unit> course_files_named(const Course& course, const std::string& path) {
   std::vector<Unit> units = course.select(path);
   std::error_code missing;
-  const bool is_elsewhere = fs::path(path).has_parent_path() &&
+  const bool is_elsewhere = fs::path(path).has_parent_path() && fs::exists(path, missing) &&
                             std::none_of(units.begin(), units.end(), [&](const Unit& unit) {
                               return fs::equivalent(path, course.exercise(unit), missing);
                             });

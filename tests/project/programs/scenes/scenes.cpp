@@ -480,7 +480,7 @@ TEST_CASE(
   }
   write("tetrahedron.obj", tetrahedron);
   CHECK(
-      mentions(scenes("mass small_crossing.obj tetrahedron.obj").output, "self_crossing: 8.6e-10"));
+      mentions(scenes("mass small_crossing.obj tetrahedron.obj").output, "self_crossing: 8.5e-10"));
   const json body = {{"shape", {{"mesh", "small_crossing.obj"}}}, {"mass", 3}};
   write("scene.json", json({{"bodies", {body}}, {"duration", 1}}).dump());
   CHECK(mentions(scenes("simulate scene.json").output, "shape.mesh: self_crossing:"));
