@@ -91,10 +91,10 @@ auto in_words_of_scenes(const std::string& who, F&& f) -> decltype(f()) {
 }
 
 Trajectory named_motion_of(const SceneBody& body, const SimulationTask& task) {
-  const auto motion = in_words_of_scenes(support::escaped(body.name), [&] {
+  Trajectory motion = in_words_of_scenes(support::escaped(body.name), [&] {
     return with_rounded_start(motion_of(body, task), rounding_of_start(body, task.t1 - task.t0));
   });
-  if (task.t1 > task.t0) return motion;
+  if (task.t1 != task.t0) return motion;
   SimulationReport report = motion.report();
   report.method = "none: the duration is 0";  // a scene file has no t0 and no t1
   return with_report(motion, report);

@@ -108,11 +108,11 @@ bool is_about_assignment(const std::string& error) {
   if (has(error, "operand types are") && !has(error, "operand types are 'const")) return false;
   if (has(error, "assignment of read-only") || has(error, "cannot assign to return value"))
     return true;
-  for (const char* operation : {"=", "+=", "-=", "*=", "/="})
-    if (has(error, std::string("no match for 'operator") + operation + "'") ||
-        has(error, std::string("no viable overloaded '") + operation + "'"))
-      return true;
-  return false;
+  constexpr std::array operations = {"=", "+=", "-=", "*=", "/="};
+  return std::any_of(operations.begin(), operations.end(), [&](const std::string& operation) {
+    return has(error, "no match for 'operator" + operation + "'") ||
+           has(error, "no viable overloaded '" + operation + "'");
+  });
 }
 
 /// The parameter that the statement before a column assigns to and that is const: "y" of
@@ -126,14 +126,14 @@ std::string const_parameter(const std::string& code, const std::string& code_lin
   const std::string name = word_at(before, begin + 1);
   constexpr std::size_t longest = 100;  // a regular expression takes stack for each character
   if (name.empty() || name.size() > longest) return {};
-  const std::regex parameter("\\bconst\\b[^,;(){}]{0,200}&\\s{0,50}" + name + "\\s{0,50}[,)]");
+  const std::regex parameter(R"(\bconst\b[^,;(){}]{0,200}&\s{0,50})" + name + R"(\s{0,50}[,)])");
   return std::regex_search(code, parameter) ? name : "";
 }
 
 /// What the compiler's words and the line together show; empty if nothing.
 std::string words_about_line(const std::string& error, const std::string& code,
                              const std::string& code_line, std::size_t column) {
-  if (const std::string words = words_about_lookalike(code_line); !words.empty()) return words;
+  if (std::string words = words_about_lookalike(code_line); !words.empty()) return words;
   // The sum before it may be what fails: ^ binds more weakly than + does.
   const bool is_operation = has(error, "'operator") || has(error, "to binary expression");
   if (is_operation && has(code_line, "^"))

@@ -96,8 +96,7 @@ std::string why_hidden(const std::string& code, const std::string& name) {
                              here.find('(') != std::string::npos && here.find('=') > here.find('(');
     if (is_function && std::find(is_hidden.begin(), is_hidden.end(), true) != is_hidden.end())
       return "in a namespace without a name";
-    if (const std::string reason = is_function ? reason_in(here) : ""; !reason.empty())
-      return reason;
+    if (std::string reason = is_function ? reason_in(here) : ""; !reason.empty()) return reason;
     is_hidden.push_back(here.size() < 400 && std::regex_search(here, unnamed));
   }
   return {};

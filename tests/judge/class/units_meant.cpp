@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "support/trimmed.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
@@ -17,21 +18,14 @@ std::string with_hyphens(std::string text) {
   return text;
 }
 
-std::string trimmed(const std::string& text) {
-  constexpr const char* blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 }  // namespace
 
 std::vector<Unit> units_meant(const Course& course, const std::string& text) {
   const std::string plain = with_hyphens(text);
   const std::size_t hyphen = plain.find('-');
-  if (hyphen == std::string::npos) return course.select(trimmed(plain));
-  const std::string from = course.select(trimmed(plain.substr(0, hyphen))).front().id(),
-                    to = course.select(trimmed(plain.substr(hyphen + 1))).back().id();
+  if (hyphen == std::string::npos) return course.select(support::trimmed(plain));
+  const std::string from = course.select(support::trimmed(plain.substr(0, hyphen))).front().id(),
+                    to = course.select(support::trimmed(plain.substr(hyphen + 1))).back().id();
   const auto at = [&](const std::string& id) {
     return std::find_if(course.units.begin(), course.units.end(),
                         [&](const Unit& unit) { return unit.id() == id; });

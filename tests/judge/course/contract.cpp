@@ -5,22 +5,18 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "support/trimmed.hpp"
+
 namespace tumble::judge {
 
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
-}
 
 /// Reads "(const Quaternion& a, double t)": a name is the last word before a comma of the list.
 void read_parameters(const std::string& signature, Declaration& declaration) {
   std::string parameter;
   int depth = 0;
   const auto finish = [&] {
-    parameter = trimmed(parameter);
+    parameter = support::trimmed(parameter);
     const auto last = parameter.find_last_of(" &*");
     if (!parameter.empty()) {
       declaration.parameters.push_back(parameter.substr(last + 1));
@@ -62,7 +58,7 @@ Declaration read_declaration(const Course& course, const Unit& unit) {
       const auto end = line.find(';');
       declaration.signature += line.substr(0, end) + "\n";
       if (end == std::string::npos) continue;
-      declaration.signature = trimmed(declaration.signature);
+      declaration.signature = support::trimmed(declaration.signature);
       read_parameters(declaration.signature, declaration);
       declaration.result =
           declaration.signature.substr(0, declaration.signature.find(" " + unit.name));

@@ -54,7 +54,8 @@ WrongVolume sum_over_crossings(std::size_t count, int faces, const Measure& meas
   };
   for (std::size_t k = 0; k < first; ++k) add(measure(k), 1);
   WrongLengths drawn;
-  const auto number = static_cast<double>((left + step - 1 - step / 2) / step);
+  const std::size_t drawn_count = (left + step - 1 - step / 2) / step;
+  const auto number = static_cast<double>(drawn_count);
   for (std::size_t k = first + step / 2; k < count; k += step)
     drawn.add(add(measure(k), static_cast<double>(left) / number));
   if (step > 1) squares += std::pow(drawn.volume(number, static_cast<double>(left)).uncertainty, 2);

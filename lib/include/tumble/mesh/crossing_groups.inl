@@ -31,6 +31,7 @@ TUMBLE_BODY std::vector<PairOfParts> pairs_that_meet(const PolygonMesh& mesh,
     return part < 0 ? Eigen::AlignedBox3d() : boxes[static_cast<std::size_t>(part)].box;
   };
   std::vector<PairOfParts> list;
+  list.reserve(pairs.size());
   for (auto& [parts, own] : pairs)
     list.push_back({parts, std::move(own), box_of(parts.first).intersection(box_of(parts.second))});
   return list;
@@ -79,6 +80,7 @@ TUMBLE_BODY CrossingGroups::CrossingGroups(const PolygonMesh& mesh, const Compon
   std::map<int, TriangleMeetings> groups;
   for (std::size_t k = 0; k < pairs.size(); ++k) groups[roots[k]].append(pairs[k].meetings);
   std::vector<std::pair<double, int>> order;  // size, root
+  order.reserve(groups.size());
   for (const auto& [root, own] : groups) order.emplace_back(-extent_of_crossing(own), root);
   std::sort(order.begin(), order.end());
   std::map<int, std::size_t> place;

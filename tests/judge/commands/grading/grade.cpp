@@ -52,6 +52,7 @@ std::vector<Submission> wanted(const std::vector<Submission>& all,
   std::vector<Submission> chosen;
   const std::vector<StudentRecord> records = everybody({all, {}, Lms::none, {}, "", {}});
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const Submission& submission : all) names.push_back(submission.student);
   for (const std::string& student : students) {
     const std::vector<std::string> rows = rows_called(records, student);
