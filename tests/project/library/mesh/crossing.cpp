@@ -301,7 +301,8 @@ TEST_CASE("crossings that are apart: a chain of many, of which some are drawn") 
     double overlap;
   };
   for (const Case& one : {Case{24, 0.03}, {48, 0.08}, {200, 0.12}, {600, 0.2}}) {
-    const auto [n, h] = one;
+    const int n = one.boxes;
+    const double h = one.overlap;
     PolygonMesh mesh = test::cube();
     for (int j = 1; j < n; ++j) {
       const Vec3 low = j * Vec3(1 - h, 1 - 1.3 * h, 1 - 0.8 * h);
