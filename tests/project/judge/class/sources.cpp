@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "project/harness/command.hpp"
+#include "project/judge/attacks/submission.hpp"
 #include "project/judge/class/archives.hpp"
 #include "project/judge/class/without_files.hpp"
 #include "support/text_file.hpp"
