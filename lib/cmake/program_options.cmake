@@ -17,7 +17,7 @@ endif()
 
 # By default gcc 12 first looks for what it no longer needs when it has 130 MB, and again each time it has
 # twice as much as was left: an eighth to a fourth of its time, where Eigen is. A student's laptop has
-# memory for this much; whoever compiles on a large machine can give it more.
+# memory for this much; on a large machine you can give it more.
 set(TUMBLE_GCC_HEAP "" CACHE STRING "kB that gcc takes before it collects garbage; empty: 300000")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(gcc_heap 300000)

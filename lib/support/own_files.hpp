@@ -1,7 +1,7 @@
 #pragma once
 /// @file
 /// Files that a program is about to write: none of them may be one that it reads, or another one of
-/// them. Whoever mistypes a name must not lose a file by it.
+/// them. A mistyped name must not cost you a file.
 
 #include <filesystem>
 #include <string>

@@ -136,7 +136,7 @@ Places places_with(const Value& value, bool (*kind)(double)) {
   return places;
 }
 
-/// The places of a list of numbers that are not as demanded; nothing of what is no such list.
+/// The places of a list of numbers that differ from the demanded ones; nothing for another value.
 std::optional<Places> wrong_places(const Finding& finding) {
   const List* answer = finding.answer->as<List>();
   const List* demanded = finding.demanded ? finding.demanded->as<List>() : nullptr;

@@ -128,7 +128,7 @@ TEST_CASE(
   check_text(right_product() + "// cut off \xe2\x82", {"passed"}, 5);
 }
 
-TEST_CASE("odd files: what is no text is refused") {
+TEST_CASE("odd files: a NUL is refused, and bytes without a meaning do not compile") {
   check_text(right_product() + std::string("// \0\n", 5), refused);  // NUL
   check_text("\xff\xfe" + replaced(right_product(), "\n", std::string("\n\0", 2)),
              {"does not compile"});

@@ -40,7 +40,7 @@ TEST_CASE("small motions: what error they have as a part of themselves is said, 
     }
 }
 
-TEST_CASE("small motions: of one that is large enough, the error is the one that is asked for") {
+TEST_CASE("small motions: a motion that is large enough has no error of its own") {
   CHECK(on_a_spring(1, 0, 1e-9).report().error_of_small_motion == 0);
 }
 
