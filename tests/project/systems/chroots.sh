@@ -52,11 +52,12 @@ if [ -z "$mirror" ]; then
 fi
 [ -n "$mirror" ] || fail 'which mirror? --mirror URL'
 
-# A suite's system, with its packages; made once.
+# A suite's system, with its packages; made once. What was broken off half-way has another name.
 make_system() { # suite
   system=$folder/$1
-  if [ ! -x "$system/usr/bin/apt-get" ]; then
-    debootstrap --variant=minbase "$1" "$system" "$mirror" || return 1
+  if [ ! -d "$system" ]; then
+    rm -rf "$system.part"
+    debootstrap --variant=minbase "$1" "$system.part" "$mirror" && mv "$system.part" "$system" || return 1
   fi
   cp /etc/resolv.conf "$system/etc/resolv.conf" || return 1
   # shellcheck disable=SC2086  # words: an option, packages
