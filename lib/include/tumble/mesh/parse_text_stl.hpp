@@ -7,7 +7,9 @@
 /// `solid` and `endsolid` is the rest of the line, or what comes before a facet in it. Files with
 /// several solids are one mesh.
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -47,13 +49,34 @@ class StlTextReader {
   /// The name is the rest of the line. Some programs write all in one line: there it ends at the
   /// last word `next` before a facet.
   void skip_name(std::string_view next) {
-    TextScanner line(text_.rest_of_line(), name_);
-    std::string_view before, last;
-    for (auto word = line.next_word(); !word.empty(); before = word, word = line.next_word()) {
-      if (is_keyword(word, next)) last = word;
-      if (is_keyword(before, "facet") && is_keyword(word, "normal") && !last.empty())
-        return text_.move_to(last.data());
+    TextScanner name = text_;
+    const char* last = nullptr;
+    for (auto word = name.next_word(); !word.empty(); word = name.next_word()) {
+      if (is_keyword(word, next)) last = word.data();
+      if (last != nullptr && is_keyword(word, "facet") && begins_facet(name))
+        return text_.move_to(last);
     }
+    text_.skip_to_line_end();
+  }
+
+  /// Whether what follows the word `facet` is a facet's, and not a name's: then a loop comes before
+  /// the next facet. What is wrong in the loop is left to reading it.
+  static bool begins_facet(TextScanner after) {
+    const auto next = [&after] {
+      after.skip_to_word();
+      return after.next_word();
+    };
+    if (!is_keyword(next(), "normal")) return false;
+    for (std::string_view word = next(); !word.empty(); word = next()) {
+      if (is_one_of(word, {"outer", "loop", "vertex", "endloop", "endfacet"})) return true;
+      if (is_one_of(word, {"facet", "solid", "endsolid"})) return false;
+    }
+    return false;
+  }
+
+  static bool is_one_of(std::string_view word, std::initializer_list<std::string_view> keywords) {
+    return std::any_of(keywords.begin(), keywords.end(),
+                       [=](std::string_view keyword) { return is_keyword(word, keyword); });
   }
 
   void read_facet() {

@@ -122,6 +122,37 @@ TEST_CASE("parse_stl: all may stand in one line, with names or without") {
           .face_count() == 2);
 }
 
+TEST_CASE("parse_stl: a name may be made of keywords") {
+  const std::string facet = facet_begin + three_vertices + facet_end;
+  for (const std::string name :
+       {"facet normal x", "facet", "facet normal", "facet normal 0 0 1", "endsolid", "solid",
+        "facet normal facet normal", "Facet Normal\tmap of it", "solid facet normal x"}) {
+    CAPTURE(name);
+    const std::string one = "solid " + name + '\n' + facet + facet + "endsolid " + name + '\n';
+    CHECK(parse_stl(one, "x").face_count() == 2);
+    CHECK(parse_stl(one + one, "x").face_count() == 4);
+  }
+}
+
+TEST_CASE("parse_stl: no facet is taken for a name, whatever is wrong with it") {
+  for (const char* normal : {"0 0 z", "0 0", "0 0 1 0"})
+    for (const char* begin : {" outer loop ", " outre loop ", " "}) {
+      const std::string bad = std::string("facet normal ") + normal + begin + three_vertices;
+      stl_refused(
+          "solid x " + bad + facet_end + facet_begin + three_vertices + facet_end + "endsolid x",
+          "facet #1");
+    }
+}
+
+TEST_CASE("parse_stl: thousands of solids in one line take no longer than in many") {
+  std::string text = solid_of(facet_begin + three_vertices + facet_end);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  constexpr int count = 30'000;
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  CHECK(parse_stl(all, "x").face_count() == count);  // minutes, if each looks at all that follow
+}
+
 TEST_CASE("parse_stl: refuses a facet without three vertices, and words in the wrong place") {
   const std::string two = "vertex 0 0 0\nvertex 1 0 0\n";
   stl_refused(solid_of(facet_begin + two + facet_end),
