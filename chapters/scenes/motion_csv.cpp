@@ -19,7 +19,6 @@ void add(std::ostringstream& csv, const Vec3& v) {
 
 std::string states_csv(const Scene& scene, const Motions& motions) {
   std::ostringstream csv;
-  csv.precision(17);
   csv << "time,body," << output::csv_columns << '\n';
   for (const double t : record_times(scene, motions))
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

@@ -1,14 +1,13 @@
 #pragma once
 /// @file
-/// States at asked times, as text for other programs: CSV, and JSON (RFC 8259). All numbers are
-/// written with 17 digits, from which a reader gets the same doubles back.
+/// States at asked times, as text for other programs: CSV, and JSON (RFC 8259). A number has
+/// as few digits as give a reader the same double back.
 
-#include <iomanip>
-#include <limits>
 #include <ostream>
 #include <span>
 #include <vector>
 
+#include "tumble/core/shortest.hpp"
 #include "tumble/simulate/simulate_bodies.hpp"
 
 namespace tumble::output {
@@ -27,29 +26,11 @@ inline constexpr const char* csv_columns =
 
 namespace tumble::detail {
 
-/// Writes with all digits; the stream is as before at the end.
-class AllDigits {
- public:
-  explicit AllDigits(std::ostream& out) : out_(out), flags_(out.flags()), digits_(out.precision()) {
-    out << std::defaultfloat << std::setprecision(std::numeric_limits<double>::max_digits10);
-  }
-  ~AllDigits() {
-    out_.flags(flags_);
-    out_.precision(digits_);
-  }
-  AllDigits(const AllDigits&) = delete;
-  AllDigits& operator=(const AllDigits&) = delete;
-
- private:
-  std::ostream& out_;
-  std::ios_base::fmtflags flags_;
-  std::streamsize digits_;
-};
-
 /// The numbers one after the other, with commas between.
 template <class Numbers>
 void write_numbers(std::ostream& out, const Numbers& numbers) {
-  for (Eigen::Index i = 0; i < numbers.size(); ++i) out << (i == 0 ? "" : ",") << numbers[i];
+  for (Eigen::Index i = 0; i < numbers.size(); ++i)
+    out << (i == 0 ? "" : ",") << shortest(numbers[i]);
 }
 
 /// The numbers of output::csv_columns.

@@ -42,10 +42,9 @@ namespace tumble::output {
 
 TUMBLE_BODY void write_csv(std::ostream& out, const RigidBody<>& body, const Trajectory& trajectory,
                            std::span<const double> times) {
-  const detail::AllDigits all(out);
   out << "time," << csv_columns << '\n';
   for (const double t : times) {
-    out << t << ',';
+    out << detail::shortest(t) << ',';
     detail::write_csv_numbers(out, body, trajectory.at(t));
     out << '\n';
   }
@@ -53,12 +52,11 @@ TUMBLE_BODY void write_csv(std::ostream& out, const RigidBody<>& body, const Tra
 
 TUMBLE_BODY void write_csv(std::ostream& out, const std::vector<RigidBody<>>& bodies,
                            const SceneTrajectory& trajectory, std::span<const double> times) {
-  const detail::AllDigits all(out);
   out << "time,body," << csv_columns << '\n';
   for (const double t : times) {
     const std::vector<RigidBodyState<>> states = trajectory.at(t);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      out << t << ',' << i << ',';
+      out << detail::shortest(t) << ',' << i << ',';
       detail::write_csv_numbers(out, bodies[i], states[i]);
       out << '\n';
     }
@@ -67,10 +65,9 @@ TUMBLE_BODY void write_csv(std::ostream& out, const std::vector<RigidBody<>>& bo
 
 TUMBLE_BODY void write_json(std::ostream& out, const RigidBody<>& body,
                             const Trajectory& trajectory, std::span<const double> times) {
-  const detail::AllDigits all(out);
   const char* separator = "[\n";
   for (const double t : times) {
-    out << separator << "{\"time\":" << t << ',';
+    out << separator << "{\"time\":" << detail::shortest(t) << ',';
     detail::write_json_members(out, body, trajectory.at(t));
     out << '}';
     separator = ",\n";
@@ -80,11 +77,10 @@ TUMBLE_BODY void write_json(std::ostream& out, const RigidBody<>& body,
 
 TUMBLE_BODY void write_json(std::ostream& out, const std::vector<RigidBody<>>& bodies,
                             const SceneTrajectory& trajectory, std::span<const double> times) {
-  const detail::AllDigits all(out);
   const char* separator = "[\n";
   for (const double t : times) {
     const std::vector<RigidBodyState<>> states = trajectory.at(t);
-    out << separator << "{\"time\":" << t << ",\"bodies\":[";
+    out << separator << "{\"time\":" << detail::shortest(t) << ",\"bodies\":[";
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       out << (i == 0 ? "{" : ",{");
       detail::write_json_members(out, bodies[i], states[i]);

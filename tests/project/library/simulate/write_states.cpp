@@ -68,6 +68,18 @@ TEST_CASE("write_csv and write_json of several bodies") {
   CHECK(parsed[1]["bodies"][0]["angular_momentum"][1] == motion.at(three_times[1])[0].L.y());
 }
 
+TEST_CASE("write_csv and write_json: no digit that says nothing") {
+  const RigidBodyState<> still{Vec3(0.1, -0.3, 1e-7)};
+  const Trajectory motion = simulate(written_bodies[1], still, {0, 2, 1e-9}, SteadyForces{});
+  std::ostringstream csv, text;
+  csv.precision(2);
+  text.precision(2);
+  output::write_csv(csv, written_bodies[1], motion, std::vector{0.1});
+  output::write_json(text, written_bodies[1], motion, std::vector{0.1});
+  CHECK(csv.str().ends_with("\n0.1,0.1,-0.3,1e-07,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n"));
+  CHECK(text.str().find("{\"time\":0.1,\"position\":[0.1,-0.3,1e-07],") != std::string::npos);
+}
+
 TEST_CASE("write_json: a list that any reader takes, of no time too") {
   const Trajectory motion = simulate(written_bodies[0], written_starts[0], {0, 2, 1e-9}, Weight{});
   std::ostringstream none, some;
