@@ -107,7 +107,8 @@ TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
   const WrongDepth* const longest = longest_of(wrong, counts);
   if (longest == nullptr && (!wrong.empty() || (through.empty() && touching.empty())))
     return findings;
-  const WrongVolume found = wrong_volume(of.mesh, of.surface, of.box, evidence, blur, counts);
+  SearchedMesh on(of.mesh, of.surface, of.box, blur);
+  const WrongVolume found = wrong_volume(on, evidence, counts);
   if (longest != nullptr || found.volume > 0 || !through.empty())
     findings.push_back(crossing_defect(of, evidence, longest, found));
   return findings;

@@ -14,6 +14,7 @@
 
 #include "tumble/core/random_fraction.hpp"
 #include "tumble/mesh/line_bundle.hpp"
+#include "tumble/mesh/searched_mesh.hpp"
 
 namespace tumble::detail {
 
@@ -55,10 +56,11 @@ template <class Counts>
 class CrossingCells {
  public:
   /// @param cells how many the box is cut into
-  CrossingCells(const LinesOnMesh& what, const Eigen::AlignedBox3d& box, double cells,
+  CrossingCells(SearchedMesh& on, const View& view, const Eigen::AlignedBox3d& box, double cells,
                 const Counts& counts)
-      : what_(what),
-        box_(what.view.box(box)),
+      : on_(on),
+        what_(on.lines(view)),
+        box_(view.box(box)),
         grid_(box_, cells),
         counts_(counts),
         known_(static_cast<std::size_t>(grid_.nx()) * static_cast<std::size_t>(grid_.ny())) {}
@@ -68,6 +70,7 @@ class CrossingCells {
 
   /// Goes on until the crossing is surrounded, or so large that it need not be.
   WrongVolume measure() {
+    near_ = on_.over(what_.view, with_margin(box_, width(), height()));
     WrongVolume all;
     double squares = 0;
     while (!next_.empty() && measured_ < most_cells) {
@@ -99,6 +102,9 @@ class CrossingCells {
   static constexpr int side = 6;
   static constexpr std::size_t per_cell = side * side, most_cells = 4096;
 
+  static Rectangle with_margin(const Eigen::AlignedBox3d& box, double x, double y) {
+    return {box.min().x() - x, box.max().x() + x, box.min().y() - y, box.max().y() + y};
+  }
   double width() const { return box_.sizes().x() / grid_.nx(); }
   double height() const { return box_.sizes().y() / grid_.ny(); }
   double cell_area() const { return width() * height(); }
@@ -131,7 +137,8 @@ class CrossingCells {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) lines.push_back(point_in(box, i, j, n));
     WrongLengths all;
-    for (const double length : wrong_lengths(hits_of_lines(what_, LineList(box, lines)), counts_))
+    for (const double length :
+         wrong_lengths(hits_of_lines(what_, LineList(box, lines), near_), counts_))
       all.add(length);
     return all.volume(n * n, box.sizes().x() * box.sizes().y());
   }
@@ -139,7 +146,7 @@ class CrossingCells {
   std::vector<double> lengths_on(const std::vector<PlanePoint>& lines) const {
     Eigen::AlignedBox3d box;
     for (const PlanePoint& line : lines) box.extend(Vec3(line.x(), line.y(), 0));
-    return wrong_lengths(hits_of_lines(what_, LineList(box, lines)), counts_);
+    return wrong_lengths(hits_of_lines(what_, LineList(box, lines), near_), counts_);
   }
 
   /// A point at random in piece (i, j) of n × n.
@@ -163,9 +170,11 @@ class CrossingCells {
     return lines;
   }
 
+  SearchedMesh& on_;
   LinesOnMesh what_;
   Eigen::AlignedBox3d box_;
   XyGrid grid_;
+  std::vector<FaceTriangle> near_;  // all that lines in the cells, or beside them, may meet
   Counts counts_;
   std::vector<bool> known_;
   std::vector<Cell> next_;

@@ -9,7 +9,7 @@
 #include "tumble/mesh/crossing_cells.hpp"
 #include "tumble/mesh/crossing_groups.hpp"
 #include "tumble/mesh/crossing_pairs.hpp"
-#include "tumble/mesh/part_overlaps.hpp"
+#include "tumble/mesh/searched_mesh.hpp"
 
 namespace tumble::detail {
 
@@ -58,12 +58,11 @@ Eigen::AlignedBox3d box_around(const CrossingEvidence& evidence, const Eigen::Al
 
 /// The box around the parts that cross themselves or each other: of an assembly it is a piece.
 template <class Counts>
-Eigen::AlignedBox3d box_of_parts(const PolygonMesh& mesh, const Components& surface,
-                                 const CrossingEvidence& evidence, const Counts& counts) {
-  const std::vector<BoxedTriangle> parts = boxed_parts(mesh, surface);
+Eigen::AlignedBox3d box_of_parts(const SearchedMesh& on, const CrossingEvidence& evidence,
+                                 const Counts& counts) {
   Eigen::AlignedBox3d box;
   const auto extend = [&](int part) {
-    if (part >= 0) box.extend(parts[static_cast<std::size_t>(part)].box);
+    if (part >= 0) box.extend(on.box_of_part(part));
   };
   for (const WrongDepth& wrong : evidence.wrong) {
     if (!counts(wrong)) continue;
@@ -72,18 +71,15 @@ Eigen::AlignedBox3d box_of_parts(const PolygonMesh& mesh, const Components& surf
   }
   for (const auto* list : {&evidence.meetings.through, &evidence.meetings.touching})
     for (const TriangleMeeting& meeting : *list)
-      for (const int face : meeting.faces) extend(surface.of(mesh.face(face)[0]));
+      for (const int face : meeting.faces) extend(on.part_of_face(face));
   return box;
 }
 
 /// What lines along the axes are drawn for.
 template <class Counts>
 struct CrossingLines {
-  const PolygonMesh& mesh;
-  const Components& surface;
-  const Eigen::AlignedBox3d& box;  ///< around all vertices
+  SearchedMesh& on;
   const CrossingEvidence& evidence;
-  double blur;
   const Counts& counts;  ///< counts(WrongDepth): whether a piece of a line belongs to the crossing
 
   /// The volume that counts wrongly in a box that is cut into cells: the most that is seen along
@@ -94,7 +90,7 @@ struct CrossingLines {
     for (int axis = 0; axis < 3; ++axis) {
       const View view{axis};
       const LineHits& hits = evidence.bundle.along[static_cast<std::size_t>(axis)];
-      CrossingCells cells(LinesOnMesh{mesh, surface, view, blur}, where, cell_count, counts);
+      CrossingCells cells(on, view, where, cell_count, counts);
       std::size_t seen = 0;
       const auto begin_at = [&](const LineHits& lines) {
         for (const WrongDepth& wrong : find_wrong_depths(lines)) {
@@ -109,7 +105,7 @@ struct CrossingLines {
         for (const TriangleMeeting& meeting : *list)
           cells.begin_at(view.point(meeting.crossing.place).head<2>());
       const WrongVolume found =
-          seen < enough ? cells.measure() : volume_by_lattice(hits, view.box(box), counts);
+          seen < enough ? cells.measure() : volume_by_lattice(hits, view.box(on.box()), counts);
       const bool nothing = found.volume == 0 && largest.volume == 0;
       if (axis == 0 || found.volume > largest.volume ||
           (nothing && found.uncertainty < largest.uncertainty))
@@ -123,13 +119,12 @@ struct CrossingLines {
 /// it, all lines are drawn near it.
 /// @param counts counts(WrongDepth): whether a piece of a line belongs to the crossing
 template <class Counts>
-WrongVolume wrong_volume_at(const PolygonMesh& mesh, const Components& surface,
-                            const Eigen::AlignedBox3d& box, const CrossingEvidence& evidence,
-                            double blur, const Counts& counts) {
-  const CrossingLines<Counts> lines{mesh, surface, box, evidence, blur, counts};
+WrongVolume wrong_volume_at(SearchedMesh& on, const CrossingEvidence& evidence,
+                            const Counts& counts) {
+  const CrossingLines<Counts> lines{on, evidence, counts};
   const bool met = evidence.is_seen(counts), through = !evidence.meetings.through.empty();
   if (!met && through) return lines.volume_in(box_around(evidence.meetings.through), 256);
-  const Eigen::AlignedBox3d parts = box_of_parts(mesh, surface, evidence, counts);
+  const Eigen::AlignedBox3d parts = box_of_parts(on, evidence, counts);
   const WrongVolume found = lines.volume_in(parts, 4096);
   if (!met || found.uncertainty < found.volume / 2) return found;
   const WrongVolume closer = lines.volume_in(box_around(evidence, parts, counts), 4096);
@@ -141,12 +136,10 @@ WrongVolume wrong_volume_at(const PolygonMesh& mesh, const Components& surface,
 /// The volume that counts wrongly at all crossings: those that are apart are measured one by one,
 /// because a box around all of them has cells that are larger than they are.
 template <class Counts>
-WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
-                         const Eigen::AlignedBox3d& box, const CrossingEvidence& evidence,
-                         double blur, const Counts& counts) {
-  const CrossingGroups groups(mesh, surface, evidence.meetings);
+WrongVolume wrong_volume(SearchedMesh& on, const CrossingEvidence& evidence, const Counts& counts) {
+  const CrossingGroups groups(on.mesh(), on.surface(), evidence.meetings);
   const std::size_t number = groups.list().size();
-  if (number < 2) return wrong_volume_at(mesh, surface, box, evidence, blur, counts);
+  if (number < 2) return wrong_volume_at(on, evidence, counts);
   const auto measure = [&](std::size_t k) -> WrongVolume {
     const auto belongs = [&groups, &counts, k](const WrongDepth& wrong) {
       return groups.owner(wrong) == k && counts(wrong);
@@ -155,11 +148,11 @@ WrongVolume wrong_volume(const PolygonMesh& mesh, const Components& surface,
     const CrossingEvidence own{evidence.bundle, evidence.wrong,
                                k < number ? groups.list()[k] : none};
     if (k == number && !own.is_seen(belongs)) return {};
-    const WrongVolume found = wrong_volume_at(mesh, surface, box, own, blur, belongs);
+    const WrongVolume found = wrong_volume_at(on, own, belongs);
     const bool only_touch = found.volume == 0 && own.meetings.through.empty();
     return only_touch ? WrongVolume{} : found;
   };
-  const WrongVolume known = sum_over_crossings(number, mesh.face_count(), measure),
+  const WrongVolume known = sum_over_crossings(number, on.mesh().face_count(), measure),
                     others = measure(number);
   return {known.volume + others.volume, std::hypot(known.uncertainty, others.uncertainty)};
 }

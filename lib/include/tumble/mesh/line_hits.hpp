@@ -84,6 +84,10 @@ class HitCollector {
 /// Where lines anywhere meet the mesh.
 LineHits hits_of_lines(const LinesOnMesh& what, const LineList& lines);
 
+/// The same, if it is known which triangles may meet one.
+LineHits hits_of_lines(const LinesOnMesh& what, const LineList& lines,
+                       const std::vector<FaceTriangle>& near);
+
 /// Where the lines of a lattice meet the mesh.
 /// @param near all triangles that may meet one
 LineHits hits_of_lattice(const LinesOnMesh& what, const LineLattice& lattice,

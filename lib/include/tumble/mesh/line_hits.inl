@@ -46,11 +46,23 @@ TUMBLE_BODY LineHits hits_of_lines(const LinesOnMesh& what, const LineList& line
   return collector.sorted();
 }
 
-TUMBLE_BODY LineHits hits_of_lattice(const LinesOnMesh& what, const LineLattice& lattice,
-                                     const std::vector<FaceTriangle>& near) {
-  HitCollector collector(what, lattice);
+/// What the lines of a list or a lattice meet of some triangles.
+template <class Lines>
+LineHits hits_on(const LinesOnMesh& what, const Lines& lines,
+                 const std::vector<FaceTriangle>& near) {
+  HitCollector collector(what, lines);
   for (const FaceTriangle& triangle : near) collector.add(triangle.face, triangle.vertices);
   return collector.sorted();
+}
+
+TUMBLE_BODY LineHits hits_of_lines(const LinesOnMesh& what, const LineList& lines,
+                                   const std::vector<FaceTriangle>& near) {
+  return hits_on(what, lines, near);
+}
+
+TUMBLE_BODY LineHits hits_of_lattice(const LinesOnMesh& what, const LineLattice& lattice,
+                                     const std::vector<FaceTriangle>& near) {
+  return hits_on(what, lattice, near);
 }
 
 TUMBLE_BODY std::vector<PlanePoint> lines_through_parts(const PolygonMesh& mesh,

@@ -20,6 +20,9 @@ struct Rectangle {
   bool contains(const PlanePoint& p) const {
     return x0 <= p.x() && p.x() <= x1 && y0 <= p.y() && p.y() <= y1;
   }
+  bool meets(const Rectangle& other) const {
+    return x0 <= other.x1 && other.x0 <= x1 && y0 <= other.y1 && other.y0 <= y1;
+  }
 };
 
 /// What a triangle covers, seen from above.
