@@ -115,6 +115,16 @@ struct CrossingLines {
   }
 };
 
+/// What may count wrongly where triangles pass through each other, but no line has seen it: they
+/// lie no deeper in each other than they do somewhere, on no more than the whole surface.
+inline double most_unseen(const SearchedMesh& on, const std::vector<TriangleMeeting>& through) {
+  double deepest = 0, area = 0;
+  for (const TriangleMeeting& meeting : through)
+    deepest = std::max(deepest, meeting.crossing.depth);
+  for (const Component& part : on.surface().parts) area += part.area;
+  return deepest * area;
+}
+
 /// The volume that counts wrongly at one crossing. Where a crossing is so small that few lines met
 /// it, all lines are drawn near it.
 /// @param counts counts(WrongDepth): whether a piece of a line belongs to the crossing
@@ -123,7 +133,12 @@ WrongVolume wrong_volume_at(SearchedMesh& on, const CrossingEvidence& evidence,
                             const Counts& counts) {
   const CrossingLines<Counts> lines{on, evidence, counts};
   const bool met = evidence.is_seen(counts), through = !evidence.meetings.through.empty();
-  if (!met && through) return lines.volume_in(box_around(evidence.meetings.through), 256);
+  if (!met && through) {
+    WrongVolume near = lines.volume_in(box_around(evidence.meetings.through), 256);
+    if (near.volume == 0)
+      near.uncertainty = std::min(near.uncertainty, most_unseen(on, evidence.meetings.through));
+    return near;
+  }
   const Eigen::AlignedBox3d parts = box_of_parts(on, evidence, counts);
   const WrongVolume found = lines.volume_in(parts, 4096);
   if (!met || found.uncertainty < found.volume / 2) return found;

@@ -7,8 +7,14 @@ namespace tumble::detail {
 
 TUMBLE_BODY Eigen::AlignedBox3d box_around(const std::vector<TriangleMeeting>& meetings) {
   Eigen::AlignedBox3d box;
-  for (const TriangleMeeting& meeting : meetings) box.extend(meeting.crossing.place);
-  const double margin = box.sizes().maxCoeff() / 2;
+  double deepest = 0;
+  for (const TriangleMeeting& meeting : meetings) {
+    const TriangleCrossing& crossing = meeting.crossing;
+    box.extend(crossing.place - Vec3::Constant(crossing.reach));
+    box.extend(crossing.place + Vec3::Constant(crossing.reach));
+    deepest = std::max(deepest, crossing.depth);
+  }
+  const double margin = std::max(box.sizes().maxCoeff() / 2, deepest);
   return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
 }
 

@@ -60,8 +60,9 @@ Meeting triangles_meet(const Triangle& s, const Triangle& t);
 
 /// Where two triangles pass through each other, and how far.
 struct TriangleCrossing {
-  Vec3 place;    ///< the mean of where edges go through [m]
-  double depth;  ///< how far the ends of edges are beyond [m]
+  Vec3 place;        ///< the mean of where edges go through [m]
+  double depth;      ///< how far one has to be moved to part them, at most [m]
+  double reach = 0;  ///< how far from `place` edges go through [m]
 };
 
 /// How far an edge goes through the plane of a triangle: how far the nearer end is from it [m].
@@ -69,6 +70,11 @@ inline double depth_of_edge(const Vec3& p, const Vec3& q, const Triangle& t) {
   const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
   return std::min(std::abs(n.dot(p - t[0])), std::abs(n.dot(q - t[0])));
 }
+
+/// How far two triangles have to be moved at least to part them [m]: along the normal of one of
+/// them, or across an edge of each. Source: Gottschalk, Lin & Manocha, "OBBTree", SIGGRAPH (1996)
+/// (separating axes).
+double parting_distance(const Triangle& s, const Triangle& t);
 
 /// Measures two triangles that pass through each other, in doubles.
 TriangleCrossing measure_crossing(const Triangle& s, const Triangle& t);

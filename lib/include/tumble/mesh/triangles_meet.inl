@@ -2,6 +2,8 @@
 
 #include "tumble/mesh/triangles_meet.hpp"
 
+#include <limits>
+
 #include "tumble/core/compiled.hpp"
 #include "tumble/mesh/integer_determinant.hpp"
 #include "tumble/simd/pair.hpp"
@@ -87,23 +89,54 @@ TUMBLE_BODY Meeting triangles_meet(const Triangle& s, const Triangle& t) {
   return closest;
 }
 
+/// How far two triangles overlap along a direction; infinite if there is none.
+inline double overlap_along(const Vec3& direction, const Triangle& s, const Triangle& t) {
+  const double length = direction.norm();
+  if (!(length > 0)) return std::numeric_limits<double>::infinity();
+  const auto extent = [&](const Triangle& triangle) {
+    const Vec3 n = direction / length;
+    return std::minmax(
+        {n.dot(triangle[0] - s[0]), n.dot(triangle[1] - s[0]), n.dot(triangle[2] - s[0])});
+  };
+  const auto [low_s, high_s] = extent(s);
+  const auto [low_t, high_t] = extent(t);
+  return std::min(high_s - low_t, high_t - low_s);
+}
+
+TUMBLE_BODY double parting_distance(const Triangle& s, const Triangle& t) {
+  const auto edge = [](const Triangle& of, std::size_t k) { return Vec3(of[(k + 1) % 3] - of[k]); };
+  double least = std::min(overlap_along(edge(s, 0).cross(edge(s, 1)), s, t),
+                          overlap_along(edge(t, 0).cross(edge(t, 1)), s, t));
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      least = std::min(least, overlap_along(edge(s, i).cross(edge(t, j)), s, t));
+  return std::max(least, 0.0);
+}
+
 TUMBLE_BODY TriangleCrossing measure_crossing(const Triangle& s, const Triangle& t) {
   TriangleCrossing result{Vec3::Zero(), 0};
+  std::array<Vec3, 6> places;
   int count = 0;
   const auto add = [&](const Vec3& p, const Vec3& q, const Triangle& of) {
     if (edge_meets(p, q, of) != Meeting::through) return;
     const Vec3 n = (of[1] - of[0]).cross(of[2] - of[0]);
     const double above = n.dot(p - of[0]), below = n.dot(q - of[0]);
     const double part = above / (above - below);  // of the way; rounding may have made it anything
-    result.place += p + std::clamp(std::isfinite(part) ? part : 0.5, 0.0, 1.0) * (q - p);
+    const Vec3 place = p + std::clamp(std::isfinite(part) ? part : 0.5, 0.0, 1.0) * (q - p);
+    places[static_cast<std::size_t>(count++)] = place;
+    result.place += place;
     result.depth = std::max(result.depth, depth_of_edge(p, q, of));
-    ++count;
   };
   for (std::size_t k = 0; k < 3; ++k) {
     add(s[k], s[(k + 1) % 3], t);
     add(t[k], t[(k + 1) % 3], s);
   }
   result.place /= count;
+  for (int k = 0; k < count; ++k)
+    result.reach =
+        std::max(result.reach, (places[static_cast<std::size_t>(k)] - result.place).norm());
+  // An edge may pass far through the plane of a triangle, and yet close to its border.
+  result.depth = std::min(result.depth, parting_distance(s, t));
   return result;
 }
 

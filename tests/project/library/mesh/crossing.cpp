@@ -206,6 +206,38 @@ TEST_CASE("coordinate_rounding: half of what lies between two floats") {
   CHECK(detail::coordinate_rounding(body) == 0);
 }
 
+TEST_CASE("a crossing: a concave polygon that rounding has bent crosses nothing") {
+  const auto star = [](int n, double inner) {
+    std::vector<Eigen::Vector2d> outline;
+    for (int i = 0; i < 2 * n; ++i) {
+      const double r = i % 2 == 0 ? 1 : inner, a = M_PI * i / n;
+      outline.emplace_back(r * std::cos(a), r * std::sin(a));
+    }
+    return outline;
+  };
+  const std::vector<std::vector<Eigen::Vector2d>> outlines = {
+      star(5, 0.4),
+      star(9, 0.2),
+      {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}},
+      {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {3, 2}, {3, 3}, {0, 3}}};
+  test::Random random(25);
+  for (const auto& outline : outlines)
+    for (const double height : {0.05, 1., 20.})
+      for (std::size_t first = 0; first < outline.size(); first += 3) {
+        std::vector<Eigen::Vector2d> turned = outline;
+        std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first),
+                    turned.end());
+        const PolygonMesh prism = placed(test::prism(turned, height), random);
+        for (const char* format : {"%.6f", "%.9f"})
+          for (const MeshDefect& finding : diagnose(written(prism, format))) {
+            INFO(finding.message);
+            CHECK(!spoils_integrals(finding));
+            if (finding.kind == MeshDefectKind::self_crossing)
+              CHECK(finding.share + finding.share_uncertainty < 1e-4);
+          }
+      }
+}
+
 TEST_CASE("coordinate_rounding: half a unit of the last decimal that is written") {
   using detail::coordinate_rounding;
   test::Random random(9);
