@@ -71,10 +71,18 @@ MeshDefect crossing_defect(const CrossingQuestion& of, const CrossingEvidence& e
 std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of, TriangleMeetings meetings,
                                          double blur);
 
-/// Whether a surface crosses itself by more than what may pass as rounding.
-inline bool counts_too_much(const std::vector<MeshDefect>& findings) {
+/// The share that may pass as rounding.
+/// @param written how far coordinates were rounded when they were written [m]
+/// @param box     around all vertices
+inline double excused_share(double written, const Eigen::AlignedBox3d& box) {
+  constexpr double of_floats = 0x1p-24;  // of the largest coordinate, at most
+  return written <= of_floats * largest_coordinate(box) ? rounding_share_of_floats : rounding_share;
+}
+
+/// Whether a surface crosses itself by more than some share.
+inline bool counts_too_much(const std::vector<MeshDefect>& findings, double share) {
   return std::any_of(findings.begin(), findings.end(),
-                     [](const MeshDefect& finding) { return finding.share > rounding_share; });
+                     [=](const MeshDefect& finding) { return finding.share > share; });
 }
 
 /// The crossings of a known share, as notes.

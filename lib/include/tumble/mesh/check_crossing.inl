@@ -129,9 +129,10 @@ TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
                                                      const TriangleMeetings& meetings) {
   const double blur = double_blur(of.box);
   std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, blur);
-  if (findings.empty() || counts_too_much(findings)) return findings;
+  if (findings.empty() || counts_too_much(findings, rounding_share_of_floats)) return findings;
   const double written = of.written();
-  if (!(written > blur)) return findings;
+  if (!(written > blur) || counts_too_much(findings, excused_share(written, of.box)))
+    return findings;
   std::vector<MeshDefect> left = find_wrong_depth(of, meetings, written);
   return left.empty() ? as_rounding(findings) : left;
 }

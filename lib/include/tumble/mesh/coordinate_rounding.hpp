@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// How coarsely the coordinates of a mesh were written: half a unit of a file's last decimal is
-/// rounding, not shape.
+/// How coarsely the coordinates of a mesh were written: half a unit of a file's last decimal, or of
+/// the last bit of a float, is rounding, not shape.
 ///
 /// A file says `0.123457`; the double that is read is the nearest one to it, and of all decimals
 /// with so few digits it is the nearest to one only. So the digits can be counted afterwards.
@@ -50,14 +50,24 @@ struct WrittenDigits {
 
   /// Where the last digit stands of a number that begins at 10^first.
   int last_place(int first, bool fixed) const { return fixed ? places : significant - 1 - first; }
+
+  /// Half a unit of that digit; 0 if there are as many as a double has.
+  double rounding(int first, bool fixed) const {
+    return significant >= most ? 0 : power_of_ten(-last_place(first, fixed)) / 2;
+  }
 };
 
 /// Whether many different numbers need the last digit: one may have been chosen so, and of many
 /// numbers that were rounded nine in ten do.
 bool many_need_last(const WrittenDigits& digits, bool fixed, std::span<const Vec3> vertices);
 
-/// Half of what lies between floats at the largest coordinate, if all are floats; else 0.
-double rounding_of_floats(std::span<const Vec3> vertices);
+/// Whether a number has more bits than six digits: few are chosen so.
+bool needs_many_bits(float x);
+
+/// Half of what lies between floats at the largest coordinate, if all were floats before they were
+/// written with these digits; else 0. A float far away has few digits behind the point, and so many
+/// before it that none of the decimals is rounded.
+double rounding_of_floats(const WrittenDigits& digits, bool fixed, std::span<const Vec3> vertices);
 
 /// How far a coordinate may be from what it was before it was written: half a unit of the last
 /// decimal, or of the last bit of a float [m]; 0 if the coordinates are doubles like any others, or

@@ -35,15 +35,29 @@ TUMBLE_BODY bool many_need_last(const WrittenDigits& digits, bool fixed,
   return false;
 }
 
-TUMBLE_BODY double rounding_of_floats(std::span<const Vec3> vertices) {
-  constexpr int digits = std::numeric_limits<float>::digits;
+TUMBLE_BODY bool needs_many_bits(float x) {
+  constexpr int many = 20;
+  int exponent = 0;
+  const float bits = std::ldexp(std::frexp(x, &exponent), many);
+  return bits != std::floor(bits);
+}
+
+TUMBLE_BODY double rounding_of_floats(const WrittenDigits& digits, bool fixed,
+                                      std::span<const Vec3> vertices) {
+  constexpr double half = 1.05;  // a float may be half-way between two decimals, and rounded
   double largest = 0;
+  bool needs_floats = false;
   for (const Vec3& p : vertices)
     for (const double x : p) {
-      if (static_cast<double>(static_cast<float>(x)) != x) return 0;
+      const auto as_float = static_cast<float>(x);
+      if (x == 0) continue;
+      const double moved = std::abs(x - double{as_float});
+      if (!(moved <= half * digits.rounding(first_place(x), fixed))) return 0;
+      needs_floats = needs_floats || needs_many_bits(as_float);
       largest = std::max(largest, std::abs(x));
     }
-  return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - digits) : 0;
+  return needs_floats ? std::ldexp(1.0, std::ilogb(largest) - std::numeric_limits<float>::digits)
+                      : 0;
 }
 
 TUMBLE_BODY double coordinate_rounding(std::span<const Vec3> vertices) {
@@ -51,11 +65,14 @@ TUMBLE_BODY double coordinate_rounding(std::span<const Vec3> vertices) {
   WrittenDigits digits;
   for (const Vec3& p : vertices)
     for (const double x : p) digits.add(x);
-  if (digits.significant >= WrittenDigits::most) return rounding_of_floats(vertices);
   const auto many = [&](bool fixed) { return many_need_last(digits, fixed, vertices); };
   const bool fixed = digits.may_be_fixed() && (many(true) || !many(false));
   const bool rounded = digits.significant >= fewest || (digits.significant >= least && many(fixed));
-  return rounded ? power_of_ten(-digits.last_place(digits.largest_place, fixed)) / 2 : 0;
+  // As floats they are of one kind or the other: a few may look as if they were of both.
+  return rounded ? std::max({digits.rounding(digits.largest_place, fixed),
+                             rounding_of_floats(digits, true, vertices),
+                             rounding_of_floats(digits, false, vertices)})
+                 : 0;
 }
 
 }  // namespace tumble::detail

@@ -34,10 +34,14 @@ LineBundle hits_of_bundle(const PolygonMesh& mesh, const Components& surface,
 /// How deep inside the others each part lies, and whether it crosses itself, as all lines say.
 std::vector<PartDepth> measure_parts(const LineBundle& bundle, const Components& surface);
 
+/// The largest coordinate of all that is in a box, without its sign [m].
+inline double largest_coordinate(const Eigen::AlignedBox3d& box) {
+  return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
 /// How far rounding to doubles may have moved a coordinate [m].
 inline double double_blur(const Eigen::AlignedBox3d& box) {
-  const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  return 8 * unit_roundoff * largest;
+  return 8 * unit_roundoff * largest_coordinate(box);
 }
 
 }  // namespace tumble::detail

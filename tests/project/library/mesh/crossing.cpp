@@ -206,6 +206,50 @@ TEST_CASE("coordinate_rounding: half of what lies between two floats") {
   CHECK(detail::coordinate_rounding(body) == 0);
 }
 
+TEST_CASE("coordinate_rounding: floats far away have few digits behind the point, and are floats") {
+  test::Random random(21);
+  const PolygonMesh body = placed(test::cube(), random, 2);
+  for (const double far : {1e3, 1e4, 7e4, 1e6}) {
+    PolygonMesh there = test::moved(body, 1, Vec3(far, -far / 3, far / 7));
+    for (Vec3& p : there.vertices) p = p.cast<float>().cast<double>();
+    const double half = std::ldexp(1.0, std::ilogb(far) - 24);
+    CAPTURE(far);
+    for (const char* format : {"%.17g", "%.9g", "%.9f"})
+      CHECK(detail::coordinate_rounding(written(there, format)) == doctest::Approx(half));
+  }
+  // Whole numbers, halves and the like are floats too, but nobody rounded them.
+  CHECK(detail::coordinate_rounding(test::moved(test::cube(), 0x1p-12, Vec3(3, 5, 9))) < 1e-12);
+}
+
+TEST_CASE("a crossing: parts that touch pass as floats too, far away, with what counts twice") {
+  const PolygonMesh standing =
+      test::together(test::box({0, 0, 0}, {2, 2, 1}), test::box({0.5, 0.6, 1}, {1.3, 1.2, 1.7}));
+  const PolygonMesh peg = two_boxes({1, 0.4, 0.3}, {1.5, 0.7, 0.6});
+  test::Random random(23);
+  int notes = 0;
+  for (const PolygonMesh& mesh : {standing, peg})
+    for (const double far : {1e4, 1e5})
+      for (const double scale : {1., 10., 100., 1000.})
+        for (int i = 0; i < 4; ++i) {
+          if (scale < 1e-4 * far) continue;  // two floats are a hundredth of the body apart
+          const Vec3 d = far * random.vector().normalized();
+          PolygonMesh there = test::moved(placed(mesh, random, scale), 1, d);
+          for (Vec3& p : there.vertices) p = p.cast<float>().cast<double>();
+          INFO("scale ", scale, " at ", far);
+          for (const MeshDefect& finding : diagnose(test::triangulated(there))) {
+            INFO(finding.message);
+            CHECK(!spoils_integrals(finding));
+            notes += finding.may_be_rounding && finding.share > 1e-6;
+          }
+        }
+  CHECK(notes > 5);
+  // A part that is lost is no rounding.
+  PolygonMesh deep = placed(two_boxes({0.99, 0.1, 0.1}, {2, 0.9, 0.9}), random);
+  deep = test::moved(deep, 1, Vec3(1e4, 2e4, 3e4));
+  for (Vec3& p : deep.vertices) p = p.cast<float>().cast<double>();
+  CHECK_REFUSED(require_body(deep), "of the volume count wrongly");
+}
+
 TEST_CASE("a crossing: a concave polygon that rounding has bent crosses nothing") {
   const auto star = [](int n, double inner) {
     std::vector<Eigen::Vector2d> outline;
