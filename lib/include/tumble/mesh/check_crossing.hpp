@@ -67,9 +67,10 @@ MeshDefect crossing_defect(const CrossingQuestion& of, const CrossingEvidence& e
 
 /// Which parts are inside out or nested wrongly, and how much counts wrongly because the surface
 /// crosses itself.
-/// @param blur what is no deeper than rounding by so much makes it is no crossing [m]
+/// @param bundle its lines, with this blur
+/// @param blur   what is no deeper than rounding by so much makes it is no crossing [m]
 std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of, TriangleMeetings meetings,
-                                         double blur);
+                                         const LineBundle& bundle, double blur);
 
 /// The share that may pass as rounding.
 /// @param written how far coordinates were rounded when they were written [m]
@@ -90,8 +91,9 @@ std::vector<MeshDefect> as_rounding(const std::vector<MeshDefect>& findings);
 
 /// The same; what rounding of the file's last decimal may have done is a note, as long as it counts
 /// little. A body far away, or one that was written with few digits, may lose much by it.
+/// @param lines that were drawn with the rounding of doubles
 std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
-                                         const TriangleMeetings& meetings);
+                                         const TriangleMeetings& meetings, const LineBundle& lines);
 
 }  // namespace tumble::detail
 

@@ -84,9 +84,9 @@ TUMBLE_BODY MeshDefect crossing_defect(const CrossingQuestion& of, const Crossin
 }
 
 TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
-                                                     TriangleMeetings meetings, double blur) {
+                                                     TriangleMeetings meetings,
+                                                     const LineBundle& bundle, double blur) {
   meetings.forgive(blur);
-  const LineBundle bundle = of.hits(blur);
   const std::vector<WrongDepth> wrong = all_wrong_depths(bundle);
   const auto& [through, touching] = meetings;
   const bool suspicious = !wrong.empty() || !through.empty() || of.also_touching;
@@ -126,14 +126,15 @@ TUMBLE_BODY std::vector<MeshDefect> as_rounding(const std::vector<MeshDefect>& f
 }
 
 TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
-                                                     const TriangleMeetings& meetings) {
+                                                     const TriangleMeetings& meetings,
+                                                     const LineBundle& lines) {
   const double blur = double_blur(of.box);
-  std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, blur);
+  std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, lines, blur);
   if (findings.empty() || counts_too_much(findings, rounding_share_of_floats)) return findings;
   const double written = of.written();
   if (!(written > blur) || counts_too_much(findings, excused_share(written, of.box)))
     return findings;
-  std::vector<MeshDefect> left = find_wrong_depth(of, meetings, written);
+  std::vector<MeshDefect> left = find_wrong_depth(of, meetings, of.hits(written), written);
   return left.empty() ? as_rounding(findings) : left;
 }
 

@@ -16,6 +16,7 @@
 #include "tumble/mesh/components.hpp"
 #include "tumble/mesh/crossing_pairs.hpp"
 #include "tumble/mesh/crossing_search.hpp"
+#include "tumble/mesh/line_bundle.hpp"
 #include "tumble/mesh/mesh_defect.hpp"
 #include "tumble/mesh/survey.hpp"
 
@@ -41,6 +42,12 @@ inline constexpr int always_pairs = 3'000, few_pairs = 30'000;
 /// @param hidden the parts that have few lines
 TriangleMeetings meetings_for(const PolygonMesh& mesh, const Components& surface,
                               std::vector<char> hidden, crossings::Search search);
+
+/// Finds surfaces that are there twice, also where they touch a body and share its vertices.
+/// @param lines that were drawn with the rounding of doubles
+std::vector<MeshDefect> find_doubled_pieces(const PolygonMesh& mesh, const Components& surface,
+                                            const LineBundle& lines, const Eigen::AlignedBox3d& box,
+                                            std::optional<double> rounding);
 
 /// Everything that is wrong with the parts of a closed surface.
 /// @param all      what a pass over the mesh told

@@ -9,6 +9,7 @@
 #include "tumble/mesh/check_edges.hpp"
 #include "tumble/mesh/check_faces.hpp"
 #include "tumble/mesh/check_parts.hpp"
+#include "tumble/mesh/closed_pieces.hpp"
 #include "tumble/mesh/doubled_surface.hpp"
 #include "tumble/mesh/finite_bounds.hpp"
 #include "tumble/mesh/part_overlaps.hpp"
@@ -34,26 +35,43 @@ TUMBLE_BODY TriangleMeetings meetings_for(const PolygonMesh& mesh, const Compone
   return meetings_of_parts(mesh, surface, hidden, few_pairs, few);
 }
 
+std::vector<MeshDefect> find_doubled_pieces(const PolygonMesh& mesh, const Components& surface,
+                                            const LineBundle& lines, const Eigen::AlignedBox3d& box,
+                                            std::optional<double> rounding) {
+  constexpr double coarse = 2e-6;  // of the largest coordinate: what six digits leave between two
+  bool touches = mesh.face_count() <= always_pairs;
+  lines.for_each([&](const LineHits& hits) {
+    touches = touches || meets_itself(hits, coarse * largest_coordinate(box));
+  });
+  if (!touches) return find_doubled_surfaces(mesh, surface, box, rounding);
+  const PolygonMesh apart = apart_at_pinches(mesh);
+  if (apart.vertices.size() == mesh.vertices.size())
+    return find_doubled_surfaces(mesh, surface, box, rounding);
+  return find_doubled_surfaces(apart, components(apart, enclosed_by(apart)), box, rounding);
+}
+
 TUMBLE_BODY std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, const Survey& all,
                                                       const Eigen::AlignedBox3d& box,
                                                       const LineLattices& lattices,
                                                       crossings::Search search,
                                                       std::optional<double> rounding) {
   const Components surface = components(mesh, all.enclosed);
-  std::vector<MeshDefect> findings = find_flat_parts(mesh, surface);
-  const auto spoils = [](const MeshDefect& finding) { return spoils_integrals(finding); };
-  if (std::none_of(findings.begin(), findings.end(), spoils)) {
-    auto doubled = find_doubled_surfaces(mesh, surface, box, rounding);
-    if (!doubled.empty()) return doubled;
-  }
   constexpr double enough = 0.25;  // of the lines
   const std::vector<char> hidden = hardly_seen_parts(mesh, surface, box, enough);
   const bool also_touching = search == crossings::Search::thorough ||
                              mesh.face_count() <= always_pairs ||
                              std::find(hidden.begin(), hidden.end(), 1) != hidden.end();
+  const CrossingQuestion question{mesh,           surface,       box,     lattices,
+                                  all.near_lines, also_touching, rounding};
+  const LineBundle lines = question.hits(double_blur(box));
+  std::vector<MeshDefect> findings = find_flat_parts(mesh, surface);
+  const auto spoils = [](const MeshDefect& finding) { return spoils_integrals(finding); };
+  if (std::none_of(findings.begin(), findings.end(), spoils)) {
+    auto doubled = find_doubled_pieces(mesh, surface, lines, box, rounding);
+    if (!doubled.empty()) return doubled;
+  }
   const std::vector<MeshDefect> depth =
-      find_wrong_depth({mesh, surface, box, lattices, all.near_lines, also_touching, rounding},
-                       meetings_for(mesh, surface, hidden, search));
+      find_wrong_depth(question, meetings_for(mesh, surface, hidden, search), lines);
   findings.insert(findings.end(), depth.begin(), depth.end());
   return findings;
 }

@@ -43,6 +43,7 @@ std::vector<MeshDefect> find_doubled_among(const PolygonMesh& whole, const SomeF
                                            double written);
 
 /// Finds parts of a closed surface that are there twice, once each way round.
+/// @param surface  its parts; pieces that touch have to be apart (closed_pieces.hpp)
 /// @param box      around all vertices
 /// @param rounding of the coordinates, as they were written [m], if it is known
 std::vector<MeshDefect> find_doubled_surfaces(const PolygonMesh& mesh, const Components& surface,

@@ -10,6 +10,7 @@
 #include "tumble/core/compiled.hpp"
 #include "tumble/core/rounding.hpp"
 #include "tumble/mesh/check_edges.hpp"
+#include "tumble/mesh/closed_pieces.hpp"
 #include "tumble/mesh/coordinate_rounding.hpp"
 #include "tumble/mesh/weld.hpp"
 
@@ -66,7 +67,7 @@ TUMBLE_BODY std::vector<char> doubled_parts(const PolygonMesh& mesh, const Compo
 
 TUMBLE_BODY std::vector<MeshDefect> find_doubled_among(const PolygonMesh& whole,
                                                        const SomeFaces& some, double written) {
-  const PolygonMesh mesh = weld(some.mesh);
+  const PolygonMesh mesh = apart_at_pinches(weld(some.mesh));
   const Components surface = components(mesh, enclosed_by(mesh));
   const std::vector<char> doubled = doubled_parts(mesh, surface, written);
   if (std::find(doubled.begin(), doubled.end(), 1) == doubled.end()) return {};
@@ -98,7 +99,7 @@ TUMBLE_BODY std::vector<MeshDefect> find_doubled_surfaces(const PolygonMesh& mes
                                                           const Eigen::AlignedBox3d& box,
                                                           std::optional<double> rounding) {
   constexpr double coarsest = 5e-3;  // of what coordinate_rounding() gives
-  const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double largest = largest_coordinate(box);
   const auto possible = [&](double by) { return possible_copies(surface.parts, by); };
   const auto any = [](const std::vector<char>& list) {
     return std::find(list.begin(), list.end(), 1) != list.end();

@@ -8,6 +8,7 @@
 #include "project/harness/inputs.hpp"
 #include "project/library/mesh/shapes.hpp"
 #include "tumble/mass/mesh_mass_properties.hpp"
+#include "tumble/mesh/closed_pieces.hpp"
 #include "tumble/mesh/weld.hpp"
 
 using namespace tumble;
@@ -99,4 +100,61 @@ TEST_CASE("doubled surfaces: a cavity as large as a body elsewhere is none") {
       test::together(test::box(Vec3::Zero(), Vec3::Constant(2)), test::inside_out(cube));
   CHECK(diagnose(test::together(corner, test::moved(cube, 1, {2, 0, 0}))).empty());
   CHECK(diagnose(weld(test::together(corner, test::moved(cube, 1, {2, 0, 0})))).empty());
+}
+
+TEST_CASE("doubled surfaces: are found where they touch a body, in a vertex or an edge") {
+  const PolygonMesh cube = test::cube();
+  const PolygonMesh twice = both_sides(cube, true);
+  test::Random random(5);
+  for (const Vec3& low : {Vec3(1, 1, 1), Vec3(1, 1, 0)})
+    for (const double size : {1., 0.5, 2.})
+      for (const int places : {17, 6}) {
+        PolygonMesh body = test::moved(cube, size, low);
+        if (low.z() == 0 && size != 1) continue;  // no edge in common
+        const Mat3 R = random.rotation().toRotationMatrix();
+        PolygonMesh mesh = test::together(twice, body);
+        mesh = test::with_decimals(test::mapped(mesh, R, Vec3(3, 0, 0)), places);
+        CAPTURE(low.transpose());
+        CAPTURE(size);
+        CAPTURE(places);
+        CHECK(is_flat(mesh));
+        CHECK(is_flat(weld(mesh)));
+      }
+}
+
+TEST_CASE("doubled surfaces: one that touches a large body is found as well") {
+  PolygonMesh ball = test::sphere(5);
+  REQUIRE(ball.face_count() > detail::always_pairs);
+  const Vec3 touch = ball.vertex(7);
+  PolygonMesh box = test::box(touch, touch + 0.5 * touch.cwiseSign());
+  if (test::volume(box) < 0) box = test::inside_out(box);
+  const PolygonMesh mesh = weld(test::together(ball, both_sides(box, true)));
+  CHECK(is_flat(mesh));
+  CHECK_FALSE(is_flat(weld(test::together(ball, box))));
+}
+
+TEST_CASE("doubled surfaces: are found if their copies have one vertex in common") {
+  test::Random random(6);
+  PolygonMesh mesh = test::together(test::inside_out(test::cube()), test::cube());
+  for (int& v : mesh.corners) v = v == 8 ? 0 : v;
+  for (int i = 0; i < 5; ++i) {
+    const Mat3 R = random.rotation().toRotationMatrix();
+    for (const int places : {17, 6})
+      CHECK(is_flat(test::with_decimals(test::mapped(mesh, R, Vec3(3, 0, 0)), places)));
+  }
+}
+
+TEST_CASE("closed pieces: bodies that touch are apart, and what hangs together stays so") {
+  const PolygonMesh cube = test::cube();
+  const auto parts = [](const PolygonMesh& mesh) {
+    const PolygonMesh apart = detail::apart_at_pinches(mesh);
+    CHECK(apart.first_corner == mesh.first_corner);
+    return detail::label_components(apart).parts.size();
+  };
+  CHECK(parts(cube) == 1);
+  CHECK(parts(weld(test::together(cube, test::moved(cube, 1, {1, 1, 1})))) == 2);
+  CHECK(parts(weld(test::together(cube, test::moved(cube, 1, {1, 1, 0})))) == 2);
+  CHECK(parts(weld(test::together(cube, test::moved(cube, 1, {1, 0, 0})))) == 1);  // a face
+  CHECK(parts(weld(both_sides(cube, false))) == 1);
+  CHECK(parts(weld(test::together(both_sides(cube, false), test::moved(cube, 1, {1, 1, 0})))) == 2);
 }
