@@ -309,6 +309,20 @@ expect 1 'judge: check --help'
 run grade .
 called 'ninja tumble_judge any_spec'
 called 'ninja tumble_judge_grading'
+run grade . --only 1.1 1.2 --out nowhere --strict
+expect 1 'judge: grade . --only 1.1 1.2'
+for arguments in 'grade nowhere' 'grade --out x nowhere' 'grade --strict nowhere --jobs 2'; do
+  # shellcheck disable=SC2086
+  run $arguments
+  expect 2 'nowhere is not a folder'
+  [ ! -s "$CALLS" ] || complain 'should build nothing'
+done
+for arguments in 'grade . --course nowhere.json' 'grade . --roster=nowhere.json' 'handout --course nowhere.json x'; do
+  # shellcheck disable=SC2086
+  run $arguments
+  expect 2 'there is no file nowhere.json'
+  [ ! -s "$CALLS" ] || complain 'should build nothing'
+done
 run prepare
 expect 0
 called 'ninja tumble_judge all_specs'
