@@ -337,6 +337,16 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         for (int n = 0; n < count_of(system); ++n) ydot.segment<3>(6 * n + 3) *= mass_of(system, n);
         return ydot;
       }},
+     {"multiplied by the mass",
+      "You have multiplied the forces by the mass. By the same force the heavy are accelerated "
+      "less.",
+      "The right-hand side",
+      [](const System& system, double t, const VectorXd& y) {
+        VectorXd ydot = reference(system, t, y);
+        for (int n = 0; n < count_of(system); ++n)
+          ydot.segment<3>(6 * n + 3) *= mass_of(system, n) * mass_of(system, n);
+        return ydot;
+      }},
      {"gravity taken for a force",
       "You have added the acceleration of free fall to the forces as it is, so the heavy fall more "
       "slowly. Make a force of it first: the weight is mass times acceleration.",
@@ -365,6 +375,14 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
       "together.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
         return right_force(s, mass, v) + s.quadratic_drag * v.norm() * v;
+      })},
+     {"half of the quadratic drag",
+      "Your quadratic drag is half of ours. A textbook's ½ belongs to ½ ρ c A; here c is all that "
+      "stands before |v| v.",
+      "Forces", with_force([](const System& s, double mass, const Vec3& v) {
+        System half = s;
+        half.quadratic_drag /= 2;
+        return right_force(half, mass, v);
       })},
      {"drags exchanged",
       "The two drags are exchanged: the linear one grows with the speed, the quadratic one with "
@@ -421,6 +439,14 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
       "are.",
       "Forces", with_pull([](Spring s, const Vec3& l, const Vec3& rate) {
         s.rest_length = 0;
+        return right_pull(s, l, rate);
+      })},
+     {"rest length added",
+      "You have added the rest length to the length of a spring. What counts is how much longer "
+      "than "
+      "at rest it is.",
+      "Forces", with_pull([](Spring s, const Vec3& l, const Vec3& rate) {
+        s.rest_length *= -1;
         return right_pull(s, l, rate);
       })},
      {"stretch as a fraction",
@@ -507,9 +533,37 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
       "ẋ and v̇ are swapped: the rate of the position comes first, as the position does.",
       "The right-hand side",
       [](const System& system, double t, const VectorXd& y) {
+        const VectorXd right = reference(system, t, y);
+        VectorXd ydot = right;
+        for (int n = 0; n < count_of(system); ++n)
+          ydot.segment<6>(6 * n) << v_of(right, n), x_of(right, n);
+        return ydot;
+      }},
+     {"velocity in both halves",
+      "In the places of v̇ stand the velocities once more. The velocity changes by the "
+      "acceleration, "
+      "F/m.",
+      "The right-hand side",
+      [](const System& system, double t, const VectorXd& y) {
+        VectorXd ydot = reference(system, t, y);
+        for (int n = 0; n < count_of(system); ++n) ydot.segment<3>(6 * n + 3) = v_of(y, n);
+        return ydot;
+      }},
+     {"acceleration in both halves",
+      "In the places of ẋ stand the accelerations. The position changes by the velocity.",
+      "The right-hand side",
+      [](const System& system, double t, const VectorXd& y) {
+        VectorXd ydot = reference(system, t, y);
+        for (int n = 0; n < count_of(system); ++n) ydot.segment<3>(6 * n) = v_of(ydot, n);
+        return ydot;
+      }},
+     {"mass of the first particle",
+      "You have divided every force by the mass of the first particle. Each particle has its own.",
+      "The right-hand side",
+      [](const System& system, double t, const VectorXd& y) {
         VectorXd ydot = reference(system, t, y);
         for (int n = 0; n < count_of(system); ++n)
-          ydot.segment<6>(6 * n) << v_of(ydot, n), x_of(ydot, n);
+          ydot.segment<3>(6 * n + 3) *= mass_of(system, n) / mass_of(system, 0);
         return ydot;
       }},
      {"position for its rate",

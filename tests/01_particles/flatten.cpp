@@ -186,6 +186,13 @@ const Misconceptions<decltype(particles::flatten)> misconceptions{
         for (auto& particle : copies) particle.v = particle.x;
         return reference(copies);
       }},
+     {"velocity twice",
+      "In the places of the positions stand the velocities once more. A copied line?", "The state",
+      [](const Particles& list) {
+        Particles copies = list;
+        for (auto& particle : copies) particle.x = particle.v;
+        return reference(copies);
+      }},
      {"last particle forgotten",
       "The numbers of the last particle are missing. Look at where the loop ends.", "The state",
       [](const Particles& list) {

@@ -194,6 +194,32 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "The weights are 1, 2, 3, 1, which sum to 7: a slip of the pen? Both slopes in the middle "
       "weigh the same.",
       "Runge–Kutta", with({.weights = {1 / 6., 1 / 3., 1 / 2., 1 / 6.}})},
+     {"third slope weighs once",
+      "Your third slope weighs half as much as the second, and the weights sum to 5. Both slopes "
+      "in "
+      "the middle weigh the same.",
+      "Runge–Kutta", with({.weights = {1 / 6., 1 / 3., 1 / 6., 1 / 6.}})},
+     {"second slope weighs once",
+      "Your second slope weighs half as much as the third, and the weights sum to 5. Both slopes "
+      "in "
+      "the middle weigh the same.",
+      "Runge–Kutta", with({.weights = {1 / 6., 1 / 6., 1 / 3., 1 / 6.}})},
+     {"fourth slope subtracted",
+      "You have subtracted the fourth slope. Every slope of an average has a positive weight.",
+      "Runge–Kutta", with({.weights = {1 / 6., 1 / 3., 1 / 3., -1 / 6.}})},
+     {"brackets of the average forgotten",
+      "You have multiplied the first slope by h/6, and added the others without it. Put brackets "
+      "around the weighted sum.",
+      "Runge–Kutta",
+      [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
+        const Method right;
+        VectorXd slope = f(t, y), end = y + h / 6 * slope;
+        for (std::size_t n = 1; n < 4; ++n) {
+          slope = f(t + right.at[n] * h, y + right.along[n] * h * slope);
+          end += 6 * right.weights[n] * slope;
+        }
+        return end;
+      }},
      {"divided by four",
       "You have divided the weighted sum by the number of slopes. Divide it by the sum of the "
       "weights.",
@@ -237,6 +263,10 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "You have taken the fourth slope at the time halfway, with the state moved a whole step. "
       "Time and state belong together.",
       "Runge–Kutta", with({.at = {0, 0.5, 0.5, 0.5}})},
+     {"fourth slope at the time of the start",
+      "You have taken the fourth slope at the time t, with the state moved a whole step. Time and "
+      "state belong together.",
+      "Runge–Kutta", with({.at = {0, 0.5, 0.5, 0}})},
      {"half of the time itself",
       "You have taken the two slopes in the middle at (t + h)/2. Halfway through the step is half "
       "of h after t: look at the brackets.",

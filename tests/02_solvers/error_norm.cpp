@@ -201,6 +201,16 @@ const Misconceptions<decltype(solvers::error_norm)> misconceptions{
       "You have averaged the ratios themselves. Average their squares, so that large ones count "
       "more.",
       "The error of a step", with_mean([](const Eigen::ArrayXd& r) { return r.abs().mean(); })},
+     {"last component only",
+      "Of the sum only the last component is left: each square has replaced the one before it. Add "
+      "them up.",
+      "The error of a step", with_mean([](const Eigen::ArrayXd& r) {
+        return std::abs(r[r.size() - 1]) / std::sqrt(static_cast<double>(r.size()));
+      })},
+     {"first component only", "Your sum ends with the first component: a return inside the loop?",
+      "The error of a step", with_mean([](const Eigen::ArrayXd& r) {
+        return std::abs(r[0]) / std::sqrt(static_cast<double>(r.size()));
+      })},
      {"not compared with what is allowed",
       "This is the root mean square of the errors themselves. It says nothing until you measure "
       "them in units of what is allowed.",

@@ -194,6 +194,12 @@ const Misconceptions<decltype(rotation_matrices::euler_angles_to_matrix)> miscon
       "You have converted the angles from degrees. They are in radians already.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(pi / 180 * a, axes); }},
+     {"radians turned into degrees",
+      "You have converted the angles into degrees. Sine and cosine take radians, and the angles "
+      "are "
+      "in radians already.",
+      "Euler angles and their order",
+      [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(180 / pi * a, axes); }},
      {"half of each angle",
       "Each turn is by half of its angle. The ½ belongs to quaternions; a matrix has the angle "
       "itself.",

@@ -154,6 +154,14 @@ const Misconceptions<decltype(quaternions::quaternion_dot)> misconceptions{
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return reference::quaternion_dot(q, omega) + q / 2;
       }},
+     {"ω in the places of w, x and y",
+      "You have put ω into the product as (ω, 0), its scalar part last. Here w comes first: q[0] "
+      "is "
+      "the scalar.",
+      "Conventions",
+      [](const Quaternion& q, const Vec3& omega) -> Quaternion {
+        return 0.5 * reference::product({omega[0], omega[1], omega[2], 0}, q);
+      }},
      {"q normalised first",
       "This is the rate of q/|q|. The rate is linear in q: repair the length between the steps, "
       "not here.",

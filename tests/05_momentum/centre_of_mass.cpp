@@ -214,6 +214,22 @@ const Misconceptions<decltype(momentum::centre_of_mass)> misconceptions{
         const Points some(points.begin(), points.end() - 1);
         return moment_of(some) / mass_of(some);
       }},
+     {"only the last point",
+      "You return the place of the last point: each point has replaced the one before it. Add up "
+      "the masses, and masses times places.",
+      "Centre of mass", [](const Points& points) { return points.back().position; }},
+     {"only the last moment",
+      "You have divided the last point's mass times place by the mass of all points: each product "
+      "has replaced the one before it. Add them up.",
+      "Centre of mass",
+      [](const Points& points) -> Vec3 {
+        return points.back().mass * points.back().position / mass_of(points);
+      }},
+     {"only the last mass",
+      "You have divided by the mass of the last point: each mass has replaced the one before it. "
+      "Add them up.",
+      "Centre of mass",
+      [](const Points& points) -> Vec3 { return moment_of(points) / points.back().mass; }},
      {"first point left out",
       "You have left out the first of the points: check where your loop begins.", "Centre of mass",
       [](const Points& points) -> Vec3 {

@@ -281,6 +281,24 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
                           forces.end());
         return reference(mass, x, R, g, last);
       }},
+     {"only the last force, but all torques",
+      "Your torque is right, but in the force each one has replaced the one before it. Add them "
+      "up.",
+      "Force and torque",
+      [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
+        Wrench sum = reference(mass, x, R, g, forces);
+        if (!forces.empty()) sum.force = forces.back().force;
+        return sum;
+      }},
+     {"only the last torque, but all forces",
+      "Your force is right, but in the torque each one has replaced the one before it. Add them "
+      "up.",
+      "Force and torque",
+      [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
+        Wrench sum = reference(mass, x, R, g, forces);
+        if (!forces.empty()) sum.torque = reference(mass, x, R, g, {forces.back()}).torque;
+        return sum;
+      }},
      {"arms and forces summed first",
       "You have made one torque, of the sum of the arms and the sum of the forces. Now every "
       "force also turns with the arms of all the others.",

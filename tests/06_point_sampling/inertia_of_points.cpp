@@ -217,6 +217,16 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         return sum_of(points, about,
                       [](double mass, const Vec3& r) -> Mat3 { return mass * outer(r); });
       }},
+     {"r rᵀ added",
+      "You have added the part along the arrow where you take it away: a point on the axis x does "
+      "not "
+      "resist a turn about x.",
+      "The discrete inertia sum",
+      [](const Points& points, const Vec3& about) {
+        return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {
+          return mass * (r.squaredNorm() * Mat3::Identity() + outer(r));
+        });
+      }},
      {"distance from the point, not from the axis",
       "Each number on your diagonal holds the square of the whole distance, and there "
       "are no products. A point on the axis x does not resist a turn about x, however "
@@ -266,6 +276,15 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {
           const double length = r.norm();
           return length > 0 ? Mat3(mass / length * tumble::point_inertia(1, r)) : Mat3::Zero();
+        });
+      }},
+     {"distance not squared on the diagonal",
+      "Your products are right, but on the diagonal stands the distance where its square belongs: "
+      "look at the unit, kg m².",
+      "The discrete inertia sum",
+      [](const Points& points, const Vec3& about) {
+        return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {
+          return mass * (r.norm() * Mat3::Identity() - outer(r));
         });
       }},
      {"divided by the mass",

@@ -41,6 +41,16 @@ Box between(const Vec3& low, const Vec3& high) {
   return {middle, Mat3::Identity(), size};
 }
 
+/// Of a search that begins above and below all numbers, and tries each coordinate by `look`.
+template <class Look>
+Box searched(const Points& points, const Look& look) {
+  constexpr double far = std::numeric_limits<double>::max();
+  Vec3 low = Vec3::Constant(far), high = -low;
+  for (const Vec3& point : points)
+    for (int k = 0; k < 3; ++k) look(point[k], low[k], high[k]);
+  return between(low, high);
+}
+
 /// The answer after `change(box, points)`.
 template <class Change>
 auto changed(const Change& change) {
@@ -181,6 +191,32 @@ const Misconceptions<decltype(bounding_boxes::bounding_box)> misconceptions{
       [](const Points& points) {
         const Vec3 tiny = Vec3::Constant(std::numeric_limits<double>::min());
         return between(smallest(points), largest(points).cwiseMax(tiny));
+      }},
+     {"else if, smallest first",
+      "A coordinate that was a new smallest one has not been tried as the largest. Where the "
+      "points "
+      "come in falling order, the largest is lost: write two ifs, and no else.",
+      "The box along the axes",
+      [](const Points& points) {
+        return searched(points, [](double x, double& low, double& high) {
+          if (x < low)
+            low = x;
+          else if (x > high)
+            high = x;
+        });
+      }},
+     {"else if, largest first",
+      "A coordinate that was a new largest one has not been tried as the smallest. Where the "
+      "points "
+      "come in rising order, the smallest is lost: write two ifs, and no else.",
+      "The box along the axes",
+      [](const Points& points) {
+        return searched(points, [](double x, double& low, double& high) {
+          if (x > high)
+            high = x;
+          else if (x < low)
+            low = x;
+        });
       }},
      {"symmetric about the origin",
       "Your box reaches as far to either side of the origin: you have compared the "
