@@ -52,6 +52,7 @@ UnitResult judged(const Course& course, const Unit& unit, const json& request) {
   PageWorker worker;
   judge_answers(result, trial, worker);
   name_from_source(result, source);
+  name_wrong_numbers(result);
   return result;
 }
 

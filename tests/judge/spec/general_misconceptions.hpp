@@ -12,15 +12,9 @@ namespace tumble::judge {
 /// or an identity much is equal to much.
 enum class Inputs { general, special };
 
-/// What the numbers of a wrong answer show: "never set", "not a number", "infinite", "the opposite
-/// sign", "rows for columns", "the argument as it came", "places left at zero". Empty if they show
-/// nothing. They have no section of a page.
+/// What the numbers of a wrong answer show: "never set", "not a number", "infinite", and of general
+/// inputs what names_of_likeness() knows. Empty if they show nothing. They have no section of a
+/// page.
 std::vector<Misconception> general_misconceptions(const Finding& finding, Inputs inputs);
-
-/// The name of an answer that is one of the arguments.
-inline constexpr const char* argument_as_it_came = "the argument as it came";
-
-/// Whether an answer is one of the arguments that are lists.
-bool equals_argument(const List& arguments, const Value& answer);
 
 }  // namespace tumble::judge

@@ -12,6 +12,7 @@
 
 #include "judge/spec/general_misconceptions.hpp"
 #include "judge/spec/impostor.hpp"
+#include "judge/spec/likeness.hpp"
 #include "judge/spec/run.hpp"
 #include "judge/spec/session.hpp"
 #include "tumble/core/require.hpp"

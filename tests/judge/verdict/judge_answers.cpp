@@ -3,6 +3,7 @@
 #include "judge/spec/run.hpp"
 #include "judge/verdict/names_from_source.hpp"
 #include "judge/verdict/never_set.hpp"
+#include "judge/verdict/wrong_numbers.hpp"
 
 namespace tumble::judge {
 
@@ -30,6 +31,12 @@ void name_from_source(UnitResult& result, const std::string& source) {
   if (const auto variable = never_set_in(result.warnings, result.source.filename().string()))
     for (CaseResult& each : result.cases)
       if (each.finding) name_variable(*each.finding, *variable);
+}
+
+void name_wrong_numbers(UnitResult& result) {
+  // By convention the first case of a spec asks with inputs of every kind.
+  if (!result.cases.empty() && result.cases.front().number == 1 && result.cases.front().finding)
+    name_wrong_numbers(*result.cases.front().finding);
 }
 
 }  // namespace tumble::judge

@@ -27,4 +27,7 @@ void judge_answers(UnitResult& result, const Trial& trial, Answerer& answerer);
 /// Puts the names to wrong answers for which the file itself holds the reason.
 void name_from_source(UnitResult& result, const std::string& source);
 
+/// Says which numbers of the first case's answer are wrong, where nothing else is known of it.
+void name_wrong_numbers(UnitResult& result);
+
 }  // namespace tumble::judge

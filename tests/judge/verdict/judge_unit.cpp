@@ -108,6 +108,7 @@ UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerB
   } else {
     look_closer(result, job, judgement);
     look_for_luck(result, job, judgement);
+    name_wrong_numbers(result);
   }
   return result;
 }

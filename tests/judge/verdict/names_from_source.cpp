@@ -13,6 +13,7 @@
 
 #include "judge/build/source_code.hpp"
 #include "judge/spec/demand.hpp"
+#include "judge/verdict/rounded_constant.hpp"
 
 namespace tumble::judge {
 
@@ -163,12 +164,27 @@ double largest_number(const Value& value) {
   return largest;
 }
 
-/// Right to 6 digits of the largest number or more, and not to 12.
-bool is_right_as_float(const Finding& finding) {
+/// Right to 12 digits of the largest number at most, and wrong by less than this fraction of it.
+bool is_wrong_by_less_than(const Finding& finding, double most) {
   if (!finding.answer || !finding.demanded) return false;
   const double apart = largest_difference(*finding.answer, *finding.demanded);
   const double fraction = apart / largest_number(*finding.demanded);
-  return fraction > 1e-12 && fraction < 2e-6;
+  return fraction > 1e-12 && fraction < most;
+}
+
+/// Right to 6 digits or more.
+bool is_right_as_float(const Finding& finding) { return is_wrong_by_less_than(finding, 2e-6); }
+
+/// A constant with few digits, if the answer is as nearly right as it.
+std::optional<Misconception> name_of_rounded(const Finding& finding, const std::string& code) {
+  constexpr double most_magnified = 100;  // on the way from the constant to the answer
+  const std::optional<RoundedConstant> found = rounded_constant_in(code);
+  if (!found || !is_wrong_by_less_than(finding, most_magnified * found->error)) return std::nullopt;
+  return Misconception{"a rounded constant",
+                       "There is " + found->digits + " in line " + std::to_string(found->line) +
+                           ", which has only a few digits of " + found->meant + ". Write " +
+                           found->instead + ".",
+                       ""};
 }
 
 }  // namespace
@@ -241,6 +257,9 @@ void name_from_source(Finding& finding, const std::string& source) {
          "Some 7 digits are right, as many as a float has. Compute with double "
          "from the beginning to the end.",
          ""}};
+  else if (finding.misconceptions.empty())
+    if (const auto rounded = name_of_rounded(finding, code_of(source)))
+      finding.misconceptions = {*rounded};
 }
 
 }  // namespace tumble::judge

@@ -32,7 +32,8 @@ std::optional<Misconception> expression_that_outlives(const std::string& source,
 ///   h * 1/2. It replaces other names, which take the factor that is missing for something else;
 /// - "input that is not there": it reads std::cin, and the answer has no name or one of memory that
 ///   was never set;
-/// - "float": the numbers are right to some 7 digits, and there is a float (or 0.5f, or sqrtf).
+/// - "float": the numbers are right to some 7 digits, and there is a float (or 0.5f, or sqrtf);
+/// - "a rounded constant": 0.1667 stands there, and the numbers are as nearly right as that is 1/6.
 void name_from_source(Finding& finding, const std::string& source);
 
 }  // namespace tumble::judge

@@ -8,6 +8,8 @@
 #include <limits>
 #include <string>
 
+#include "judge/spec/likeness.hpp"
+
 using namespace tumble::judge;
 
 namespace {
