@@ -2,23 +2,11 @@
 
 #include <algorithm>
 
+#include "judge/course/dashes.hpp"
 #include "support/trimmed.hpp"
 #include "tumble/core/require.hpp"
 
 namespace tumble::judge {
-
-namespace {
-
-/// The text with a hyphen for each dash that looks like one.
-std::string with_hyphens(std::string text) {
-  for (const std::string dash :
-       {"\u2010", "\u2011", "\u2012", "\u2013", "\u2014", "\u2015", "\u2212"})
-    for (std::size_t at; (at = text.find(dash)) != std::string::npos;)
-      text.replace(at, dash.size(), "-");
-  return text;
-}
-
-}  // namespace
 
 std::vector<Unit> units_meant(const Course& course, const std::string& text) {
   const std::string plain = with_hyphens(text);

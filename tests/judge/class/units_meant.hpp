@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The exercises that course.json means by a text.
+/// The exercises that course.json, or --only, means by a text.
 
 #include <string>
 #include <vector>

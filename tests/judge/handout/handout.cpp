@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "judge/course/contract.hpp"
+#include "judge/course/dashes.hpp"
 #include "judge/handout/dead_links.hpp"
 #include "support/text_file.hpp"
 #include "tumble/core/require.hpp"
@@ -81,14 +82,15 @@ std::string readme(const Course& course, const std::set<std::string>& chapters) 
 }  // namespace
 
 std::set<std::string> chapters_meant(const Course& course, const std::string& text) {
-  static const std::regex range(R"((\d+)(?:-(\d+))?)");
+  static const std::regex range(R"(\s*(\d{1,3})\s*(?:-\s*(\d{1,3})\s*)?)");
+  const std::string plain = with_hyphens(text);
   std::set<std::string> chapters;
   std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
+  while (begin <= plain.size()) {
+    const std::size_t end = std::min(plain.find(',', begin), plain.size());
+    const std::string part = plain.substr(begin, end - begin);
     std::smatch match;
-    require(std::regex_match(part, match, range) && part.size() < 8, "'", part,
+    require(std::regex_match(part, match, range), "'", part,
             "' is neither a chapter nor a range of chapters, such as 1-4 or 1-4,6");
     const int first = std::stoi(match[1]), last = match[2].matched ? std::stoi(match[2]) : first;
     require(first <= last, "'", part, "' is a range that ends before it begins");

@@ -11,7 +11,7 @@
 
 namespace tumble::judge {
 
-/// The folders of the chapters that "1-4,6" means: "01_particles", …
+/// The folders of the chapters that "1-4,6" or "1 – 4, 6" means: "01_particles", …
 /// @throws std::invalid_argument if it means none, or there is none of that number
 std::set<std::string> chapters_meant(const Course& course, const std::string& text);
 

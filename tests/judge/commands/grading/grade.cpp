@@ -11,6 +11,7 @@
 #include "judge/class/one_student_each.hpp"
 #include "judge/class/progress_line.hpp"
 #include "judge/class/shard_manifest.hpp"
+#include "judge/class/units_meant.hpp"
 #include "judge/commands/grading/finish_grading.hpp"
 #include "judge/commands/grading/grade_messages.hpp"
 #include "judge/commands/grading/grading.hpp"
@@ -65,16 +66,12 @@ std::vector<Submission> wanted(const std::vector<Submission>& all,
   return chosen;
 }
 
-/// Ids of the units that --only names.
+/// Ids of the units that --only names, of those that count.
 std::set<std::string> units_named(const Course& course, const CourseSettings& settings,
                                   const std::vector<std::string>& names) {
   std::set<std::string> ids;
   for (const std::string& name : names)
-    for (const Unit& unit : course.select(name)) {
-      require(settings.weights.contains(unit.id()), "--only ", name, ": ", unit.number, " ",
-              unit.name, " does not count");
-      ids.insert(unit.id());
-    }
+    for (const Unit& unit : counted_units(course, settings.units, name)) ids.insert(unit.id());
   return ids;
 }
 

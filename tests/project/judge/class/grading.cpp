@@ -163,6 +163,7 @@ TEST_CASE("grading: one exercise of one student, again") {
   CHECK(unknown.status == 2);
   CHECK(tells(unknown, "there is no submission of 'bne'; did you mean ben?"));
   CHECK(tells(two.grade("--only 7.7"), "there is no exercise or chapter '7.7'"));
+  CHECK(two.grade("--only '1.1 – 1.2'").status == 0);  // a range as in course.json
 }
 
 TEST_CASE("check --student: what that student saw, word for word") {

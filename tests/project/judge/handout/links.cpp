@@ -33,6 +33,8 @@ TEST_CASE("hand-out: 1-2 and 4 are chapters, other texts are not") {
   using Names = std::set<std::string>;
   CHECK(chapters_meant(small_course(), "1-2") == Names{"01_particles", "02_solvers"});
   CHECK(chapters_meant(small_course(), "4,1") == Names{"01_particles", "04_quaternions"});
+  for (const char* text : {"1 – 2", "1–2", " 1 - 2 ", "1 , 2"})
+    CHECK(chapters_meant(small_course(), text) == Names{"01_particles", "02_solvers"});
   CHECK_REFUSED(chapters_meant(small_course(), "1-4"), "no exercise or chapter '3'");
   CHECK_REFUSED(chapters_meant(small_course(), "2-1"), "ends before it begins");
   for (const char* text : {"", "a", "1-", "1,,2", "1-2-3", "all", "99999999999"})
