@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include "judge/build/object_cache.hpp"
 #include "judge/build/submission.hpp"
@@ -125,6 +126,83 @@ void print_encoding(const Course& course, const fs::path& file) {
   }
 }
 
+/// How the units are judged, and with which inputs.
+Judgement judgement_for(const CheckOptions& options, std::size_t only_case,
+                        const ObjectCache* earlier) {
+  Judgement judgement;
+  judgement.seed = options.seed.value_or(fresh_seed());
+  judgement.seeds = options.seeds;
+  judgement.only_case = only_case;
+  judgement.only_sanitized = options.sanitized;
+  judgement.compiled = earlier;
+  // With sanitizers the walls are lower: not for a class's submissions.
+  judgement.locate_crashes = !options.strict && !options.sanitized && !options.once;
+  return judgement;
+}
+
+/// Judges what is selected, and says what becomes of it.
+class CheckRun {
+ public:
+  CheckRun(const Course& course, const CheckOptions& options, Progress& progress,
+           Selection selection)
+      : course_(course),
+        options_(options),
+        progress_(progress),
+        selection_(std::move(selection)),
+        own_work_(!options.from && !options.solutions && selection_.only_case == 0) {
+    if (options.from) given_.emplace(course, *options.from);
+    style_.every_case = options.every_case;
+  }
+
+  /// @return the exit status
+  int run() {
+    for (const Unit& unit : selection_.units) print_encoding(course_, source(unit));
+    const std::unique_ptr<const ObjectCache> earlier = objects_of_earlier(course_);
+    judge_all(
+        course_, selection_.units, [this](const Unit& unit) { return source(unit); },
+        judgement_for(options_, selection_.only_case, earlier.get()),
+        [this](const UnitResult& result) { take(result); });
+    return end();
+  }
+
+ private:
+  fs::path source(const Unit& unit) const { return source_of(course_, options_, given_, unit); }
+
+  void take(const UnitResult& result) {
+    if (selection_.units.size() > 1 && result.untouched())
+      print_line(std::cout, result, style_);
+    else
+      print_result(std::cout, course_, result, style_);
+    std::cout << std::flush;
+    results_.push_back(result);
+    if (options_.json) records_.push_back(record_of(course_, result));
+    if (options_.json) write_json(*options_.json, records_);
+    if (own_work_) remember(progress_, course_, result);
+  }
+
+  int end() const {
+    const bool all_passed = std::all_of(results_.begin(), results_.end(),
+                                        [](const UnitResult& result) { return result.passed(); });
+    const bool judge_failed =
+        std::any_of(results_.begin(), results_.end(),
+                    [](const UnitResult& result) { return !result.judge_failure.empty(); });
+    if (results_.size() > 1) print_totals(results_);
+    if (own_work_ && all_passed)
+      print_next(course_, progress_.next_open_after(results_.back().unit));
+    return judge_failed ? 2 : all_passed ? 0 : 1;
+  }
+
+  const Course& course_;
+  const CheckOptions& options_;
+  Progress& progress_;
+  Selection selection_;
+  bool own_work_;  ///< then it counts for the student's progress
+  std::optional<GivenFiles> given_;
+  ConsoleStyle style_ = style_of_terminal();
+  std::vector<UnitResult> results_;
+  std::vector<UnitRecord> records_;
+};
+
 }  // namespace
 
 std::vector<Unit> units_to_check(const Course& course, const std::string& what) {
@@ -133,7 +211,7 @@ std::vector<Unit> units_to_check(const Course& course, const std::string& what) 
 
 int check(const Course& course, const CheckOptions& options) {
   Progress progress(course);
-  const Selection selection = select(course, progress, options.what);
+  Selection selection = select(course, progress, options.what);
   if (selection.units.empty()) {
     print_next(course, progress.next_open());
     return 0;
@@ -141,49 +219,7 @@ int check(const Course& course, const CheckOptions& options) {
   require_case(selection);
   print_namesakes(selection.units, options.what);
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::no)) return 2;
-  Judgement judgement;
-  judgement.seed = options.seed.value_or(fresh_seed());
-  judgement.seeds = options.seeds;
-  judgement.only_case = selection.only_case;
-  judgement.only_sanitized = options.sanitized;
-  const std::unique_ptr<const ObjectCache> earlier = objects_of_earlier(course);
-  judgement.compiled = earlier.get();
-  // With sanitizers the walls are lower: not for a class's submissions.
-  judgement.locate_crashes = !options.strict && !options.sanitized && !options.once;
-
-  std::optional<GivenFiles> given;
-  if (options.from) given.emplace(course, *options.from);
-
-  ConsoleStyle style = style_of_terminal();
-  style.every_case = options.every_case;
-  const bool own_work = !options.from && !options.solutions && selection.only_case == 0;
-  for (const Unit& unit : selection.units)
-    print_encoding(course, source_of(course, options, given, unit));
-  std::vector<UnitResult> results;
-  std::vector<UnitRecord> records;
-  judge_all(
-      course, selection.units,
-      [&](const Unit& unit) { return source_of(course, options, given, unit); }, judgement,
-      [&](const UnitResult& result) {
-        const bool brief = selection.units.size() > 1 && result.untouched();
-        if (brief)
-          print_line(std::cout, result, style);
-        else
-          print_result(std::cout, course, result, style);
-        std::cout << std::flush;
-        results.push_back(result);
-        if (options.json) records.push_back(record_of(course, result));
-        if (options.json) write_json(*options.json, records);
-        if (own_work) remember(progress, course, result);
-      });
-  const bool all_passed = std::all_of(results.begin(), results.end(),
-                                      [](const UnitResult& result) { return result.passed(); });
-  const bool judge_failed =
-      std::any_of(results.begin(), results.end(),
-                  [](const UnitResult& result) { return !result.judge_failure.empty(); });
-  if (results.size() > 1) print_totals(results);
-  if (own_work && all_passed) print_next(course, progress.next_open_after(results.back().unit));
-  return judge_failed ? 2 : all_passed ? 0 : 1;
+  return CheckRun(course, options, progress, std::move(selection)).run();
 }
 
 }  // namespace tumble::judge

@@ -156,6 +156,40 @@ int finish_shard(const Shard& shard, const GradesFolder& folder, const CourseSet
   return status;
 }
 
+/// How much is done at a time. A compiler takes 150 MB: no more of them than cores.
+struct Pace {
+  std::size_t students, builds_of_each;
+
+  explicit Pace(const std::optional<std::size_t>& wanted) {
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    students = wanted.value_or(cores);
+    builds_of_each = std::max<std::size_t>(1, cores / students);
+  }
+};
+
+/// Says what will be judged; a shard also writes it down, for the merging.
+void announce(const Grading& grading, const GradeOptions& options, const ClassRoll& roll,
+              std::size_t submissions, const std::optional<Shard>& shard) {
+  const std::string exercises =
+      support::how_many(grading.settings.units.size(), "exercise") + " each";
+  if (!shard) return say(support::how_many(submissions, "submission"), ", ", exercises);
+  write_manifest(GradesFolder{options.out}, manifest(*shard, grading, options, roll));
+  say("shard ", name_of(*shard), ": ", submissions, " of ",
+      support::how_many(roll.submissions.size(), "submission"), ", ", exercises);
+}
+
+/// Judges these submissions, as far as it comes.
+GradingRun judged(const Grading& grading, const std::vector<Submission>& submissions,
+                  const GradesFolder& folder, std::size_t at_once) {
+  GradingRun run;
+  const Interruption interruption;
+  const std::vector<StudentRecord> before = records_of(folder, grading.settings, submissions);
+  run.failed = grade_class(grading, submissions, folder, at_once, interruption);
+  say_changes(before, records_of(folder, grading.settings, submissions));
+  run.interrupted = interruption.asked();
+  return run;
+}
+
 }  // namespace
 
 int grade(const Course& course, const GradeOptions& options) {
@@ -179,30 +213,15 @@ int grade(const Course& course, const GradeOptions& options) {
   const WorkFolder compiled;
   fs::permissions(compiled.path(), fs::perms::owner_all);  // nobody else's, not even to look in
   const ObjectCache cache(compiled.path());
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  const std::size_t students_at_once = options.at_once.value_or(cores);
-  // A compiler takes 150 MB: no more of them than cores.
-  const std::size_t builds_at_once = std::max<std::size_t>(1, cores / students_at_once);
+  const Pace pace(options.at_once);
   const JudgeFingerprint judge(course);
-  Grading grading{course, settings, class_seed(settings, folder), judge, cache, builds_at_once};
+  Grading grading{course, settings, class_seed(settings, folder),
+                  judge,  cache,    pace.builds_of_each};
   grading.only = only;
   if (options.seconds) grading.deadline = after(*options.seconds);
-  if (shard) {
-    write_manifest(folder, manifest(*shard, grading, options, work.roll));
-    say("shard ", name_of(*shard), ": ", submissions.size(), " of ",
-        support::how_many(all.size(), "submission"), ", ",
-        support::how_many(settings.units.size(), "exercise"), " each");
-  } else {
-    say(support::how_many(submissions.size(), "submission"), ", ",
-        support::how_many(settings.units.size(), "exercise"), " each");
-  }
+  announce(grading, options, work.roll, submissions.size(), shard);
   say_list("records:", set_damaged_aside(folder, shard ? submissions : all));
-  GradingRun run;
-  const Interruption interruption;
-  const std::vector<StudentRecord> before = records_of(folder, settings, submissions);
-  run.failed = grade_class(grading, submissions, folder, students_at_once, interruption);
-  say_changes(before, records_of(folder, settings, submissions));
-  run.interrupted = interruption.asked();
+  const GradingRun run = judged(grading, submissions, folder, pace.students);
   return shard ? finish_shard(*shard, folder, settings, all, run)
                : finish_class(work.roll, folder, settings, run);
 }
