@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "judge/course/code_hash.hpp"
 #include "judge/course/stable_hash.hpp"
 #include "support/json_bytes.hpp"
 #include "support/text_file.hpp"
@@ -45,8 +46,9 @@ void write_to(const fs::path& beside, const std::string& text, const WorkerBuild
   if (build.outcome == BuildOutcome::built) fs::copy_file(build.object, beside / "object");
 }
 
-/// What an object depends on beside the file's own text. The precompiled header is made anew when
-/// the compiler, its flags, or a header in it changes.
+/// What an object, and the words about it, depend on beside the file's own text. The precompiled
+/// header is made anew when the compiler, its flags, or a header in it changes. What we say of the
+/// compiler's messages, the folder "build" says.
 std::uint64_t hash_of_surroundings(const Course& course) {
   const Toolchain& tools = course.toolchain;
   std::uint64_t hash = stable_hash(tools.compiler);
@@ -58,7 +60,7 @@ std::uint64_t hash_of_surroundings(const Course& course) {
   std::set<fs::path> headers{course.root / "exercises" / "not_implemented.hpp"};
   for (const Unit& unit : course.units) headers.insert(course.contract(unit));
   for (const fs::path& header : headers) hash = stable_hash(support::read_text(header), hash);
-  return hash;
+  return code_hash(code_in(course.root / "tests" / "judge" / "build"), hash);
 }
 
 /// Removes what is older than a month, where there is much.

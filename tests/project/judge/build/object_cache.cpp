@@ -134,6 +134,24 @@ TEST_CASE("ObjectCache: another contract, or another compiler, shares nothing") 
   CHECK_FALSE(known());
 }
 
+TEST_CASE("objects_of_earlier: a judge that speaks in other words shares nothing") {
+  const WorkFolder work;
+  const Course course = own_course(work.path());
+  const Unit& unit = course.units.front();
+  const fs::path words = course.root / "tests" / "judge" / "build" / "diagnostics.cpp";
+  const std::string text = "#include \"contract.hpp\"\nint broken( {\n";
+  const auto known = [&] {
+    return objects_of_earlier(course)->find(unit, text, work.path() / "taken.o").has_value();
+  };
+  write_text_and_folders(words, "// old words\n");
+  write_text_and_folders(work.path() / "broken.cpp", text);
+  compile_unit({course, unit, work.path() / "broken.cpp", work.path() / "job"},
+               objects_of_earlier(course).get());
+  CHECK(known());
+  write_text_and_folders(words, "// new words\n");
+  CHECK_FALSE(known());
+}
+
 TEST_CASE("objects_of_earlier: verdicts on stubs are not kept from one command to the next") {
   const Course course = fixture();
   const auto objects = objects_of_earlier(course);
