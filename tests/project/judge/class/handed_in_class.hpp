@@ -111,12 +111,14 @@ inline ExpectedRows hand_in_moodle(const fs::path& to) {
   write_file(to / ("Dan Li_4711004" + typed) / "onlinetext.html", "<p>I was ill</p>");
   // Without folders, as older ones do it.
   write_file(to / ("Eve Roe_4711005" + file + "carry.cpp"), carry());
-  write_file(to / ("Eve Roe_4711005" + file + "twice.cpp"), twice());
+  write_file(to / "Eve Roe_4711005_assignsubmission_comments_" / "twice.cpp", twice());
   return {{"Ann Meyer_4711001", {"2", ""}},
           {"Ben Kim_4711002", {"2", "a text was typed into Moodle: it is not graded"}},
           {"Cleo Ünal_4711003", {"1", ""}},
           {"Dan Li_4711004", {"0", "no exercise found in it; it holds typed text/onlinetext.html"}},
-          {"Eve Roe_4711005", {"2", ""}}};
+          {"Eve Roe_4711005",
+           {"2",
+            "Moodle's \"comments\" are there: we grade files of exercises in them, and no texts"}}};
 }
 
 /// Canvas's "Download Submissions", unpacked: one flat folder.
