@@ -224,7 +224,8 @@ class Builder {
       if (!used || earlier.id() == unit_.id() || !earlier.solution.empty()) continue;
       const std::string called = earlier.number + " " + earlier.name + ", which it calls, ";
       const fs::path source = course_.instead_of_solution(earlier);
-      if (!fs::is_regular_file(source) || support::read_text(source) == stub_of(course_, earlier)) {
+      if (!fs::is_regular_file(source) ||
+          decoded(support::read_text(source)).text == stub_of(course_, earlier)) {
         result.outcome = BuildOutcome::does_not_compile;
         result.detail = called + "is not written yet:  ./tumble check " + earlier.number + "\n";
         return false;

@@ -5,12 +5,12 @@
 #include <stdexcept>
 
 #include "judge/build/source_code.hpp"
+#include "judge/build/submission.hpp"
 #include "judge/conversation/student_worker.hpp"
 #include "judge/verdict/crash_place.hpp"
 #include "judge/verdict/judge_answers.hpp"
 #include "judge/verdict/names_from_source.hpp"
 #include "judge/verdict/never_set.hpp"
-#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -48,7 +48,7 @@ std::optional<NeverSet> unset_variable(const Job& job, const std::string& source
 /// wrong.
 void look_for_luck(UnitResult& result, const Job& job, const Judgement& judgement) {
   if (!judgement.locate_crashes || !result.passed()) return;
-  const std::string source = support::read_text(job.source);
+  const std::string source = read_submission(job.source);
   if (const auto unset = unset_variable(job, source))
     result.lucky_variable = unset->place + ": " + unset->variable;
   if (!keeps_an_expression(source)) return;
@@ -62,7 +62,7 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
                                    [](const CaseResult& each) { return !each.passed(); });
   if (failed == result.cases.end() || result.untouched()) return;
   Finding& finding = *failed->finding;
-  const std::string source = support::read_text(job.source);
+  const std::string source = read_submission(job.source);
   name_from_source(result, source);
   const std::string file = job.source.filename().string();
   if (judgement.locate_crashes && !never_set_in(result.warnings, file))

@@ -135,6 +135,16 @@ TEST_CASE("odd files: a NUL is refused, and bytes without a meaning do not compi
   check_text(std::string(1000, '\xff'), {"does not compile"});
 }
 
+TEST_CASE("odd files: in UTF-16 too, the file shows why the answer is wrong") {
+  std::string wide = "\xff\xfe";
+  for (const char c : replaced(right_product(), "{a[0]", "{1/2 * a[0]")) wide += {c, '\0'};
+  const Place place;
+  write(place.files() / "product.cpp", wide);
+  const Judgement judgement = judge(place);
+  CAPTURE(judgement.output.substr(0, 3000));
+  CHECK(judgement.output.find("There is 1/2 in line") != std::string::npos);
+}
+
 TEST_CASE("odd files: what other systems' editors make of a right answer passes") {
   check_text(replaced(right_product(), "\n", "\r\n"), {"passed"}, 5);
   check_text("\xef\xbb\xbf" + right_product(), {"passed"}, 5);  // a byte order mark
