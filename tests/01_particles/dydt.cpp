@@ -338,7 +338,8 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return ydot;
       }},
      {"multiplied by the mass",
-      "You have multiplied the forces by the mass. By the same force the heavy are accelerated "
+      "You have multiplied the force by the mass. Divide: the same force accelerates a heavy "
+      "particle "
       "less.",
       "The right-hand side",
       [](const System& system, double t, const VectorXd& y) {
@@ -360,8 +361,7 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
       })},
      {"weight upwards",
       "The weight has the wrong sign: your particles fall upwards. The acceleration of free fall "
-      "is "
-      "a vector that already points downwards.",
+      "is a vector that already points downwards.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
         return right_force(s, mass, v) - 2 * mass * s.gravity;
       })},
@@ -377,8 +377,9 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return right_force(s, mass, v) + s.quadratic_drag * v.norm() * v;
       })},
      {"half of the quadratic drag",
-      "Your quadratic drag is half of ours. A textbook's ½ belongs to ½ ρ c A; here c is all that "
-      "stands before |v| v.",
+      "Your quadratic drag is half of what it should be. A textbook writes ½ ρ c A |v| v; here c "
+      "stands "
+      "for all of ½ ρ c A.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) {
         System half = s;
         half.quadratic_drag /= 2;
@@ -386,8 +387,7 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
       })},
      {"drags exchanged",
       "The two drags are exchanged: the linear one grows with the speed, the quadratic one with "
-      "its "
-      "square.",
+      "its square.",
       "Forces", with_force([](const System& s, double mass, const Vec3& v) -> Vec3 {
         return mass * s.gravity - s.quadratic_drag * v - s.linear_drag * v.norm() * v;
       })},
@@ -443,8 +443,7 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
       })},
      {"rest length added",
       "You have added the rest length to the length of a spring. What counts is how much longer "
-      "than "
-      "at rest it is.",
+      "than at rest it is.",
       "Forces", with_pull([](Spring s, const Vec3& l, const Vec3& rate) {
         s.rest_length *= -1;
         return right_pull(s, l, rate);

@@ -124,8 +124,7 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       }},
      {"time of the end",
       "You have taken the slope at the time t + h, but with the state at t. Euler's method looks "
-      "at "
-      "the start of the step.",
+      "at the start of the step.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) -> VectorXd {
         return reference(f, t + h, y, h);
@@ -164,8 +163,7 @@ const Misconceptions<decltype(particles::euler_step)> misconceptions{
       }},
      {"new numbers used at once",
       "You have replaced the components one after the other, and the later ones already saw the "
-      "new "
-      "values of the earlier ones. All slopes belong to the same, old state.",
+      "new values of the earlier ones. All slopes belong to the same, old state.",
       "Euler's method",
       [](const Rhs& f, double t, const VectorXd& y, double h) {
         VectorXd z = y;

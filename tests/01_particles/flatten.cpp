@@ -105,8 +105,7 @@ const Misconceptions<decltype(particles::flatten)> misconceptions{
     TUMBLE_UNIT,
     {{"all positions first",
       "All positions stand before all velocities. In our state a particle's numbers stay together: "
-      "its "
-      "velocity follows its own position.",
+      "its velocity follows its own position.",
       "The state",
       [](const Particles& list) {
         VectorXd y(6 * count_of(list));

@@ -119,8 +119,7 @@ const Misconceptions<decltype(particles::midpoint_step)> misconceptions{
     TUMBLE_UNIT,
     {{"Euler's method",
       "This is Euler's step: you have followed the slope at the start all the way. Follow the "
-      "slope "
-      "halfway.",
+      "slope halfway.",
       "The midpoint method", euler},
      {"half of the time itself",
       "You have taken the second slope at (t + h)/2. Halfway through the step is half of h after "

@@ -195,17 +195,17 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "weigh the same.",
       "Runge–Kutta", with({.weights = {1 / 6., 1 / 3., 1 / 2., 1 / 6.}})},
      {"third slope weighs once",
-      "Your third slope weighs half as much as the second, and the weights sum to 5. Both slopes "
-      "in "
-      "the middle weigh the same.",
+      "Your weights are 1, 2, 1, 1, which sum to 5 instead of 6. Both slopes in the middle weigh "
+      "the "
+      "same.",
       "Runge–Kutta", with({.weights = {1 / 6., 1 / 3., 1 / 6., 1 / 6.}})},
      {"second slope weighs once",
-      "Your second slope weighs half as much as the third, and the weights sum to 5. Both slopes "
-      "in "
-      "the middle weigh the same.",
+      "Your weights are 1, 1, 2, 1, which sum to 5 instead of 6. Both slopes in the middle weigh "
+      "the "
+      "same.",
       "Runge–Kutta", with({.weights = {1 / 6., 1 / 6., 1 / 3., 1 / 6.}})},
      {"fourth slope subtracted",
-      "You have subtracted the fourth slope. Every slope of an average has a positive weight.",
+      "You have subtracted the fourth slope. In RK4 all four slopes have a positive weight.",
       "Runge–Kutta", with({.weights = {1 / 6., 1 / 3., 1 / 3., -1 / 6.}})},
      {"brackets of the average forgotten",
       "You have multiplied the first slope by h/6, and added the others without it. Put brackets "
@@ -234,13 +234,11 @@ const Misconceptions<decltype(particles::rk4_step)> misconceptions{
       "Runge–Kutta", with({.by = {0, 0, 1, 1}})},
      {"fourth slope halfway",
       "You have looked at the fourth slope halfway, in time and state. It belongs to the end of "
-      "the "
-      "step.",
+      "the step.",
       "Runge–Kutta", with({.at = {0, 0.5, 0.5, 0.5}, .along = {0, 0.5, 0.5, 0.5}})},
      {"only half of the way to the end",
       "You have taken the fourth slope at the time of the end, but moved the state only half of "
-      "the "
-      "step. Time and state belong together.",
+      "the step. Time and state belong together.",
       "Runge–Kutta", with({.along = {0, 0.5, 0.5, 0.5}})},
      {"whole steps to look ahead",
       "For the second and the third slope you have moved the state a whole step. They are halfway.",

@@ -175,8 +175,7 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       "Adaptive steps", with_factor([](double error, int) { return 0.9 / std::sqrt(error); })},
      {"power for root",
       "You have raised the error to the power q + 1. The error norm goes as that power of the "
-      "step, "
-      "so from the error to the step it is the root.",
+      "step, so from the error to the step it is the root.",
       "Adaptive steps",
       with_factor([](double error, int order) { return 0.9 * std::pow(error, -(order + 1)); })},
      {"brackets of the exponent forgotten",
@@ -284,8 +283,7 @@ const Misconceptions<decltype(solvers::adaptive_step_size)> misconceptions{
       "Adaptive steps", [](double h, double error, int) { return error <= 1 ? 2 * h : h / 2; }},
      {"NaN passed on",
       "For an error of NaN your step is NaN, and from there on all is lost. Something went wrong "
-      "in "
-      "that step: try a shorter one.",
+      "in that step: try a shorter one.",
       "Adaptive steps",
       [](double h, double error, int order) {
         return std::isnan(error) ? error : reference(h, error, order);

@@ -502,8 +502,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "Implicit steps", with_matrix(right_matrix, {.enough = 1e-3})},
      {"a fixed number to stop at",
       "You stop at a correction below a fixed number. A state whose numbers are all smaller has "
-      "not "
-      "even begun then: compare the correction with the size of the state.",
+      "not even begun then: compare the correction with the size of the state.",
       "Implicit steps", with_matrix(right_matrix, {.enough = 1e-8, .of_the_state = false})},
      {"a residual below a fixed number",
       "You stop where what is left of the equation is below a fixed number. A state whose numbers "
@@ -525,8 +524,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
       "Implicit steps", with_matrix(right_matrix, {.enough = 0, .rounds = 10})},
      {"Jacobian of the start",
       "You have evaluated the Jacobian once, at the start. The tangent leads on only where you "
-      "are: "
-      "evaluate the Jacobian anew in each iteration.",
+      "are: evaluate the Jacobian anew in each iteration.",
       "Implicit steps",
       with_jacobian_at([](const Jacobian& dfdy, double t, double h, const VectorXd& y,
                           const VectorXd&) { return dfdy(t + h, y); })},
@@ -591,8 +589,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
      {"trapezoidal rule",
       "You have averaged the slopes at the start and at the end. That is the trapezoidal rule: "
       "more exact, but in a stiff problem it swings about the solution for long. Here the slope at "
-      "the "
-      "end counts alone.",
+      "the end counts alone.",
       "Implicit steps", trapezoidal(0.5)},
      {"trapezoidal rule, with another matrix",
       "In your equation the slopes at the start and at the end are averaged. That is the "

@@ -202,7 +202,8 @@ const Misconceptions<decltype(solvers::error_norm)> misconceptions{
       "more.",
       "The error of a step", with_mean([](const Eigen::ArrayXd& r) { return r.abs().mean(); })},
      {"last component only",
-      "Of the sum only the last component is left: each square has replaced the one before it. Add "
+      "Only the last component is left in your sum: each square has replaced the one before it. "
+      "Add "
       "them up.",
       "The error of a step", with_mean([](const Eigen::ArrayXd& r) {
         return std::abs(r[r.size() - 1]) / std::sqrt(static_cast<double>(r.size()));

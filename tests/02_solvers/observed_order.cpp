@@ -168,8 +168,7 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
       [](const Numbers& h, const Numbers& errors) { return -reference(h, errors); }},
      {"no logarithms",
       "This is the slope of the errors themselves against the steps. A power is a straight line "
-      "only "
-      "where both axes are logarithmic.",
+      "only where both axes are logarithmic.",
       "Observed order", [](const Numbers& h, const Numbers& errors) { return slope(h, errors); }},
      {"logarithm of the errors only",
       "You have taken the logarithm of the errors only. A power is a straight line only where both "
@@ -253,16 +252,14 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
       }},
      {"ratio of the spreads",
       "You have divided the spread of the errors by the spread of the steps. That is the slope "
-      "only "
-      "where the points lie on a line: the products of the deviations are missing.",
+      "only where the points lie on a line: the products of the deviations are missing.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) {
         return std::sqrt(reference(h, errors) / reference(errors, h));
       }},
      {"never negative",
       "Your order is never negative. Where the errors grow as h falls, the line falls, and the "
-      "order "
-      "has a minus.",
+      "order has a minus.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) { return std::abs(reference(h, errors)); }},
      {"axes swapped",

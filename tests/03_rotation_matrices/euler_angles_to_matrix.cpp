@@ -181,8 +181,7 @@ const Misconceptions<decltype(rotation_matrices::euler_angles_to_matrix)> miscon
       [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(a, axes).transpose(); }},
      {"turn about y mirrored",
       "Your turns about x and z are right, but the one about y goes the wrong way. After y comes "
-      "z, "
-      "then x: a positive angle takes z towards x.",
+      "z, then x: a positive angle takes z towards x.",
       "Columns are axes",
       [](const Vec3& a, const Axes& axes) -> Mat3 {
         Vec3 mirrored = a;
@@ -196,8 +195,7 @@ const Misconceptions<decltype(rotation_matrices::euler_angles_to_matrix)> miscon
       [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(pi / 180 * a, axes); }},
      {"radians turned into degrees",
       "You have converted the angles into degrees. Sine and cosine take radians, and the angles "
-      "are "
-      "in radians already.",
+      "are in radians already.",
       "Euler angles and their order",
       [](const Vec3& a, const Axes& axes) -> Mat3 { return reference(180 / pi * a, axes); }},
      {"half of each angle",

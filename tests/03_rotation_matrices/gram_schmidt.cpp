@@ -131,8 +131,7 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
     TUMBLE_UNIT,
     {{"columns only normalised",
       "Your columns have length 1 now, but they are not perpendicular: their parts along each "
-      "other "
-      "are still in them.",
+      "other are still in them.",
       "Gram–Schmidt", [](const Mat3& M) -> Mat3 { return M.colwise().normalized(); }},
      {"not normalised",
       "Your columns are perpendicular, but have kept their lengths. The axes of a body have length "
@@ -202,8 +201,7 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
       }},
      {"x not yet of length 1",
       "You have taken y's part along x before x had length 1. Such a part is wrong by the square "
-      "of "
-      "that length, and z = x × y turns with y.",
+      "of that length, and z = x × y turns with y.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
         Mat3 R = M;
@@ -220,16 +218,13 @@ const Misconceptions<decltype(rotation_matrices::gram_schmidt)> misconceptions{
       }},
      {"left-handed",
       "Your last column points the wrong way, and the matrix is a reflection. With your right "
-      "thumb "
-      "along x and the forefinger along y, the middle finger is z.",
+      "thumb along x and the forefinger along y, the middle finger is z.",
       "Columns are axes",
       [](const Mat3& M) -> Mat3 { return reference(M) * Vec3(1, 1, -1).asDiagonal(); }},
      {"classical, not modified",
       "This is fine where the columns are far from parallel. Here y is not quite perpendicular to "
-      "x, "
-      "and you have taken the part of z along y from the column as it was given, with its large "
-      "part "
-      "along x still in it. Take each part from what the last subtraction has left.",
+      "x, and you have taken the part of z along y from the column as it was given, with its large "
+      "part along x still in it. Take each part from what the last subtraction has left.",
       "Gram–Schmidt",
       [](const Mat3& M) -> Mat3 {
         Mat3 R = M;

@@ -156,8 +156,7 @@ const Misconceptions<decltype(quaternions::quaternion_dot)> misconceptions{
       }},
      {"ω in the places of w, x and y",
       "You have put ω into the product as (ω, 0), its scalar part last. Here w comes first: q[0] "
-      "is "
-      "the scalar.",
+      "is the scalar.",
       "Conventions",
       [](const Quaternion& q, const Vec3& omega) -> Quaternion {
         return 0.5 * reference::product({omega[0], omega[1], omega[2], 0}, q);

@@ -282,8 +282,9 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
         return reference(mass, x, R, g, last);
       }},
      {"only the last force, but all torques",
-      "Your torque is right, but in the force each one has replaced the one before it. Add them "
-      "up.",
+      "Your torque is right. Your force is only the last one: each force has replaced what was "
+      "there, "
+      "the weight too. Add them up.",
       "Force and torque",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         Wrench sum = reference(mass, x, R, g, forces);
@@ -291,8 +292,9 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
         return sum;
       }},
      {"only the last torque, but all forces",
-      "Your force is right, but in the torque each one has replaced the one before it. Add them "
-      "up.",
+      "Your force is right. Your torque is only the last one: each torque has replaced the one "
+      "before "
+      "it. Add them up.",
       "Force and torque",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {
         Wrench sum = reference(mass, x, R, g, forces);

@@ -218,9 +218,7 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
                       [](double mass, const Vec3& r) -> Mat3 { return mass * outer(r); });
       }},
      {"r rᵀ added",
-      "You have added the part along the arrow where you take it away: a point on the axis x does "
-      "not "
-      "resist a turn about x.",
+      "You have added r rᵀ. Subtract it: a point on the x axis does not resist a turn about x.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {
@@ -279,8 +277,9 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         });
       }},
      {"distance not squared on the diagonal",
-      "Your products are right, but on the diagonal stands the distance where its square belongs: "
-      "look at the unit, kg m².",
+      "Your products are right. On the diagonal you have |r| where |r|² belongs: look at the unit, "
+      "kg "
+      "m².",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) {
         return sum_of(points, about, [](double mass, const Vec3& r) -> Mat3 {

@@ -302,9 +302,8 @@ const Misconceptions<decltype(point_sampling::parallel_axis)> misconceptions{
       }},
      {"a point near the centre taken for it",
       "You leave a leg of the way out where a point is nearly the centre of mass. isApprox asks "
-      "how "
-      "far apart they are in comparison with their distance from the origin: 1e8 m away it takes "
-      "0.1 mm for nothing. You need no such case: a leg without length changes nothing.",
+      "how far apart they are in comparison with their distance from the origin: 1e8 m away it "
+      "takes 0.1 mm for nothing. You need no such case: a leg without length changes nothing.",
       "Far from the origin",
       [](const Mat3& I, double mass, const Vec3& centre, const Vec3& from, const Vec3& to) {
         const auto leg_end = [&](const Vec3& p) { return p.isApprox(centre) ? centre : p; };

@@ -193,9 +193,9 @@ const Misconceptions<decltype(bounding_boxes::bounding_box)> misconceptions{
         return between(smallest(points), largest(points).cwiseMax(tiny));
       }},
      {"else if, smallest first",
-      "A coordinate that was a new smallest one has not been tried as the largest. Where the "
-      "points "
-      "come in falling order, the largest is lost: write two ifs, and no else.",
+      "You do not compare a coordinate with the largest if it is a new smallest one. If the first "
+      "point "
+      "has the largest, you lose it: write two ifs, and no else.",
       "The box along the axes",
       [](const Points& points) {
         return searched(points, [](double x, double& low, double& high) {
@@ -206,9 +206,8 @@ const Misconceptions<decltype(bounding_boxes::bounding_box)> misconceptions{
         });
       }},
      {"else if, largest first",
-      "A coordinate that was a new largest one has not been tried as the smallest. Where the "
-      "points "
-      "come in rising order, the smallest is lost: write two ifs, and no else.",
+      "You do not compare a coordinate with the smallest if it is a new largest one. If the first "
+      "point has the smallest, you lose it: write two ifs, and no else.",
       "The box along the axes",
       [](const Points& points) {
         return searched(points, [](double x, double& low, double& high) {

@@ -307,10 +307,8 @@ const Misconceptions<decltype(bounding_boxes::box_inertia)> misconceptions{
       }},
      {"a point near the centre taken for it",
       "You don't move the tensor where “about” is nearly the centre of the box. isApprox asks how "
-      "far "
-      "apart they are in comparison with their distance from the origin: 1e8 m away it takes 0.1 "
-      "mm "
-      "for nothing. You need no such case: a move by nothing adds nothing.",
+      "far apart they are in comparison with their distance from the origin: 1e8 m away it takes "
+      "0.1 mm for nothing. You need no such case: a move by nothing adds nothing.",
       "Far from the origin",
       [](double mass, const Box& box, const Vec3& about) {
         return reference(mass, box, about.isApprox(box.centre) ? box.centre : about);

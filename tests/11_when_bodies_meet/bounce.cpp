@@ -492,13 +492,11 @@ const Misconceptions<decltype(when_bodies_meet::bounce)> misconceptions{
       "From contact to contact", as({.lists_before = true})},
      {"z added up",
       "You add up z from flight to flight, so that rounding lets the ball sink or rise. You know "
-      "where "
-      "its centre is at a contact: set it there.",
+      "where its centre is at a contact: set it there.",
       "From contact to contact", as({.adds_up_z = true})},
      {"nearly on the floor",
       "You say that a ball is at rest that is not yet on the floor, as it is low and slow. It "
-      "falls "
-      "even so, and bounces as often as from any other height.",
+      "falls even so, and bounces as often as from any other height.",
       "Infinitely many bounces", as({.near = 1e-9})},
      {"a billionth of 1 m/s",
       "You count until the ball is slower than 1e-9 m/s. What counts is the part of the speed at "

@@ -477,8 +477,7 @@ const Misconceptions<decltype(when_bodies_meet::collide_with_friction)> misconce
       "The slip may turn round", as(usual_law)},
      {"work of the last piece only",
       "Where the slip ends while the bodies still come together, you count the work from there "
-      "only. "
-      "What the spring has taken before comes back as well.",
+      "only. What the spring has taken before comes back as well.",
       "Energy comes back by Stronge's law", as(Law{.end = stronge_from_rest})},
      {"friction after the slip has ended",
       "Your friction goes on in the same direction when the slip is at its end, so it drives the "

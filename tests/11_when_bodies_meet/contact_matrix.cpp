@@ -227,8 +227,7 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
      {"not symmetric to the last bit",
       "Your K is right up to rounding, but two numbers that mirror each other differ in their last "
       "bits. Make both from the same mean. If you write that in place, K = (K + K.transpose()) / "
-      "2, "
-      "Eigen overwrites numbers that it still needs: evaluate the right side first.",
+      "2, Eigen overwrites numbers that it still needs: evaluate the right side first.",
       "How a point responds to an impulse",
       [](const Body& body, const State& state, const Vec3& point) -> Mat3 {
         Mat3 K = contact_matrix(body, state, point);

@@ -328,8 +328,7 @@ const Misconceptions<decltype(when_bodies_meet::first_contact)> misconceptions{
       "When they touch", as(by_bisection)},
      {"speed guessed from the last gaps",
       "You guess the speed from the last two gaps. Bodies may come together faster than they did "
-      "so "
-      "far; only the bound that you are given is safe.",
+      "so far; only the bound that you are given is safe.",
       "When they touch", as(by_secants)},
      {"waits for a gap of 0",
       "You go on until the gap is 0. It gets smaller and smaller, and may never be exactly 0: that "
@@ -347,8 +346,7 @@ const Misconceptions<decltype(when_bodies_meet::first_contact)> misconceptions{
       as(without_start)},
      {"gives up",
       "You give up after 1000 steps or fewer. If the bound is far above the speed there are more, "
-      "and "
-      "each leads on: only t1 ends the search.",
+      "and each leads on: only t1 ends the search.",
       "When they touch", as([](const Search& q) { return advance(q, 1, 1000); })},
      {"end ignored", "You go on after t1. What happens later doesn't count.", "When they touch",
       as(without_end)},

@@ -276,8 +276,7 @@ const Misconceptions<decltype(when_bodies_meet::overlapping_pairs)> misconceptio
                  }}},
      {"one axis only",
       "You compare the bodies along x only. Those that the sweep finds together along x may still "
-      "be "
-      "far apart along y or z.",
+      "be far apart along y or z.",
       "Who can meet at all",
       Reader{
           .candidates = [](const Bounds& a, const Bounds& b) { return overlap_along(0, a, b); }}},
@@ -305,8 +304,7 @@ const Misconceptions<decltype(when_bodies_meet::overlapping_pairs)> misconceptio
                  }}},
      {"`meet` never asked",
       "You return every pair whose bounds overlap. Bounds are larger than bodies: only `meet` "
-      "knows "
-      "whether two bodies really meet.",
+      "knows whether two bodies really meet.",
       "Who can meet at all", Reader{.asks = [](const Meet&, int, int) { return true; }}},
      {"`meet` asked for all pairs",
       "You ask `meet` for bodies whose bounds are apart. That is the expensive question: the "
@@ -362,11 +360,9 @@ const Misconceptions<decltype(when_bodies_meet::overlapping_pairs)> misconceptio
                  }}},
      {"neighbours only",
       "You compare each body with the next one of the sweep only. A long body reaches over its "
-      "next "
-      "neighbour to those that come later.",
+      "next neighbour to those that come later.",
       "Who can meet at all", neighbours_only},
      {"sweep ended too early",
       "Your sweep of a body ends at the first one that it does not meet. It may end only at one "
-      "that "
-      "begins, along the axis of the sweep, where your body has ended.",
+      "that begins, along the axis of the sweep, where your body has ended.",
       "Who can meet at all", stops_too_early}}};

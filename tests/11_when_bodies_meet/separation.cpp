@@ -405,9 +405,8 @@ const Misconceptions<decltype(when_bodies_meet::separation)> misconceptions{
       Reader{.directions = [](const Box& a, const Box& b) { return with_products(a, b, 0); }}},
      {"nearly parallel edges left out",
       "You leave out the product of two edges that are nearly parallel. Two long boxes may cross "
-      "at "
-      "just such an angle, and then nothing else shows the gap between them. Leave out only what "
-      "is parallel up to rounding.",
+      "at just such an angle, and then nothing else shows the gap between them. Leave out only "
+      "what is parallel up to rounding.",
       "A plane between two boxes",
       Reader{.directions = [](const Box& a, const Box& b) { return with_products(a, b, 0.01); }}},
      {"smallest gap",
@@ -426,8 +425,7 @@ const Misconceptions<decltype(when_bodies_meet::separation)> misconceptions{
       }},
      {"no side, no normal",
       "Your normal is 0 where the centres are equally far along the direction: there n·d is 0, and "
-      "so "
-      "is its sign. Give either side; the gap is the same.",
+      "so is its sign. Give either side; the gap is the same.",
       "A plane between two boxes",
       Reader{.side = [](double along) { return along > 0   ? 1.
                                                : along < 0 ? -1.

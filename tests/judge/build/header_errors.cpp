@@ -36,8 +36,7 @@ std::string meaning_of(const std::string& assertion) {
         "vectors or matrices of different sizes are added, compared, assigned or returned"},
        {"INVALID_VECTOR_VECTOR_PRODUCT",
         "a vector times a vector: write a.dot(b) for the dot product, a.cwiseProduct(b) for entry "
-        "by "
-        "entry"},
+        "by entry"},
        {"INVALID_MATRIX_PRODUCT",
         "a product needs as many columns on its left as rows on its right"},
        {"THE_BRACKET_OPERATOR_IS_ONLY_FOR_VECTORS", "m[i] is for vectors: write m(i, j)"},

@@ -173,8 +173,9 @@ class SubmissionCollector {
   void add_moodle(const LmsEntry& says, const fs::path& entry) {
     Submission& submission = of(says);
     if (!says.kind.empty())
-      submission.notes.push_back("Moodle's \"" + says.kind +
-                                 "\" are there: we grade files of exercises in them, and no texts");
+      submission.notes.push_back(
+          "Moodle's \"" + says.kind +
+          "\" are there. We grade files of exercises in them; we do not grade texts.");
     else if (says.is_text)
       submission.notes.emplace_back("a text was typed into Moodle: it is not graded");
     submission.answer_under = says.key() + "_assignsubmission_file_/";

@@ -9,11 +9,15 @@
 namespace tumble::judge {
 
 std::vector<Unit> units_meant(const Course& course, const std::string& text) {
+  if (text.ends_with(".cpp")) return course.select(text);  // a path may have hyphens
   const std::string plain = with_hyphens(text);
   const std::size_t hyphen = plain.find('-');
   if (hyphen == std::string::npos) return course.select(support::trimmed(plain));
-  const std::string from = course.select(support::trimmed(plain.substr(0, hyphen))).front().id(),
-                    to = course.select(support::trimmed(plain.substr(hyphen + 1))).back().id();
+  const std::string first = support::trimmed(plain.substr(0, hyphen)),
+                    last = support::trimmed(plain.substr(hyphen + 1));
+  require(!first.empty() && !last.empty(), "'", text,
+          "' is half of a range; write both ends, as in 1-4 or 1.1-1.3");
+  const std::string from = course.select(first).front().id(), to = course.select(last).back().id();
   const auto at = [&](const std::string& id) {
     return std::find_if(course.units.begin(), course.units.end(),
                         [&](const Unit& unit) { return unit.id() == id; });

@@ -220,7 +220,9 @@ class CommandLine {
         app.add_option("--roster", grade_.roster,
                        "the class list (CSV) with names and numbers; students without a submission "
                        "get a row, too"),
-        app.add_option("--only", grade_.only, "judge only these exercises or chapters, and again"),
+        app.add_option("--only", grade_.only,
+                       "judge only these exercises, chapters or ranges (1.1-1.3), and again")
+            ->delimiter(','),
         app.add_option("--student", grade_.students, "judge only these students"),
         app.add_option("--jobs", grade_.at_once,
                        "submissions at a time; as many as cores if not given")

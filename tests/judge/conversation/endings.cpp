@@ -24,8 +24,7 @@ std::string signal_text(int number) {
       return "SIGBUS: it used memory that is not there";
     case SIGILL:
       return "SIGILL: it reached code that must never run (a function that ends without return, a "
-             "null "
-             "pointer)";
+             "null pointer)";
     case SIGTRAP:
       return "SIGTRAP: it ran into a trap (a function without return?)";
     default:

@@ -25,8 +25,7 @@ TEST_CASE("exercises in the page: a box has the contract's sentences, and its ti
   ExercisePage page;
   page.says(
       "import(new URL('exercises/task.mjs', location)).then(({ contractText }) => globalThis.words "
-      "= "
-      "contractText({ chapter: '01_particles', number: '1.1' }))");
+      "= contractText({ chapter: '01_particles', number: '1.1' }))");
   CHECK(page.says("until(() => words.textContent.includes('Leave the masses out'))") == true);
   CHECK(page.says("words.textContent.includes('Many particles, one state')") == false);
 }

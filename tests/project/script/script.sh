@@ -314,7 +314,7 @@ expect 1 'judge: grade . --only 1.1 1.2'
 for arguments in 'grade nowhere' 'grade --out x nowhere' 'grade --strict nowhere --jobs 2'; do
   # shellcheck disable=SC2086
   run $arguments
-  expect 2 'nowhere is not a folder'
+  expect 2 'there is no folder nowhere'
   [ ! -s "$CALLS" ] || complain 'should build nothing'
 done
 for arguments in 'grade . --course nowhere.json' 'grade . --roster=nowhere.json' 'handout --course nowhere.json x'; do

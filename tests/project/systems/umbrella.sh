@@ -26,7 +26,7 @@ trap 'rm -rf "$work"' EXIT
 echo '#include <version>' >"$work/probe.cpp"
 for header in tumble collide contact; do echo "#include \"tumble/$header.hpp\""; done >"$work/umbrella.cpp"
 cat >"$work/plain.cpp" <<'CPP'
-#include "tumble/tumble.hpp"
+#include "umbrella.cpp"
 using namespace tumble;
 double mass_of(const PolygonMesh& mesh) {
   return mesh_mass_properties(mesh, 1000, {.accuracy = Accuracy::tight}).mass;
@@ -65,6 +65,9 @@ umbrella() {
   works "$*" "$status"
 }
 
+# What two files of a program would both define, as they include the same headers: all that is not inline.
+defined_twice() { nm -C "$1" 2>/dev/null | grep ' [TDBR] tumble::'; }
+
 # A program of a user who has nothing but `-I`: compiled to the end, as some warnings come late.
 plain() {
   has "$@" || { report left-out "$* (a program)"; return; }
@@ -72,6 +75,7 @@ plain() {
   # shellcheck disable=SC2086  # one word a warning
   "$@" -std=c++20 $warnings -O1 -I"$root/lib/include" -isystem "$eigen" -c "$work/plain.cpp" \
     -o "$work/$lane.o" >"$work/$lane.messages" 2>&1 || status=1
+  ! defined_twice "$work/$lane.o" >>"$work/$lane.messages" || status=1
   works "$*: a program without a warning" "$status"
 }
 

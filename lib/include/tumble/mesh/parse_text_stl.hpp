@@ -50,28 +50,41 @@ class StlTextReader {
   /// last word `next` before a facet.
   void skip_name(std::string_view next) {
     TextScanner name = text_;
-    const char* last = nullptr;
+    const char *first = nullptr, *last = nullptr;
     for (auto word = name.next_word(); !word.empty(); word = name.next_word()) {
+      if (!first) first = word.data();
       if (is_keyword(word, next)) last = word.data();
-      if (last != nullptr && is_keyword(word, "facet") && begins_facet(name))
+      if (last != nullptr && is_keyword(word, "facet") && begins_facet(name, word.data() == first))
         return text_.move_to(last);
     }
     text_.skip_to_line_end();
   }
 
-  /// Whether what follows the word `facet` is a facet's, and not a name's: then a loop comes before
-  /// the next facet. What is wrong in the loop is left to reading it.
-  static bool begins_facet(TextScanner after) {
+  /// Whether what follows the word `facet` is a facet's, and not a name's: then a loop or a vertex
+  /// comes before the next facet, whatever is wrong in it. Three numbers after `normal` are enough
+  /// for a facet that has lost its loop, unless a name begins with them.
+  static bool begins_facet(TextScanner after, bool is_first_word) {
     const auto next = [&after] {
       after.skip_to_word();
       return after.next_word();
     };
     if (!is_keyword(next(), "normal")) return false;
-    for (std::string_view word = next(); !word.empty(); word = next()) {
-      if (is_one_of(word, {"outer", "loop", "vertex", "endloop", "endfacet"})) return true;
+    int numbers = 0;
+    bool only_numbers = true;
+    std::string_view before;
+    for (std::string_view word = next(); !word.empty(); before = std::exchange(word, next())) {
+      only_numbers = only_numbers && is_number(word);
+      if (only_numbers && ++numbers == 3 && !is_first_word) return true;
+      if (is_keyword(before, "outer") && is_keyword(word, "loop")) return true;
+      if (is_keyword(before, "vertex") && is_number(word)) return true;
       if (is_one_of(word, {"facet", "solid", "endsolid"})) return false;
     }
     return false;
+  }
+
+  static bool is_number(std::string_view word) {
+    const char* end = word.data() + word.size();
+    return parse_double(word.data(), end).end == end;
   }
 
   static bool is_one_of(std::string_view word, std::initializer_list<std::string_view> keywords) {

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
 /// States at asked times, as text for other programs: CSV, and JSON (RFC 8259). A number has
-/// as few digits as give a reader the same double back.
+/// as few digits as give a reader the same double back; a zero has no sign.
 
 #include <ostream>
 #include <span>

@@ -170,8 +170,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app(
       "Mass properties: time per triangle and error of every method on the same meshes; and how "
-      "long "
-      "mesh files take to read.",
+      "long mesh files take to read.",
       "./tumble bench mass");
   app.add_option("--triangles", options.triangles, "of the torus, also of that in the files")
       ->check(CLI::Range(100, 100'000'000));

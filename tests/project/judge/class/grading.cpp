@@ -164,6 +164,10 @@ TEST_CASE("grading: one exercise of one student, again") {
   CHECK(tells(unknown, "there is no submission of 'bne'; did you mean ben?"));
   CHECK(tells(two.grade("--only 7.7"), "there is no exercise or chapter '7.7'"));
   CHECK(two.grade("--only '1.1 – 1.2'").status == 0);  // a range as in course.json
+  CHECK(two.grade("--only 1.1,1.2").status == 0);
+  CHECK(tells(two.grade("--only 1.1-"), "'1.1-' is half of a range"));
+  CHECK(tells(two.grade("--only my-course/1.1"), "there is no exercise or chapter 'my'"));
+  CHECK(two.grade("--only my-course/exercises/01_crossing/twice.cpp").status == 0);
 }
 
 TEST_CASE("check --student: what that student saw, word for word") {

@@ -109,7 +109,7 @@ inline ExpectedRows hand_in_moodle(const fs::path& to) {
   write_file(to / ("Cleo Ünal_4711003" + file) / "twice.cpp", wrong_twice());
   write_file(to / ("Cleo Ünal_4711003" + file) / "carry.cpp", carry());
   write_file(to / ("Dan Li_4711004" + typed) / "onlinetext.html", "<p>I was ill</p>");
-  // Without folders, as older ones do it.
+  // Without a folder of her own, as in older downloads; her file in the plugin's folder counts.
   write_file(to / ("Eve Roe_4711005" + file + "carry.cpp"), carry());
   write_file(to / "Eve Roe_4711005_assignsubmission_comments_" / "twice.cpp", twice());
   return {{"Ann Meyer_4711001", {"2", ""}},
@@ -118,7 +118,7 @@ inline ExpectedRows hand_in_moodle(const fs::path& to) {
           {"Dan Li_4711004", {"0", "no exercise found in it; it holds typed text/onlinetext.html"}},
           {"Eve Roe_4711005",
            {"2",
-            "Moodle's \"comments\" are there: we grade files of exercises in them, and no texts"}}};
+            "Moodle's \"comments\" are there. We grade files of exercises in them; we do not grade texts."}}};
 }
 
 /// Canvas's "Download Submissions", unpacked: one flat folder.

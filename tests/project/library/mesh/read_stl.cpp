@@ -126,7 +126,8 @@ TEST_CASE("parse_stl: a name may be made of keywords") {
   const std::string facet = facet_begin + three_vertices + facet_end;
   for (const std::string name :
        {"facet normal x", "facet", "facet normal", "facet normal 0 0 1", "endsolid", "solid",
-        "facet normal facet normal", "Facet Normal\tmap of it", "solid facet normal x"}) {
+        "facet normal facet normal", "Facet Normal\tmap of it", "solid facet normal x",
+        "facet normal vertex map", "a facet normal outer hull"}) {
     CAPTURE(name);
     const std::string one = "solid " + name + '\n' + facet + facet + "endsolid " + name + '\n';
     CHECK(parse_stl(one, "x").face_count() == 2);
@@ -142,6 +143,12 @@ TEST_CASE("parse_stl: no facet is taken for a name, whatever is wrong with it") 
           "solid x " + bad + facet_end + facet_begin + three_vertices + facet_end + "endsolid x",
           "facet #1");
     }
+}
+
+TEST_CASE("parse_stl: a facet that has lost its loop is not read as a name") {
+  const std::string facet = facet_begin + three_vertices + facet_end;
+  stl_refused("solid x facet normal 0 0 1 " + facet + "endsolid x", "facet #1");
+  stl_refused("solid x facet normal 0 0 1 endfacet " + facet + "endsolid x", "facet #1");
 }
 
 TEST_CASE("parse_stl: thousands of solids in one line take no longer than in many") {

@@ -68,7 +68,7 @@ TEST_CASE("write_csv and write_json of several bodies") {
   CHECK(parsed[1]["bodies"][0]["angular_momentum"][1] == motion.at(three_times[1])[0].L.y());
 }
 
-TEST_CASE("write_csv and write_json: no digit that says nothing") {
+TEST_CASE("write_csv and write_json: the shortest digits that give the same double back") {
   const RigidBodyState<> still{Vec3(0.1, -0.3, 1e-7)};
   const Trajectory motion = simulate(written_bodies[1], still, {0, 2, 1e-9}, SteadyForces{});
   std::ostringstream csv, text;
