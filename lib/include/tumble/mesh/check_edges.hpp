@@ -19,12 +19,11 @@ std::vector<EdgeUse> edge_uses(const PolygonMesh& mesh);
 /// Calls `visit(uses of one edge)` for every edge that is not used equally often both ways.
 template <class Visit>
 void for_each_uneven_edge(const std::vector<EdgeUse>& uses, Visit&& visit) {
-  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     int balance = 0;
-    for (j = i; j < uses.size() && uses[i].same_edge(uses[j]); ++j)
-      balance += uses[j].forward ? 1 : -1;
-    if (balance != 0) visit(std::span<const EdgeUse>(uses).subspan(i, j - i));
-  }
+    for (const EdgeUse& use : edge) balance += use.forward ? 1 : -1;
+    if (balance != 0) visit(edge);
+  });
 }
 
 /// Finds faces that have exactly the vertices of an earlier face. Only worth asking for a mesh that

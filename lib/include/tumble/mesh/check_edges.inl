@@ -68,14 +68,13 @@ TUMBLE_BODY std::string describe_faces(std::span<const EdgeUse> uses) {
 
 TUMBLE_BODY DisjointSets joined_sides(const PolygonMesh& mesh, const std::vector<EdgeUse>& uses) {
   DisjointSets sides(2 * static_cast<std::size_t>(mesh.face_count()));
-  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
-    for (j = i; j < uses.size() && uses[i].same_edge(uses[j]);) ++j;
-    if (j != i + 2) continue;
-    const int a = 2 * uses[i].face, b = 2 * uses[i + 1].face;
-    const int turned = uses[i].forward == uses[i + 1].forward ? 1 : 0;
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() != 2) return;
+    const int a = 2 * edge[0].face, b = 2 * edge[1].face;
+    const int turned = edge[0].forward == edge[1].forward ? 1 : 0;
     sides.join(a, b + turned);
     sides.join(a + 1, b + 1 - turned);
-  }
+  });
   return sides;
 }
 

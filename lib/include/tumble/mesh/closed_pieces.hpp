@@ -3,11 +3,11 @@
 /// The closed pieces of a surface that hang together only where they touch: at a vertex, or at an
 /// edge of more than two faces. As parts of one mesh they have these vertices in common.
 
+#include <span>
 #include <vector>
 
 #include "tumble/mesh/components.hpp"
-#include "tumble/mesh/edge_use.hpp"
-#include "tumble/mesh/line_bundle.hpp"
+#include "tumble/mesh/polygon_mesh.hpp"
 
 namespace tumble::detail {
 
@@ -20,9 +20,20 @@ std::vector<int> closed_pieces(const PolygonMesh& mesh);
 /// @param mesh closed
 PolygonMesh apart_at_pinches(const PolygonMesh& mesh);
 
-/// Whether a line leaves a part where it enters it, up to `blur` [m]: the part may be pieces that
-/// touch.
-bool meets_itself(const LineHits& hits, double blur);
+/// How a face goes past one of its vertices.
+struct Passage {
+  int from, to;  ///< the vertices before it and after it
+};
+
+/// Whether the faces around a vertex are one fan: you get from each to all others across edges that
+/// have two faces.
+/// @param around the vertex of a closed mesh; we sort them if they are many
+bool is_one_fan(std::span<Passage> around);
+
+/// Whether a surface touches itself at a vertex or an edge: only there can pieces hang together
+/// that are closed without each other. Costs some 10 ns a corner.
+/// @param mesh closed
+bool is_pinched(const PolygonMesh& mesh);
 
 }  // namespace tumble::detail
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -11,15 +12,6 @@
 #include "tumble/mesh/check_edges.hpp"
 
 namespace tumble::detail {
-
-/// Calls `visit(uses of one edge)` for every edge.
-template <class Visit>
-void for_each_edge(const std::vector<EdgeUse>& uses, const Visit& visit) {
-  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
-    while (j < uses.size() && uses[i].same_edge(uses[j])) ++j;
-    visit(std::span<const EdgeUse>(uses).subspan(i, j - i));
-  }
-}
 
 /// The pieces that are not closed at an edge.
 inline std::vector<int> open_at(std::span<const EdgeUse> edge, DisjointSets& pieces) {
@@ -68,16 +60,58 @@ TUMBLE_BODY PolygonMesh apart_at_pinches(const PolygonMesh& mesh) {
   return apart;
 }
 
-TUMBLE_BODY bool meets_itself(const LineHits& hits, double blur) {
-  for (std::size_t i = 0; i < hits.line_count(); ++i) {
-    const std::span<const LineHit> line = hits.of_line(i);
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      const LineHit &below = line[k - 1], &above = line[k];
-      if (above.part == below.part && above.direction != below.direction &&
-          above.z - below.z <= blur + above.error + below.error)
-        return true;
+/// Calls `visit(vertex, passage)` for each corner. Where a face goes back to the vertex it came
+/// from, it adds nothing to the fan: such faces have no area.
+template <class Visit>
+void for_each_passage(const PolygonMesh& mesh, const Visit& visit) {
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const std::span<const int> face = mesh.face(f);
+    if (face.empty()) continue;
+    int from = face.back();
+    for (std::size_t k = face.size(); from == face[0] && k > 0;) from = face[--k];
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const int v = face[k], to = face[k + 1 < face.size() ? k + 1 : 0];
+      if (to == v) continue;  // a corner that is there twice is one
+      if (from != to) visit(v, Passage{from, to});
+      from = v;
     }
   }
+}
+
+TUMBLE_BODY bool is_one_fan(std::span<Passage> around) {
+  constexpr std::size_t few = 16;
+  const auto before = [](const Passage& passage, int v) { return passage.from < v; };
+  const bool sorted = around.size() > few;
+  if (sorted)
+    std::sort(around.begin(), around.end(),
+              [](const Passage& a, const Passage& b) { return a.from < b.from; });
+  const auto next = [&](const Passage& passage) {
+    if (sorted) return std::lower_bound(around.begin(), around.end(), passage.to, before);
+    return std::find_if(around.begin(), around.end(),
+                        [&](const Passage& other) { return other.from == passage.to; });
+  };
+  // Of two that come from the same vertex we always take the first. So if an edge has four faces,
+  // one passage is never met, and we are back too early or go round elsewhere.
+  auto place = around.begin();
+  for (std::size_t steps = 1; steps <= around.size(); ++steps) {
+    place = next(*place);
+    if (place == around.end()) return false;
+    if (place == around.begin()) return steps == around.size();
+  }
+  return around.empty();
+}
+
+TUMBLE_BODY bool is_pinched(const PolygonMesh& mesh) {
+  // Sorted by their vertices: those around v end where those around v + 1 begin.
+  std::vector<std::size_t> begin(mesh.vertices.size() + 2, 0);
+  const auto at = [](int v) { return static_cast<std::size_t>(v); };
+  for_each_passage(mesh, [&](int v, const Passage&) { ++begin[at(v) + 2]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Passage> passages(begin.back());
+  for_each_passage(mesh,
+                   [&](int v, const Passage& passage) { passages[begin[at(v) + 1]++] = passage; });
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    if (!is_one_fan(std::span(passages).subspan(begin[v], begin[v + 1] - begin[v]))) return true;
   return false;
 }
 

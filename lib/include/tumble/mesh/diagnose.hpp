@@ -44,9 +44,8 @@ TriangleMeetings meetings_for(const PolygonMesh& mesh, const Components& surface
                               std::vector<char> hidden, crossings::Search search);
 
 /// Finds surfaces that are there twice, also where they touch a body and share its vertices.
-/// @param lines that were drawn with the rounding of doubles
 std::vector<MeshDefect> find_doubled_pieces(const PolygonMesh& mesh, const Components& surface,
-                                            const LineBundle& lines, const Eigen::AlignedBox3d& box,
+                                            const Eigen::AlignedBox3d& box,
                                             std::optional<double> rounding);
 
 /// Everything that is wrong with the parts of a closed surface.

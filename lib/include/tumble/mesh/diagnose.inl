@@ -35,18 +35,12 @@ TUMBLE_BODY TriangleMeetings meetings_for(const PolygonMesh& mesh, const Compone
   return meetings_of_parts(mesh, surface, hidden, few_pairs, few);
 }
 
-std::vector<MeshDefect> find_doubled_pieces(const PolygonMesh& mesh, const Components& surface,
-                                            const LineBundle& lines, const Eigen::AlignedBox3d& box,
-                                            std::optional<double> rounding) {
-  constexpr double coarse = 2e-6;  // of the largest coordinate: what six digits leave between two
-  bool touches = mesh.face_count() <= always_pairs;
-  lines.for_each([&](const LineHits& hits) {
-    touches = touches || meets_itself(hits, coarse * largest_coordinate(box));
-  });
-  if (!touches) return find_doubled_surfaces(mesh, surface, box, rounding);
+TUMBLE_BODY std::vector<MeshDefect> find_doubled_pieces(const PolygonMesh& mesh,
+                                                        const Components& surface,
+                                                        const Eigen::AlignedBox3d& box,
+                                                        std::optional<double> rounding) {
+  if (!is_pinched(mesh)) return find_doubled_surfaces(mesh, surface, box, rounding);
   const PolygonMesh apart = apart_at_pinches(mesh);
-  if (apart.vertices.size() == mesh.vertices.size())
-    return find_doubled_surfaces(mesh, surface, box, rounding);
   return find_doubled_surfaces(apart, components(apart, enclosed_by(apart)), box, rounding);
 }
 
@@ -67,7 +61,7 @@ TUMBLE_BODY std::vector<MeshDefect> find_wrong_bodies(const PolygonMesh& mesh, c
   std::vector<MeshDefect> findings = find_flat_parts(mesh, surface);
   const auto spoils = [](const MeshDefect& finding) { return spoils_integrals(finding); };
   if (std::none_of(findings.begin(), findings.end(), spoils)) {
-    auto doubled = find_doubled_pieces(mesh, surface, lines, box, rounding);
+    auto doubled = find_doubled_pieces(mesh, surface, box, rounding);
     if (!doubled.empty()) return doubled;
   }
   const std::vector<MeshDefect> depth =

@@ -12,6 +12,7 @@
 #include "tumble/mesh/check_edges.hpp"
 #include "tumble/mesh/closed_pieces.hpp"
 #include "tumble/mesh/coordinate_rounding.hpp"
+#include "tumble/mesh/line_bundle.hpp"
 #include "tumble/mesh/weld.hpp"
 
 namespace tumble::detail {
@@ -34,13 +35,11 @@ TUMBLE_BODY std::vector<char> possible_copies(const std::vector<Component>& part
 TUMBLE_BODY std::vector<char> most_edges_are_shared_by_four(const PolygonMesh& mesh,
                                                             const Components& surface) {
   std::vector<std::size_t> all(surface.parts.size()), shared(surface.parts.size());
-  const std::vector<EdgeUse> uses = edge_uses(mesh);
-  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
-    while (j < uses.size() && uses[i].same_edge(uses[j])) ++j;
-    const auto part = static_cast<std::size_t>(surface.of(uses[i].low));
-    all[part] += j - i;
-    if (j - i >= 4) shared[part] += j - i;
-  }
+  for_each_edge(edge_uses(mesh), [&](std::span<const EdgeUse> edge) {
+    const auto part = static_cast<std::size_t>(surface.of(edge[0].low));
+    all[part] += edge.size();
+    if (edge.size() >= 4) shared[part] += edge.size();
+  });
   std::vector<char> result;
   for (std::size_t i = 0; i < all.size(); ++i) result.push_back(3 * shared[i] > all[i]);
   return result;

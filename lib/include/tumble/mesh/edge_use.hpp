@@ -2,7 +2,10 @@
 /// @file
 /// An edge as a face has it.
 
+#include <cstddef>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "tumble/mesh/mesh_defect.hpp"
 
@@ -16,6 +19,16 @@ struct EdgeUse {
 
   bool same_edge(const EdgeUse& other) const { return low == other.low && high == other.high; }
 };
+
+/// Calls `visit(uses of one edge)` for every edge.
+/// @param uses those of the same edge side by side
+template <class Visit>
+void for_each_edge(const std::vector<EdgeUse>& uses, const Visit& visit) {
+  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    while (j < uses.size() && uses[i].same_edge(uses[j])) ++j;
+    visit(std::span<const EdgeUse>(uses).subspan(i, j - i));
+  }
+}
 
 /// "edge #3–#7, from vertex #3 at (…) to vertex #7 at (…)".
 inline std::string describe_edge(const PolygonMesh& mesh, const EdgeUse& use) {

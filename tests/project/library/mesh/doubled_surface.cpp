@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "project/harness/inputs.hpp"
@@ -126,11 +127,17 @@ TEST_CASE("doubled surfaces: one that touches a large body is found as well") {
   PolygonMesh ball = test::sphere(5);
   REQUIRE(ball.face_count() > detail::always_pairs);
   const Vec3 touch = ball.vertex(7);
-  PolygonMesh box = test::box(touch, touch + 0.5 * touch.cwiseSign());
-  if (test::volume(box) < 0) box = test::inside_out(box);
-  const PolygonMesh mesh = weld(test::together(ball, both_sides(box, true)));
-  CHECK(is_flat(mesh));
-  CHECK_FALSE(is_flat(weld(test::together(ball, box))));
+  for (const double size : {0.5, 0.02, 0.005, 1e-4}) {  // down to less than a face of the ball
+    CAPTURE(size);
+    PolygonMesh box = test::box(touch, touch + size * touch.cwiseSign());
+    if (test::volume(box) < 0) box = test::inside_out(box);
+    for (const bool other_diagonals : {false, true}) {
+      const PolygonMesh twice = both_sides(box, other_diagonals);
+      CHECK(is_flat(weld(test::together(ball, twice))));
+      CHECK(is_flat(weld(test::together(twice, ball))));
+    }
+    CHECK_FALSE(is_flat(weld(test::together(ball, box))));
+  }
 }
 
 TEST_CASE("doubled surfaces: are found if their copies have one vertex in common") {
@@ -157,4 +164,43 @@ TEST_CASE("closed pieces: bodies that touch are apart, and what hangs together s
   CHECK(parts(weld(test::together(cube, test::moved(cube, 1, {1, 0, 0})))) == 1);  // a face
   CHECK(parts(weld(both_sides(cube, false))) == 1);
   CHECK(parts(weld(test::together(both_sides(cube, false), test::moved(cube, 1, {1, 1, 0})))) == 2);
+}
+
+TEST_CASE("closed pieces: a surface is pinched where it touches itself, and nowhere else") {
+  const PolygonMesh cube = test::cube();
+  CHECK_FALSE(detail::is_pinched(cube));
+  CHECK_FALSE(detail::is_pinched(test::sphere(3)));
+  CHECK_FALSE(detail::is_pinched(test::torus_mesh(12, 8, 1, 0.4)));
+  CHECK_FALSE(detail::is_pinched(test::together(cube, test::moved(cube, 1, {1, 1, 1}))));
+  CHECK(detail::is_pinched(weld(test::together(cube, test::moved(cube, 1, {1, 1, 1})))));
+  CHECK(detail::is_pinched(weld(test::together(cube, test::moved(cube, 1, {1, 1, 0})))));
+  CHECK(detail::is_pinched(weld(both_sides(cube, false))));
+}
+
+TEST_CASE("closed pieces: faces without area pinch nothing") {
+  PolygonMesh mesh = test::cube();
+  mesh.add_face({0, 0, 0});
+  mesh.add_face({0, 1, 1});
+  mesh.add_face({2, 3, 2});
+  mesh.add_face({5, 5, 6});
+  CHECK_FALSE(detail::is_pinched(mesh));
+}
+
+TEST_CASE("closed pieces: a vertex with many faces is one fan or two") {
+  for (const int sides : {3, 8, 16, 17, 1000}) {
+    PolygonMesh spindle;
+    spindle.vertices = {{0, 0, 0}, {0, 0, 2}};
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * 3.14159265358979 * i / sides;
+      spindle.vertices.emplace_back(std::cos(angle), std::sin(angle), 1);
+    }
+    for (int i = 0; i < sides; ++i) {
+      const int a = 2 + i, b = 2 + (i + 1) % sides;
+      spindle.add_face({0, b, a});
+      spindle.add_face({1, a, b});
+    }
+    CAPTURE(sides);
+    CHECK_FALSE(detail::is_pinched(spindle));
+    CHECK(detail::is_pinched(weld(test::together(spindle, test::moved(spindle, 1, {0, 0, 2})))));
+  }
 }
