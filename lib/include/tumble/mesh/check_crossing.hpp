@@ -74,10 +74,10 @@ std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of, TriangleMee
 
 /// The share that may pass as rounding.
 /// @param written how far coordinates were rounded when they were written [m]
-/// @param box     around all vertices
-inline double excused_share(double written, const Eigen::AlignedBox3d& box) {
+inline double excused_share(const CrossingQuestion& of, double written) {
   constexpr double of_floats = 0x1p-24;  // of the largest coordinate, at most
-  return written <= of_floats * largest_coordinate(box) ? rounding_share_of_floats : rounding_share;
+  const bool fine = written <= of_floats * largest_coordinate(of.box);
+  return fine && !may_be_chosen(of.mesh.vertices) ? rounding_share_of_floats : rounding_share;
 }
 
 /// Whether a surface crosses itself by more than some share.

@@ -132,8 +132,7 @@ TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
   std::vector<MeshDefect> findings = find_wrong_depth(of, meetings, lines, blur);
   if (findings.empty() || counts_too_much(findings, rounding_share_of_floats)) return findings;
   const double written = of.written();
-  if (!(written > blur) || counts_too_much(findings, excused_share(written, of.box)))
-    return findings;
+  if (!(written > blur) || counts_too_much(findings, excused_share(of, written))) return findings;
   std::vector<MeshDefect> left = find_wrong_depth(of, meetings, of.hits(written), written);
   return left.empty() ? as_rounding(findings) : left;
 }

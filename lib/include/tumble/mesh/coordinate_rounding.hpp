@@ -61,13 +61,35 @@ struct WrittenDigits {
 /// numbers that were rounded nine in ten do.
 bool many_need_last(const WrittenDigits& digits, bool fixed, std::span<const Vec3> vertices);
 
-/// Whether a number has more bits than six digits: few are chosen so.
-bool needs_many_bits(float x);
+/// Half of what lies between the floats at x ≠ 0.
+double half_gap(double x);
+
+/// Whether a number needs one of a float's last two bits, as three floats in four do.
+bool needs_last_bits(float x);
+
+/// Whether many different numbers, and half of all, need a float's last bits. Chosen numbers do,
+/// too, if they are large: 4649776.5 needs all. But beside them there are smaller ones that do not.
+/// Where the decimals are coarser than floats, each seems to need all bits, and says nothing.
+bool many_need_last_bits(const WrittenDigits& digits, bool fixed, std::span<const Vec3> vertices);
+
+/// Whether some number needs the last bits of a float and a dozen decimals, as 10009.9990234375
+/// does: nobody chooses one like it, so one is enough.
+bool is_long_float(const WrittenDigits& digits, std::span<const Vec3> vertices);
 
 /// Half of what lies between floats at the largest coordinate, if all were floats before they were
 /// written with these digits; else 0. A float far away has few digits behind the point, and so many
 /// before it that none of the decimals is rounded.
 double rounding_of_floats(const WrittenDigits& digits, bool fixed, std::span<const Vec3> vertices);
+
+/// The same, with a fixed number of places or not.
+double rounding_of_floats(const WrittenDigits& digits, std::span<const Vec3> vertices);
+
+/// The decimals that all coordinates are written with.
+WrittenDigits written_digits(std::span<const Vec3> vertices);
+
+/// Whether somebody may have chosen all coordinates: they are no floats, and few need the last
+/// decimal.
+bool may_be_chosen(std::span<const Vec3> vertices);
 
 /// How far a coordinate may be from what it was before it was written: half a unit of the last
 /// decimal, or of the last bit of a float [m]; 0 if the coordinates are doubles like any others, or

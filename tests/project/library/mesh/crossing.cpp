@@ -250,6 +250,28 @@ TEST_CASE("a crossing: parts that touch pass as floats too, far away, with what 
   CHECK_REFUSED(require_body(deep), "of the volume count wrongly");
 }
 
+TEST_CASE("a crossing: large coordinates that were chosen are no floats") {
+  // Whole metres and halves of a map's grid: some need all bits of a float.
+  const PolygonMesh halves =
+      test::together(test::box({500000, 4649776.5, 0}, {500100, 4649876.5, 100}),
+                     test::box({500040, 4649876, 40}, {500050, 4649886.5, 50}));
+  const PolygonMesh whole = test::together(test::box({500000, 9000001, 0}, {500100, 9000101, 100}),
+                                           test::box({500040, 9000100, 40}, {500048, 9000111, 50}));
+  CHECK(detail::coordinate_rounding(halves) < 0.1);
+  CHECK(detail::may_be_chosen(halves.vertices));
+  CHECK(detail::may_be_chosen(whole.vertices));
+  // Many different ones do not change that, as long as the smaller ones need few bits.
+  PolygonMesh row = test::box({500000, 4649776.5, 0}, {500003.5, 4649780.5, 3});
+  for (int i = 1; i < 20; ++i)
+    row = test::together(row, test::box({500000 + 9.5 * i, 4649776.5 + 9.5 * i, 4. * i},
+                                        {500003.5 + 9.5 * i, 4649780.5 + 9.5 * i, 4. * i + 3}));
+  CHECK(detail::coordinate_rounding(row) < 0.1);
+  for (Vec3& p : row.vertices) p.z() *= 0.7;  // decimals, which floats need all their bits for
+  CHECK(detail::coordinate_rounding(written(row, "%.1f")) < 0.1);
+  for (const PolygonMesh& mesh : {halves, whole})
+    CHECK_REFUSED(require_body(mesh), "of the volume count wrongly");
+}
+
 TEST_CASE("a crossing: a concave polygon that rounding has bent crosses nothing") {
   const auto star = [](int n, double inner) {
     std::vector<Eigen::Vector2d> outline;
