@@ -68,7 +68,7 @@ MeshDefect crossing_defect(const CrossingQuestion& of, const CrossingEvidence& e
 /// Which parts are inside out or nested wrongly, and how much counts wrongly because the surface
 /// crosses itself.
 /// @param bundle its lines, with this blur
-/// @param blur   what is no deeper than rounding by so much makes it is no crossing [m]
+/// @param blur   overlaps that rounding by this much can cause are not crossings [m]
 std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of, TriangleMeetings meetings,
                                          const LineBundle& bundle, double blur);
 
@@ -85,6 +85,27 @@ inline bool counts_too_much(const std::vector<MeshDefect>& findings, double shar
   return std::any_of(findings.begin(), findings.end(),
                      [=](const MeshDefect& finding) { return finding.share > share; });
 }
+
+/// The longest piece of a line where the depth is wrong all along [m].
+double longest_run(const LineHits& hits);
+
+/// Lines along an axis that look closely at pieces of others where the depth is wrong: one through
+/// each piece, and many all round.
+LineList lines_around(const std::vector<WrongDepth>& wrong, const View& view,
+                      const Eigen::AlignedBox3d& box);
+
+/// Whether all pieces lie in layers that are thin along one axis. A line that runs *in* a layer
+/// sees its whole width, so rounding of heights along the line does not explain what it sees.
+/// @param thickness of the layers at most [m]
+bool is_in_thin_layers(const CrossingQuestion& of, const std::vector<WrongDepth>& wrong,
+                       double thickness);
+
+/// Whether all that was found are crossings of a known share.
+bool only_crosses(const std::vector<MeshDefect>& findings);
+
+/// Whether no triangles lie deeper in each other than rounding explains: lines may have missed
+/// them.
+bool none_deeper(TriangleMeetings meetings, double blur);
 
 /// The crossings of a known share, as notes.
 std::vector<MeshDefect> as_rounding(const std::vector<MeshDefect>& findings);

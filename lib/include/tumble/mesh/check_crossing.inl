@@ -114,6 +114,61 @@ TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
   return findings;
 }
 
+TUMBLE_BODY double longest_run(const LineHits& hits) {
+  double longest = 0, run = 0, end = 0;
+  std::size_t line = hits.line_count();
+  for (const WrongDepth& wrong : find_wrong_depths(hits)) {
+    const bool goes_on = wrong.line == line && wrong.here.z - wrong.here.error <= end;
+    run = (goes_on ? run : 0) + wrong.length;
+    line = wrong.line;
+    end = wrong.here.z + wrong.length + wrong.here.error;
+    longest = std::max(longest, run);
+  }
+  return longest;
+}
+
+TUMBLE_BODY LineList lines_around(const std::vector<WrongDepth>& wrong, const View& view,
+                                  const Eigen::AlignedBox3d& box) {
+  constexpr int n = 64;                // along each side
+  constexpr double spacing = 1.0 / n;  // of the lines that were drawn first
+  Eigen::AlignedBox3d known;
+  for (const WrongDepth& piece : wrong)
+    for (const double end : {0., 1.}) known.extend(piece.place(end));
+  const Vec3 margin = 2 * spacing * box.sizes();
+  known = view.box({known.min() - margin, known.max() + margin});
+  std::vector<PlanePoint> lines;
+  for (const WrongDepth& piece : wrong) lines.push_back(view.point(piece.place(0.5)).head<2>());
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Vec3 part((i + 0.5) * spacing, (j + 0.5) * spacing, 0);
+      lines.push_back((known.min() + part.cwiseProduct(known.sizes())).head<2>());
+    }
+  return {known, std::move(lines)};
+}
+
+TUMBLE_BODY bool is_in_thin_layers(const CrossingQuestion& of, const std::vector<WrongDepth>& wrong,
+                                   double thickness) {
+  if (wrong.empty()) return false;
+  const auto is_thin_along = [&](int axis) {
+    const View view{axis};
+    // What rounding of the file may have done is no excuse here: the thickness is measured.
+    const LinesOnMesh what{of.mesh, of.surface, view, double_blur(of.box)};
+    return longest_run(hits_of_lines(what, lines_around(wrong, view, of.box))) <= thickness;
+  };
+  return is_thin_along(0) || is_thin_along(1) || is_thin_along(2);
+}
+
+TUMBLE_BODY bool only_crosses(const std::vector<MeshDefect>& findings) {
+  return std::all_of(findings.begin(), findings.end(), [](const MeshDefect& finding) {
+    return finding.kind == MeshDefectKind::self_crossing && std::isfinite(finding.share);
+  });
+}
+
+TUMBLE_BODY bool none_deeper(TriangleMeetings meetings, double blur) {
+  meetings.forgive(blur);
+  return meetings.through.empty();
+}
+
 TUMBLE_BODY std::vector<MeshDefect> as_rounding(const std::vector<MeshDefect>& findings) {
   std::vector<MeshDefect> notes;
   for (const MeshDefect& finding : findings) {
@@ -133,8 +188,12 @@ TUMBLE_BODY std::vector<MeshDefect> find_wrong_depth(const CrossingQuestion& of,
   if (findings.empty() || counts_too_much(findings, rounding_share_of_floats)) return findings;
   const double written = of.written();
   if (!(written > blur) || counts_too_much(findings, excused_share(of, written))) return findings;
-  std::vector<MeshDefect> left = find_wrong_depth(of, meetings, of.hits(written), written);
-  return left.empty() ? as_rounding(findings) : left;
+  const LineBundle rounded = of.hits(written);
+  std::vector<MeshDefect> left = find_wrong_depth(of, meetings, rounded, written);
+  // Two faces that touched lie no deeper in each other than both were moved.
+  const bool thin = only_crosses(left) && none_deeper(meetings, written) &&
+                    is_in_thin_layers(of, all_wrong_depths(rounded), 2 * (written + blur));
+  return left.empty() || thin ? as_rounding(findings) : left;
 }
 
 }  // namespace tumble::detail

@@ -40,14 +40,8 @@ Eigen::AlignedBox3d box_around(const CrossingEvidence& evidence, const Eigen::Al
   Eigen::AlignedBox3d known;
   for (const WrongDepth& wrong : evidence.wrong) {
     if (!counts(wrong)) continue;
-    const View& view = wrong.here.view;
-    for (const double z : {wrong.here.z, wrong.here.z + wrong.length}) {
-      Vec3 p;
-      p[view.axis] = z;
-      p[view.world(0)] = wrong.here.line.x();
-      p[view.world(1)] = wrong.here.line.y();
-      known.extend(p);
-    }
+    known.extend(wrong.place(0));
+    known.extend(wrong.place(1));
   }
   for (const TriangleMeeting& meeting : evidence.meetings.through)
     known.extend(meeting.crossing.place);
@@ -115,8 +109,9 @@ struct CrossingLines {
   }
 };
 
-/// What may count wrongly where triangles pass through each other, but no line has seen it: they
-/// lie no deeper in each other than they do somewhere, on no more than the whole surface.
+/// An estimate, not a bound, of what counts wrongly where triangles pass through each other, but no
+/// line has seen it: as deep as the deepest two triangles lie in each other, on the whole surface.
+/// Two bodies may lie deeper in each other than their triangles do.
 inline double most_unseen(const SearchedMesh& on, const std::vector<TriangleMeeting>& through) {
   double deepest = 0, area = 0;
   for (const TriangleMeeting& meeting : through)

@@ -27,6 +27,15 @@ struct WrongDepth {
 
   /// How often it counts that should not, or should and does not.
   int excess() const { return std::abs(depth - std::clamp(depth, 0, 1)); }
+
+  /// The place in the world at a fraction of the piece.
+  Vec3 place(double fraction) const {
+    Vec3 p;
+    p[here.view.world(0)] = here.line.x();
+    p[here.view.world(1)] = here.line.y();
+    p[here.view.axis] = here.z + fraction * length;
+    return p;
+  }
 };
 
 /// What the lines say about one part.

@@ -75,8 +75,8 @@ inline constexpr double crossing_tolerance = 1e-6;
 /// The share that passes with a note, if rounding of the file's last decimal may have made it.
 inline constexpr double rounding_share = 5 * crossing_tolerance;
 
-/// The same in a file with as many digits as floats have, or more. Nobody chose so few that a part
-/// is lost: where the body is far away from the origin, rounding moves its volume as much anyway.
+/// The same in a file with as many digits as floats have, or more. Such digits were not chosen; far
+/// from the origin, rounding alone changes the volume this much.
 inline constexpr double rounding_share_of_floats = 100 * crossing_tolerance;
 
 }  // namespace detail

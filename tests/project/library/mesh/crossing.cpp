@@ -1,9 +1,11 @@
 // How much counts wrongly, however the body lies; and what rounding of a file's decimals is not.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
 
 #include "project/harness/inputs.hpp"
 #include "project/harness/refusal.hpp"
@@ -250,6 +252,67 @@ TEST_CASE("a crossing: parts that touch pass as floats too, far away, with what 
   CHECK_REFUSED(require_body(deep), "of the volume count wrongly");
 }
 
+namespace {
+
+/// Two blocks 10 m thick, far away, one of which lies some ulps of a float deep in the other.
+struct FarBlocks {
+  PolygonMesh mesh;
+  double share;
+};
+
+FarBlocks far_blocks(int ulps, double margin, int axis) {
+  constexpr double far = 1e4, side = 100;
+  const double deep = ulps * 0x1p-10, inner = side - 2 * margin;
+  PolygonMesh mesh = test::together(
+      test::box({far, 0, 0}, {far + 10, side, side}),
+      test::box({far + 10 - deep, margin, margin}, {far + 20, side - margin, side - margin}));
+  for (Vec3& p : mesh.vertices) {
+    std::rotate(p.begin(), p.begin() + 3 - axis, p.end());
+    p = p.cast<float>().cast<double>();
+  }
+  return {test::triangulated(mesh),
+          deep * inner * inner / (10 * side * side + (10 + deep) * inner * inner)};
+}
+
+}  // namespace
+
+TEST_CASE("a crossing: parts along the axes, one ulp deep in each other, have the true share") {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double margin : {0.5, 1., 2., 3., 7.}) {
+      const FarBlocks blocks = far_blocks(1, margin, axis);
+      const MeshDefect found = crossing_of(blocks.mesh, crossings::Search::usual);
+      CAPTURE(axis);
+      CAPTURE(margin);
+      INFO(found.message);
+      CHECK(found.may_be_rounding);
+      CHECK(std::abs(found.share - blocks.share) <= 0.1 * blocks.share);
+    }
+}
+
+TEST_CASE("a crossing: parts along the axes, several ulps deep in each other, are refused") {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int ulps : {2, 3, 8}) {
+      // At 2 ulps this is 0.8e-4, below what floats may lose.
+      const FarBlocks blocks = far_blocks(ulps, 10, axis);
+      const MeshDefect found = crossing_of(blocks.mesh, crossings::Search::usual);
+      CAPTURE(axis);
+      CAPTURE(ulps);
+      INFO(found.message);
+      CHECK(spoils_integrals(found));
+      CHECK(std::abs(found.share - blocks.share) <= 0.1 * blocks.share);
+    }
+}
+
+TEST_CASE("a crossing: floats near the origin hide no overlap") {
+  for (const double deep : {5e-5, 9e-5}) {
+    PolygonMesh mesh = two_boxes({0, 0, 1 - deep}, {1, 1, 2});
+    for (Vec3& p : mesh.vertices) p = p.cast<float>().cast<double>();
+    const MeshDefect found = crossing_of(mesh, crossings::Search::usual);
+    CHECK(spoils_integrals(found));
+    CHECK(found.share == doctest::Approx(deep / 2).epsilon(0.01));
+  }
+}
+
 TEST_CASE("a crossing: large coordinates that were chosen are no floats") {
   // Whole metres and halves of a map's grid: some need all bits of a float.
   const PolygonMesh halves =
@@ -276,7 +339,7 @@ TEST_CASE("a crossing: a concave polygon that rounding has bent crosses nothing"
   const auto star = [](int n, double inner) {
     std::vector<Eigen::Vector2d> outline;
     for (int i = 0; i < 2 * n; ++i) {
-      const double r = i % 2 == 0 ? 1 : inner, a = M_PI * i / n;
+      const double r = i % 2 == 0 ? 1 : inner, a = std::numbers::pi * i / n;
       outline.emplace_back(r * std::cos(a), r * std::sin(a));
     }
     return outline;
@@ -287,6 +350,7 @@ TEST_CASE("a crossing: a concave polygon that rounding has bent crosses nothing"
       {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}},
       {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {3, 2}, {3, 3}, {0, 3}}};
   test::Random random(25);
+  int bent = 0;
   for (const auto& outline : outlines)
     for (const double height : {0.05, 1., 20.})
       for (std::size_t first = 0; first < outline.size(); first += 3) {
@@ -298,10 +362,13 @@ TEST_CASE("a crossing: a concave polygon that rounding has bent crosses nothing"
           for (const MeshDefect& finding : diagnose(written(prism, format))) {
             INFO(finding.message);
             CHECK(!spoils_integrals(finding));
+            bent += finding.kind == MeshDefectKind::nonplanar_face ||
+                    finding.kind == MeshDefectKind::self_crossing;
             if (finding.kind == MeshDefectKind::self_crossing)
               CHECK(finding.share + finding.share_uncertainty < 1e-4);
           }
       }
+  CHECK(bent > 0);  // else nothing was looked at
 }
 
 TEST_CASE("coordinate_rounding: half a unit of the last decimal that is written") {
