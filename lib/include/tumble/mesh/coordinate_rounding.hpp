@@ -87,7 +87,7 @@ double rounding_of_floats(const WrittenDigits& digits, std::span<const Vec3> ver
 /// The decimals that all coordinates are written with.
 WrittenDigits written_digits(std::span<const Vec3> vertices);
 
-/// Whether somebody may have chosen all coordinates: they are no floats, and few need the last
+/// Whether somebody may have chosen all coordinates: they are not floats, and few need the last
 /// decimal.
 bool may_be_chosen(std::span<const Vec3> vertices);
 
