@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "judge/class/feedback.hpp"
 #include "judge/class/final_grade.hpp"
@@ -44,25 +46,28 @@ std::string share(std::size_t n, std::size_t of) {
          std::to_string(std::lround(percent)) + " %)";
 }
 
-/// The misconception of a unit with this name; an empty one if a newer judge no longer knows it.
-Misconception misconception_named(const Unit& unit, const std::string& name) {
+/// The misconception of a unit with this name; nothing if the unit has none: "a wrong factor" can
+/// be seen in any answer and has nothing to explain, and a newer judge may no longer know a name.
+std::optional<Misconception> misconception_named(const Unit& unit, const std::string& name) {
   load_spec(unit);
   for (const Misconception& misconception : misconceptions_of(unit.id()))
     if (misconception.name == name) return misconception;
-  return {name, "", ""};
+  return std::nullopt;
 }
 
 struct Frequent {
   const UnitStatistics* unit;
-  std::string name;
+  Misconception misconception;
   std::size_t count;
 };
 
-/// The misconceptions that most students share.
+/// The misconceptions of units that most students share.
 std::vector<Frequent> most_frequent(const std::vector<UnitStatistics>& units, std::size_t most) {
   std::vector<Frequent> all;
   for (const UnitStatistics& unit : units)
-    for (const auto& [name, count] : unit.misconceptions) all.push_back({&unit, name, count});
+    for (const auto& [name, count] : unit.misconceptions)
+      if (auto misconception = misconception_named(unit.unit, name))
+        all.push_back({&unit, std::move(*misconception), count});
   std::stable_sort(all.begin(), all.end(),
                    [](const Frequent& a, const Frequent& b) { return a.count > b.count; });
   if (all.size() > most) all.resize(most);
@@ -172,10 +177,10 @@ class Page {
     }
     out_ << "<ol>\n";
     for (const Frequent& each : frequent) {
-      const Misconception misconception = misconception_named(each.unit->unit, each.name);
-      out_ << "<li><b>" << markup(each.name) << "</b>, in " << each.unit->unit.number << " "
-           << markup(each.unit->unit.name) << ": " << share(each.count, each.unit->all()) << "<br>"
-           << markup(misconception.sentence);
+      const Misconception& misconception = each.misconception;
+      out_ << "<li><b>" << markup(misconception.name) << "</b>, in " << each.unit->unit.number
+           << " " << markup(each.unit->unit.name) << ": " << share(each.count, each.unit->all())
+           << "<br>" << markup(misconception.sentence);
       if (!misconception.section.empty())
         out_ << " <small>Chapter " << each.unit->unit.chapter_number() << ", “"
              << markup(misconception.section) << "”</small>";

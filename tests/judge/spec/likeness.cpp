@@ -42,7 +42,6 @@ bool is_argument(const Finding& finding) {
 /// A beginning or an end of a list that is 0, where all else is right: a loop that leaves it out,
 /// over a vector that began with zeros.
 std::optional<Misconception> left_at_zero(const Finding& finding) {
-  constexpr std::size_t of_a_loop = 6;  // fewer numbers hardly come from one
   const std::optional<Places> wrong = wrong_places(finding);
   if (!wrong || wrong->size() < 2 || !is_vector(*finding.answer)) return std::nullopt;
   const List& answer = *finding.answer->as<List>();
@@ -53,7 +52,7 @@ std::optional<Misconception> left_at_zero(const Finding& finding) {
                                    [&](std::size_t i) { return *answer[i].as<double>() == 0; });
   if (!is_run || !is_at_an_end || !is_zero || count_nonzero(*finding.answer) < 2)
     return std::nullopt;
-  return Misconception{"places left at zero",
+  return Misconception{left_at_zero_name,
                        capitalised(text_of(*wrong)) +
                            " of your answer (counted from 0) are 0, and all others are right. " +
                            look_at_the_loops,

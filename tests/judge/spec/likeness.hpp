@@ -16,6 +16,9 @@ std::vector<Misconception> names_of_likeness(const Finding& finding);
 /// The name of an answer that is one of the arguments.
 inline constexpr const char* argument_as_it_came = "the argument as it came";
 
+/// The name of an answer whose first or last numbers are 0.
+inline constexpr const char* left_at_zero_name = "places left at zero";
+
 /// Whether an answer is one of the arguments that are lists.
 bool equals_argument(const List& arguments, const Value& answer);
 

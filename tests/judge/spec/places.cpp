@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
+
+#include "judge/spec/demand.hpp"
 
 namespace tumble::judge {
 
@@ -69,7 +70,8 @@ std::optional<Places> wrong_places(const Finding& finding) {
   if (!answer || !demanded) return std::nullopt;
   Places places;
   for (std::size_t i = 0; i < answer->size(); ++i)
-    if (!(std::abs((*answer)[i] - (*demanded)[i]) <= finding.tolerance)) places.push_back(i);
+    if (!(largest_difference((*answer)[i], (*demanded)[i]) <= finding.tolerance))
+      places.push_back(i);
   return places;
 }
 

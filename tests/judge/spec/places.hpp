@@ -13,6 +13,10 @@ namespace tumble::judge {
 
 using Places = std::vector<std::size_t>;
 
+/// So many numbers are hardly written one by one: they come from a loop. Fewer are read at a
+/// glance.
+inline constexpr std::size_t of_a_loop = 6;
+
 /// All numbers of a value in the order in which they stand there; nothing if it holds something
 /// else too.
 std::optional<std::vector<double>> numbers_in(const Value& value);
@@ -36,7 +40,7 @@ std::string text_of(const Places& places);
 /// "Place 5", to begin a sentence.
 std::string capitalised(std::string text);
 
-/// The same, of what the answer is: "row 1, column 2" of a matrix, "some numbers" of a struct.
+/// The same in a plain vector or matrix: "row 1, column 2" of a matrix, or how many there are.
 std::string text_of(const Places& places, const Value& answer);
 
 }  // namespace tumble::judge

@@ -33,10 +33,17 @@ void name_from_source(UnitResult& result, const std::string& source) {
       if (each.finding) name_variable(*each.finding, *variable);
 }
 
-void name_wrong_numbers(UnitResult& result) {
+void name_rounded_constant(UnitResult& result, const std::string& source) {
+  for (CaseResult& each : result.cases)
+    if (each.finding) name_rounded_constant(*each.finding, source);
+}
+
+void name_wrong_numbers(UnitResult& result, const AnswerType& type) {
+  for (CaseResult& each : result.cases)
+    if (each.finding && !type.is_plain()) drop_places(*each.finding);
   // By convention the first case of a spec asks with inputs of every kind.
   if (!result.cases.empty() && result.cases.front().number == 1 && result.cases.front().finding)
-    name_wrong_numbers(*result.cases.front().finding);
+    name_wrong_numbers(*result.cases.front().finding, type);
 }
 
 }  // namespace tumble::judge

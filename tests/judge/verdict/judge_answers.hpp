@@ -6,6 +6,7 @@
 
 #include "judge/build/build_outcome.hpp"
 #include "judge/spec/answerer.hpp"
+#include "judge/verdict/answer_type.hpp"
 #include "judge/verdict/unit_result.hpp"
 
 namespace tumble::judge {
@@ -27,7 +28,10 @@ void judge_answers(UnitResult& result, const Trial& trial, Answerer& answerer);
 /// Puts the names to wrong answers for which the file itself holds the reason.
 void name_from_source(UnitResult& result, const std::string& source);
 
+/// Names a constant with few digits, where nothing else is known of a wrong answer.
+void name_rounded_constant(UnitResult& result, const std::string& source);
+
 /// Says which numbers of the first case's answer are wrong, where nothing else is known of it.
-void name_wrong_numbers(UnitResult& result);
+void name_wrong_numbers(UnitResult& result, const AnswerType& type);
 
 }  // namespace tumble::judge

@@ -78,6 +78,12 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
     finding.misconceptions = {*gone};
 }
 
+/// Names what the numbers alone show, where neither the compiler nor a sanitizer has said more.
+void name_what_is_left(UnitResult& result, const Job& job) {
+  name_rounded_constant(result, read_submission(job.source));
+  name_wrong_numbers(result, answer_type(job.course, job.unit));
+}
+
 /// Memory and time that a machine does not grant are not used up by the student.
 /// @throws std::runtime_error if that may be why a case has ended
 void require_full_limits(const UnitResult& result, const Limits& limits) {
@@ -108,7 +114,7 @@ UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerB
   } else {
     look_closer(result, job, judgement);
     look_for_luck(result, job, judgement);
-    name_wrong_numbers(result);
+    if (!result.passed()) name_what_is_left(result, job);
   }
   return result;
 }

@@ -175,11 +175,14 @@ bool is_wrong_by_less_than(const Finding& finding, double most) {
 /// Right to 6 digits or more.
 bool is_right_as_float(const Finding& finding) { return is_wrong_by_less_than(finding, 2e-6); }
 
-/// A constant with few digits, if the answer is as nearly right as it.
+/// A constant with few digits, if the answer is off by about as much. The digits may stand for
+/// something else, and then another mistake would be hidden.
 std::optional<Misconception> name_of_rounded(const Finding& finding, const std::string& code) {
-  constexpr double most_magnified = 100;  // on the way from the constant to the answer
+  constexpr double most_magnified = 3, least = 1e-3;  // on the way from the constant to the answer
   const std::optional<RoundedConstant> found = rounded_constant_in(code);
-  if (!found || !is_wrong_by_less_than(finding, most_magnified * found->error)) return std::nullopt;
+  if (!found || !is_wrong_by_less_than(finding, most_magnified * found->error) ||
+      is_wrong_by_less_than(finding, least * found->error))
+    return std::nullopt;
   return Misconception{"a rounded constant",
                        "There is " + found->digits + " in line " + std::to_string(found->line) +
                            ", which has only a few digits of " + found->meant + ". Write " +
@@ -257,9 +260,13 @@ void name_from_source(Finding& finding, const std::string& source) {
          "Some 7 digits are right, as many as a float has. Compute with double "
          "from the beginning to the end.",
          ""}};
-  else if (finding.misconceptions.empty())
-    if (const auto rounded = name_of_rounded(finding, code_of(source)))
-      finding.misconceptions = {*rounded};
+}
+
+void name_rounded_constant(Finding& finding, const std::string& source) {
+  const bool is_explained = !finding.misconceptions.empty() || !finding.place.empty();
+  if (finding.outcome != Outcome::wrong || is_explained) return;
+  if (const auto rounded = name_of_rounded(finding, code_of(source)))
+    finding.misconceptions = {*rounded};
 }
 
 }  // namespace tumble::judge

@@ -32,8 +32,11 @@ std::optional<Misconception> expression_that_outlives(const std::string& source,
 ///   h * 1/2. It replaces other names, which take the factor that is missing for something else;
 /// - "input that is not there": it reads std::cin, and the answer has no name or one of memory that
 ///   was never set;
-/// - "float": the numbers are right to some 7 digits, and there is a float (or 0.5f, or sqrtf);
-/// - "a rounded constant": 0.1667 stands there, and the numbers are as nearly right as that is 1/6.
+/// - "float": the numbers are right to some 7 digits, and there is a float (or 0.5f, or sqrtf).
 void name_from_source(Finding& finding, const std::string& source);
+
+/// "a rounded constant": 0.1667 stands in `source` for 1/6, and the answer is off by about as much.
+/// Only where nothing else is known, a variable that was never set for one.
+void name_rounded_constant(Finding& finding, const std::string& source);
 
 }  // namespace tumble::judge

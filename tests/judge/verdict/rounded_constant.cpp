@@ -55,15 +55,14 @@ std::size_t significant_digits(const std::string& text) {
   return count;
 }
 
-/// The constant that is meant by a number with a point: two digits tell a fraction, as 0.33, and a
-/// number above 1 needs three.
+/// The constant that is meant by a number with a point. Two digits tell nothing: 0.33 may be a
+/// threshold or a weight.
 const Constant* meant_by(const std::string& text) {
   const std::size_t digits = significant_digits(text);
   const auto decimals = static_cast<int>(text.size() - text.find('.') - 1);
-  for (const Constant& each : constants) {
-    const std::size_t enough = each.value > 0.05 && each.value < 1 ? 2 : 3;
+  constexpr std::size_t enough = 3;
+  for (const Constant& each : constants)
     if (digits >= enough && is_written_for(std::stod(text), decimals, each.value)) return &each;
-  }
   return nullptr;
 }
 

@@ -17,7 +17,7 @@ struct RoundedConstant {
   double error;         ///< what is missing, as a fraction
 };
 
-/// The first number of the code (see code_of()) that has two or three digits of a well-known
+/// The first number of the code (see code_of()) that has three digits of a well-known
 /// constant or more, and not all that a double holds.
 std::optional<RoundedConstant> rounded_constant_in(const std::string& code);
 

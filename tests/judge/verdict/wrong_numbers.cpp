@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "judge/spec/demand.hpp"
+#include "judge/spec/likeness.hpp"
 #include "judge/spec/places.hpp"
 #include "tumble/core/rounding.hpp"
 
@@ -17,28 +20,101 @@ namespace {
 
 using MaybeName = std::optional<Misconception>;
 
+/// How many numbers a part of an answer has.
+std::size_t count_of(const Value& part) {
+  const auto numbers = numbers_in(part);
+  return numbers ? numbers->size() : 0;
+}
+
+/// Which numbers of a struct are wrong: "ab and bb", "one number in centre".
+std::vector<std::string> wrong_members(const Value& value, const std::vector<std::string>& members,
+                                       const Places& wrong) {
+  std::vector<std::string> texts;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const std::size_t size = count_of((*value.as<List>())[i]);
+    const auto first = std::lower_bound(wrong.begin(), wrong.end(), begin),
+               last = std::lower_bound(wrong.begin(), wrong.end(), begin + size);
+    const auto count = static_cast<std::size_t>(last - first);
+    if (count == size && count > 0)
+      texts.push_back(members[i]);
+    else if (count > 0)
+      texts.push_back((count == 1 ? "one number" : std::to_string(count) + " numbers") + " in " +
+                      members[i]);
+    begin += size;
+  }
+  return texts;
+}
+
+/// "ab", "ab and bb", "ab, bb and cc".
+std::string joined(const std::vector<std::string>& texts) {
+  std::string text = texts.front();
+  for (std::size_t i = 1; i < texts.size(); ++i)
+    text += (i + 1 == texts.size() ? " and " : ", ") + texts[i];
+  return text;
+}
+
 /// An answer beside the demanded one, number by number. At least one number is wrong.
 struct Compared {
   const Value& value;  ///< the answer
   std::vector<double> answer, demanded;
   Places wrong;
   double tolerance;
+  std::vector<std::string> members;  ///< of a struct; empty if it is none
 
+  bool is_struct() const { return !members.empty(); }
   std::size_t right() const { return answer.size() - wrong.size(); }
-  /// " of your answer (counted from 0)": where they stand, if places have numbers.
-  std::string where() const {
-    const bool is_counted = is_vector(value) || (is_square_matrix(value) && wrong.size() <= 2);
-    return is_counted ? " of your answer (counted from 0)" : " of your answer";
+  bool is_of_a_loop() const { return !is_struct() && answer.size() >= of_a_loop; }
+
+  /// What is wrong: "place 5 of your answer (counted from 0)", "ab and bb of your answer".
+  std::string which() const {
+    constexpr std::size_t most_of_a_matrix = 2;
+    if (is_struct()) return which_members() + " of your answer";
+    const bool is_counted = is_vector(value) || wrong.size() <= most_of_a_matrix;
+    return text_of(wrong, value) + " of your answer" + (is_counted ? " (counted from 0)" : "");
+  }
+  std::string which_members() const {
+    constexpr std::size_t most = 3;
+    const std::vector<std::string> texts = wrong_members(value, members, wrong);
+    return texts.size() <= most ? joined(texts) : std::to_string(wrong.size()) + " numbers";
+  }
+  /// The same to begin a sentence. A member's name keeps its small letter.
+  std::string capital_which() const {
+    return is_struct() ? "In your answer, " + which_members() : capitalised(which());
+  }
+  /// Whether "has" follows it, not "have".
+  bool is_one() const {
+    if (!is_struct() || wrong.size() == 1) return wrong.size() == 1;
+    const std::string text = which_members();
+    return std::find(members.begin(), members.end(), text) != members.end();
   }
   /// ", and all others are right"; nothing if there are no others.
   std::string but_the_others() const { return right() > 0 ? ", and all others are right" : ""; }
 };
 
-std::optional<Compared> compared(const Finding& finding) {
+/// Whether an answer is off by so much that neither rounding nor too few steps are the reason.
+bool is_far_off(const Finding& finding) {
+  const double apart = largest_difference(*finding.answer, *finding.demanded);
+  return apart > 1e-9 * largest_magnitude(*finding.demanded) && apart > 1000 * finding.tolerance;
+}
+
+/// Whether an answer can be told of by its places, or by the members of a struct.
+bool has_places(const Value& answer, const AnswerType& type) {
+  if (type.is_plain()) return is_vector(answer) || is_square_matrix(answer);
+  const List* parts = answer.as<List>();
+  return parts && !type.members.empty() && parts->size() == type.members.size();
+}
+
+std::optional<Compared> compared(const Finding& finding, const AnswerType& type) {
   std::optional<Places> wrong = wrong_places(finding);
-  if (!wrong || wrong->empty()) return std::nullopt;
-  return Compared{*finding.answer, *numbers_in(*finding.answer), *numbers_in(*finding.demanded),
-                  std::move(*wrong), finding.tolerance};
+  if (!wrong || wrong->empty() || !is_far_off(finding) || !has_places(*finding.answer, type))
+    return std::nullopt;
+  return Compared{*finding.answer,
+                  *numbers_in(*finding.answer),
+                  *numbers_in(*finding.demanded),
+                  std::move(*wrong),
+                  finding.tolerance,
+                  type.members};
 }
 
 /// What all wrong numbers are divided by the right ones; nothing if it is not the same of all.
@@ -67,24 +143,53 @@ std::size_t right_and_nonzero(const Compared& each) {
   return count;
 }
 
-MaybeName signs_wrong(const Compared& each) {
+/// What to look at behind wrong signs. Several numbers of which none is negative any more have
+/// likely lost their signs together.
+std::string advice_on_signs(const Compared& each) {
+  const bool has_no_negative = std::all_of(each.wrong.begin(), each.wrong.end(),
+                                           [&](std::size_t i) { return each.answer[i] > 0; });
+  if (has_no_negative && each.wrong.size() > 1)
+    return "Have you taken an absolute value or a square?";
+  return "Look at each minus and at the order of each difference.";
+}
+
+MaybeName wrong_signs(const Compared& each) {
   const std::optional<double> ratio = ratio_of_wrong(each);
   if (!ratio || std::abs(*ratio + 1) > 1e-9 || right_and_nonzero(each) == 0) return std::nullopt;
-  return Misconception{"some signs wrong",
-                       capitalised(text_of(each.wrong, each.value)) + each.where() +
-                           (each.wrong.size() == 1 ? " has" : " have") +
-                           " the wrong sign, and all others are right. Look at each minus and at "
-                           "the order of each difference.",
+  return Misconception{"some wrong signs",
+                       each.capital_which() + (each.is_one() ? " has" : " have") +
+                           " the wrong sign, and all others are right. " + advice_on_signs(each),
                        ""};
 }
 
-MaybeName one_number_wrong(const Compared& each) {
+MaybeName one_wrong_number(const Compared& each) {
   if (each.wrong.size() != 1 || right_and_nonzero(each) < 2) return std::nullopt;
-  return Misconception{"one number wrong",
-                       "Only " + text_of(each.wrong, each.value) + each.where() +
-                           " is wrong. Compare the line that computes it with those of the others, "
-                           "term by term.",
-                       ""};
+  return Misconception{
+      "one wrong number",
+      "Only " + each.which() +
+          (each.is_of_a_loop() ? " is wrong. Compare the line that computes it with those of the "
+                                 "others, term by term."
+                               : " is wrong; all others are right."),
+      ""};
+}
+
+/// Whether a number is p/q with small p and q. A factor that somebody forgets is one.
+bool is_short_fraction(double x) {
+  constexpr int most = 12;
+  for (int below = 1; below <= most; ++below) {
+    const double above = std::round(x * below);
+    if (above >= 1 && above <= most && std::abs(x * below - above) <= 1e-9 * above) return true;
+  }
+  return false;
+}
+
+/// Whether a factor is one that is forgotten or written twice: 2, 1/6, π/2, √2.
+bool is_usual_factor(double ratio) {
+  constexpr double pi = std::numbers::pi, root_2 = std::numbers::sqrt2;
+  const double size = std::abs(ratio);
+  const bool is_only_a_sign = std::abs(size - 1) < 1e-9;
+  return !is_only_a_sign && (is_short_fraction(size) || is_short_fraction(size / pi) ||
+                             is_short_fraction(size * pi) || is_short_fraction(size / root_2));
 }
 
 std::string short_text(double x) {
@@ -93,24 +198,24 @@ std::string short_text(double x) {
   return text;
 }
 
-MaybeName off_by_a_factor(const Compared& each) {
+MaybeName wrong_factor(const Compared& each) {
   const std::optional<double> ratio = ratio_of_wrong(each);
   std::size_t nonzero = 0;
   for (const std::size_t i : each.wrong) nonzero += each.demanded[i] != 0 ? 1u : 0u;
   const bool is_factor = ratio && nonzero >= 2 && std::abs(*ratio) > 1e-12;
-  if (!is_factor || std::abs(std::abs(*ratio) - 1) < 1e-5) return std::nullopt;
-  const std::string who =
-      each.right() > 0 ? capitalised(text_of(each.wrong, each.value)) + each.where() + " are each "
-                       : "Each number of your answer is ";
-  return Misconception{"off by a factor",
-                       who + short_text(*ratio) + " times what is demanded" +
-                           each.but_the_others() +
-                           ". Look for a factor that is missing, or one too many.",
-                       ""};
+  if (!is_factor || std::abs(std::abs(*ratio) - 1) < 1e-3) return std::nullopt;
+  const std::string who = each.right() > 0
+                              ? each.capital_which() + (each.is_one() ? " is " : " are each ")
+                              : "Each number of your answer is ";
+  return Misconception{
+      "a wrong factor",
+      who + short_text(*ratio) + " times the demanded one" + each.but_the_others() + "." +
+          (is_usual_factor(*ratio) ? " Look for a factor that is missing, or one too many." : ""),
+      ""};
 }
 
-/// The right numbers, some of them at each other's places.
-MaybeName at_wrong_places(const Compared& each) {
+/// The right numbers, some of them in each other's places.
+MaybeName in_wrong_places(const Compared& each) {
   std::vector<double> here, there;
   for (const std::size_t i : each.wrong) {
     here.push_back(each.answer[i]);
@@ -123,15 +228,15 @@ MaybeName at_wrong_places(const Compared& each) {
   if (here.size() < 2 || !std::equal(here.begin(), here.end(), there.begin(), is_near))
     return std::nullopt;
   const bool is_one_of_two = std::adjacent_find(there.begin(), there.end(), is_near) != there.end();
-  if (is_one_of_two || !is_vector(each.value))
-    return Misconception{"numbers at wrong places",
-                         "Your answer has the right numbers, but some of them stand at each "
+  if (is_one_of_two || each.is_struct() || !is_vector(each.value))
+    return Misconception{"numbers in the wrong places",
+                         "Your answer has the right numbers, but some of them stand in each "
                          "other's places.",
                          ""};
   const auto own = std::find_if(each.wrong.begin(), each.wrong.end(),
                                 [&](std::size_t i) { return is_near(each.demanded[i], sought); });
-  return Misconception{"numbers at wrong places",
-                       "Your answer has the right numbers, but not at their places: the number at "
+  return Misconception{"numbers in the wrong places",
+                       "Your answer has the right numbers, but not in their places: the number at "
                        "place " +
                            std::to_string(each.wrong.front()) + " (counted from 0) belongs to " +
                            "place " + std::to_string(*own) + ".",
@@ -139,8 +244,9 @@ MaybeName at_wrong_places(const Compared& each) {
 }
 
 /// All wrong numbers of a matrix stand in one row, or in one column.
-MaybeName line_wrong(const Compared& each) {
-  if (!is_square_matrix(each.value) || each.wrong.size() < 2 || right_and_nonzero(each) < 2)
+MaybeName wrong_line(const Compared& each) {
+  if (each.is_struct() || !is_square_matrix(each.value) || each.wrong.size() < 2 ||
+      right_and_nonzero(each) < 2)
     return std::nullopt;
   const std::size_t size = each.value.as<List>()->size(), first = each.wrong.front();
   const auto all_share = [&](auto line) {
@@ -148,7 +254,7 @@ MaybeName line_wrong(const Compared& each) {
                        [&](std::size_t i) { return line(i) == line(first); });
   };
   const auto name = [&](const std::string& kind, std::size_t number) {
-    return Misconception{"one " + kind + " wrong",
+    return Misconception{"one wrong " + kind,
                          "Only " + kind + " " + std::to_string(number) +
                              " of your matrix (counted from 0) is wrong.",
                          ""};
@@ -159,31 +265,35 @@ MaybeName line_wrong(const Compared& each) {
 }
 
 /// A part of a long list, of which nothing else is seen: what all particles have in common, say.
-MaybeName some_wrong(const Compared& each) {
-  constexpr std::size_t of_a_loop = 6;  // fewer numbers are read at a glance
+MaybeName some_wrong_numbers(const Compared& each) {
   const std::size_t size = each.answer.size();
-  if (!is_vector(each.value) || size < of_a_loop || 2 * each.wrong.size() > size ||
-      right_and_nonzero(each) < size / 2)
+  if ((!each.is_struct() && !is_vector(each.value)) || size < of_a_loop ||
+      2 * each.wrong.size() > size || right_and_nonzero(each) < size / 2)
     return std::nullopt;
-  return Misconception{"some numbers wrong",
-                       capitalised(text_of(each.wrong)) +
-                           " of your answer (counted from 0) are wrong, and all others are right.",
-                       ""};
+  return Misconception{
+      "some wrong numbers",
+      each.capital_which() + (each.is_one() ? " is" : " are") + " wrong, and all others are right.",
+      ""};
 }
 
 }  // namespace
 
-void name_wrong_numbers(Finding& finding) {
+void name_wrong_numbers(Finding& finding, const AnswerType& type) {
   const bool is_explained = !finding.misconceptions.empty() || !finding.place.empty();
   if (finding.outcome != Outcome::wrong || is_explained) return;
-  const std::optional<Compared> both = compared(finding);
+  const std::optional<Compared> both = compared(finding, type);
   if (!both) return;
-  for (const auto& look :
-       {signs_wrong, one_number_wrong, off_by_a_factor, at_wrong_places, line_wrong, some_wrong})
+  for (const auto& look : {wrong_signs, one_wrong_number, wrong_factor, in_wrong_places, wrong_line,
+                           some_wrong_numbers})
     if (const MaybeName name = look(*both)) {
       finding.misconceptions = {*name};
       return;
     }
+}
+
+void drop_places(Finding& finding) {
+  std::erase_if(finding.misconceptions,
+                [](const Misconception& each) { return each.name == left_at_zero_name; });
 }
 
 }  // namespace tumble::judge
