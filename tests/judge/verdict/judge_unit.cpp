@@ -8,6 +8,7 @@
 #include "judge/build/submission.hpp"
 #include "judge/conversation/student_worker.hpp"
 #include "judge/verdict/crash_place.hpp"
+#include "judge/verdict/exact_constants.hpp"
 #include "judge/verdict/judge_answers.hpp"
 #include "judge/verdict/names_from_source.hpp"
 #include "judge/verdict/never_set.hpp"
@@ -79,8 +80,9 @@ void look_closer(UnitResult& result, const Job& job, const Judgement& judgement)
 }
 
 /// Names what the numbers alone show, where neither the compiler nor a sanitizer has said more.
-void name_what_is_left(UnitResult& result, const Job& job) {
+void name_what_is_left(UnitResult& result, const Job& job, const Judgement& judgement) {
   name_rounded_constant(result, read_submission(job.source));
+  drop_unproven_constants(result, job, {job.unit.id(), result.seed, judgement.only_case});
   name_wrong_numbers(result, answer_type(job.course, job.unit));
 }
 
@@ -114,7 +116,7 @@ UnitResult judge_build(const Job& job, const Judgement& judgement, const WorkerB
   } else {
     look_closer(result, job, judgement);
     look_for_luck(result, job, judgement);
-    if (!result.passed()) name_what_is_left(result, job);
+    if (!result.passed()) name_what_is_left(result, job, judgement);
   }
   return result;
 }

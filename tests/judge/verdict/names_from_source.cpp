@@ -183,7 +183,7 @@ std::optional<Misconception> name_of_rounded(const Finding& finding, const std::
   if (!found || !is_wrong_by_less_than(finding, most_magnified * found->error) ||
       is_wrong_by_less_than(finding, least * found->error))
     return std::nullopt;
-  return Misconception{"a rounded constant",
+  return Misconception{rounded_constant_name,
                        "There is " + found->digits + " in line " + std::to_string(found->line) +
                            ", which has only a few digits of " + found->meant + ". Write " +
                            found->instead + ".",

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "judge/build/source_code.hpp"
 
@@ -66,21 +68,52 @@ const Constant* meant_by(const std::string& text) {
   return nullptr;
 }
 
-}  // namespace
+/// Such a number, and where its digits begin.
+struct Found {
+  std::size_t begin;
+  std::string digits;
+  const Constant* meant;
+};
 
-std::optional<RoundedConstant> rounded_constant_in(const std::string& code) {
+std::vector<Found> all_in(const std::string& code) {
   static const std::regex decimal(R"(\d{0,3}\.\d{2,18})");
+  std::vector<Found> all;
   for (std::sregex_iterator at(code.begin(), code.end(), decimal), end; at != end; ++at) {
     const auto begin = static_cast<std::size_t>(at->position()),
                after = begin + static_cast<std::size_t>(at->length());
     const bool is_part = (begin > 0 && (is_of_word(code[begin - 1]) || code[begin - 1] == '.')) ||
                          (after < code.size() && is_of_word(code[after]));
     if (is_part) continue;
-    if (const Constant* constant = meant_by(at->str()))
-      return RoundedConstant{at->str(), line_of(code, begin), constant->name, constant->instead,
-                             std::abs(std::stod(at->str()) / constant->value - 1)};
+    if (const Constant* meant = meant_by(at->str())) all.push_back({begin, at->str(), meant});
   }
-  return std::nullopt;
+  return all;
+}
+
+/// As an operand with 17 digits: no header is needed for it.
+std::string exact_text(double constant) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", constant);
+  return text;
+}
+
+}  // namespace
+
+std::optional<RoundedConstant> rounded_constant_in(const std::string& code) {
+  const std::vector<Found> all = all_in(code);
+  if (all.empty()) return std::nullopt;
+  const Found& first = all.front();
+  return RoundedConstant{first.digits, line_of(code, first.begin), first.meant->name,
+                         first.meant->instead,
+                         std::abs(std::stod(first.digits) / first.meant->value - 1)};
+}
+
+std::string with_exact_constants(std::string source) {
+  const std::string code = code_of(source);
+  if (code.size() != source.size()) return source;  // then places in one are none in the other
+  const std::vector<Found> all = all_in(code);
+  for (auto each = all.rbegin(); each != all.rend(); ++each)
+    source.replace(each->begin, each->digits.size(), exact_text(each->meant->value));
+  return source;
 }
 
 }  // namespace tumble::judge

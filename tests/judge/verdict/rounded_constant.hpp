@@ -21,4 +21,10 @@ struct RoundedConstant {
 /// constant or more, and not all that a double holds.
 std::optional<RoundedConstant> rounded_constant_in(const std::string& code);
 
+/// The text of a file with the exact constant for each number of this kind.
+std::string with_exact_constants(std::string source);
+
+/// The name of a wrong answer that comes from one.
+inline constexpr const char* rounded_constant_name = "a rounded constant";
+
 }  // namespace tumble::judge

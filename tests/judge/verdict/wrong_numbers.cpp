@@ -267,8 +267,8 @@ MaybeName wrong_line(const Compared& each) {
 /// A part of a long list, of which nothing else is seen: what all particles have in common, say.
 MaybeName some_wrong_numbers(const Compared& each) {
   const std::size_t size = each.answer.size();
-  if ((!each.is_struct() && !is_vector(each.value)) || size < of_a_loop ||
-      2 * each.wrong.size() > size || right_and_nonzero(each) < size / 2)
+  if (!is_vector(each.value) || size < of_a_loop || 2 * each.wrong.size() > size ||
+      right_and_nonzero(each) < size / 2)
     return std::nullopt;
   return Misconception{
       "some wrong numbers",

@@ -60,13 +60,15 @@ TEST_CASE("report: what to explain again, and no names unless asked") {
   CourseSettings course = settings();
   course.title = "A & B <script>";
   const std::vector<StudentRecord> records = {student("Meyer<", "passed", 1),
-                                              student("Smith", "wrong", 1, "swapped")};
+                                              student("Smith", "wrong", 1, "swapped"),
+                                              student("Jones", "wrong", 1, "a wrong factor")};
   const std::string page = report_html(course, records, Names::hidden);
   for (const char* part :
-       {"<h1>A &amp; B &lt;script&gt;</h1>", "<p>2 submissions, 1 exercise, 1 point.</p>",
-        "<b>swapped</b>, in 4.1 product: 1 of 2 (50 %)<br>q p is not p q.",
-        "Chapter 4, “The product”", "1 of 2<td class=\"number\">1<td>"})
+       {"<h1>A &amp; B &lt;script&gt;</h1>", "<p>3 submissions, 1 exercise, 1 point.</p>",
+        "<b>swapped</b>, in 4.1 product: 1 of 3 (33 %)<br>q p is not p q.",
+        "Chapter 4, “The product”", "1 of 3<td class=\"number\">1<td>"})
     CHECK_MESSAGE(has(page, part), page);
+  CHECK_FALSE(has(page, "<b>a wrong factor</b>"));  // no page explains it
   CHECK_FALSE(has(page, "Meyer"));
   CHECK_FALSE(has(page, "Smith"));
   CHECK_FALSE(has(page, "<script"));

@@ -49,6 +49,11 @@ TEST_CASE("a rounded constant: named with its line, where the answer is as nearl
         "There is 0.1667 in line 2, which has only a few digits of 1/6. Write 1.0 / 6.");
 }
 
+TEST_CASE("a rounded constant: the text with exact ones, comments as they were") {
+  CHECK(with_exact_constants("// 0.333 µ\nx = 0.333 * y + 0.5 + .1667;\n") ==
+        "// 0.333 µ\nx = 0.33333333333333331 * y + 0.5 + 0.16666666666666666;\n");
+}
+
 TEST_CASE("a rounded constant: not named where the answer is off by more, or by next to nothing") {
   for (const double first : {2., 1.01, 1. + 1e-9, 1. + 4e-16}) {
     Finding finding;
