@@ -52,7 +52,6 @@ UnitResult judged(const Course& course, const Unit& unit, const json& request) {
   PageWorker worker;
   judge_answers(result, trial, worker);
   name_from_source(result, source);
-  name_rounded_constant(result, source);
   name_wrong_numbers(result, answer_type(course, unit));
   return result;
 }

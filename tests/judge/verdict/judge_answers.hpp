@@ -28,7 +28,8 @@ void judge_answers(UnitResult& result, const Trial& trial, Answerer& answerer);
 /// Puts the names to wrong answers for which the file itself holds the reason.
 void name_from_source(UnitResult& result, const std::string& source);
 
-/// Names a constant with few digits, where nothing else is known of a wrong answer.
+/// Names a constant with few digits, where nothing else is known of a wrong answer. It is a guess
+/// until drop_unproven_constants() has tried the exact one.
 void name_rounded_constant(UnitResult& result, const std::string& source);
 
 /// Says which numbers of the first case's answer are wrong, where nothing else is known of it.
