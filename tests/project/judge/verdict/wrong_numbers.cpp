@@ -129,6 +129,19 @@ TEST_CASE("wrong numbers: only of the first case") {
   CHECK(result.cases[1].finding->misconceptions.empty());
 }
 
+TEST_CASE("wrong numbers: a struct has no places that are left at zero") {
+  Finding finding;
+  finding.answer = List{0., 0., 3., 5.};
+  finding.demanded = four;
+  finding.misconceptions = {{"places left at zero", "", ""}};
+  UnitResult result;
+  result.cases = {{2, "second", finding}};
+  name_wrong_numbers(result, {});
+  CHECK(result.cases[0].finding->misconceptions.size() == 1);
+  name_wrong_numbers(result, sums);
+  CHECK(result.cases[0].finding->misconceptions.empty());
+}
+
 TEST_CASE("wrong numbers: the right ones at wrong places") {
   CHECK(says(
       List{1., 3., 2., 5.}, four,
