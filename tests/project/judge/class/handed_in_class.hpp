@@ -118,7 +118,8 @@ inline ExpectedRows hand_in_moodle(const fs::path& to) {
           {"Dan Li_4711004", {"0", "no exercise found in it; it holds typed text/onlinetext.html"}},
           {"Eve Roe_4711005",
            {"2",
-            "Moodle's \"comments\" are there. We grade files of exercises in them; we do not grade texts."}}};
+            "Moodle's \"comments\" are there. We grade files of exercises in them; we do not grade "
+            "texts."}}};
 }
 
 /// Canvas's "Download Submissions", unpacked: one flat folder.
