@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 template <class Iterator>
-std::vector<fs::path> code_of(const fs::path& folder) {
+std::vector<fs::path> sources_in(const fs::path& folder) {
   std::vector<fs::path> files;
   if (!fs::is_directory(folder)) return files;
   for (const fs::directory_entry& entry : Iterator(folder)) {
@@ -27,11 +27,11 @@ std::vector<fs::path> code_of(const fs::path& folder) {
 }  // namespace
 
 std::vector<fs::path> code_in(const fs::path& folder) {
-  return code_of<fs::directory_iterator>(folder);
+  return sources_in<fs::directory_iterator>(folder);
 }
 
 std::vector<fs::path> code_below(const fs::path& folder) {
-  return code_of<fs::recursive_directory_iterator>(folder);
+  return sources_in<fs::recursive_directory_iterator>(folder);
 }
 
 std::uint64_t code_hash(const std::vector<fs::path>& files, std::uint64_t start) {

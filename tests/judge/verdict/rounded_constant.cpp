@@ -107,13 +107,16 @@ std::optional<RoundedConstant> rounded_constant_in(const std::string& code) {
                          std::abs(std::stod(first.digits) / first.meant->value - 1)};
 }
 
-std::string with_exact_constants(std::string source) {
+std::string with_exact_constants(const std::string& source) {
   const std::string code = code_of(source);
   if (code.size() != source.size()) return source;  // then places in one are none in the other
-  const std::vector<Found> all = all_in(code);
-  for (auto each = all.rbegin(); each != all.rend(); ++each)
-    source.replace(each->begin, each->digits.size(), exact_text(each->meant->value));
-  return source;
+  std::string exact;
+  std::size_t end = 0;
+  for (const Found& each : all_in(code)) {
+    exact += source.substr(end, each.begin - end) + exact_text(each.meant->value);
+    end = each.begin + each.digits.size();
+  }
+  return exact + source.substr(end);
 }
 
 }  // namespace tumble::judge

@@ -22,7 +22,7 @@ struct RoundedConstant {
 std::optional<RoundedConstant> rounded_constant_in(const std::string& code);
 
 /// The text of a file with the exact constant for each number of this kind.
-std::string with_exact_constants(std::string source);
+std::string with_exact_constants(const std::string& source);
 
 /// The name of a wrong answer that comes from one.
 inline constexpr const char* rounded_constant_name = "a rounded constant";

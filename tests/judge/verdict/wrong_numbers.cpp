@@ -192,7 +192,7 @@ bool is_usual_factor(double ratio) {
                              is_short_fraction(size * pi) || is_short_fraction(size / root_2));
 }
 
-std::string short_text(double x) {
+std::string ratio_text(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);
   return text;
@@ -209,7 +209,7 @@ MaybeName wrong_factor(const Compared& each) {
                               : "Each number of your answer is ";
   return Misconception{
       "a wrong factor",
-      who + short_text(*ratio) + " times the demanded one" + each.but_the_others() + "." +
+      who + ratio_text(*ratio) + " times the demanded one" + each.but_the_others() + "." +
           (is_usual_factor(*ratio) ? " Look for a factor that is missing, or one too many." : ""),
       ""};
 }

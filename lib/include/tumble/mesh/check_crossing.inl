@@ -137,11 +137,12 @@ TUMBLE_BODY LineList lines_around(const std::vector<WrongDepth>& wrong, const Vi
   const Vec3 margin = 2 * spacing * box.sizes();
   known = view.box({known.min() - margin, known.max() + margin});
   std::vector<PlanePoint> lines;
-  for (const WrongDepth& piece : wrong) lines.push_back(view.point(piece.place(0.5)).head<2>());
+  lines.reserve(wrong.size() + n * n);
+  for (const WrongDepth& piece : wrong) lines.emplace_back(view.point(piece.place(0.5)).head<2>());
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const Vec3 part((i + 0.5) * spacing, (j + 0.5) * spacing, 0);
-      lines.push_back((known.min() + part.cwiseProduct(known.sizes())).head<2>());
+      lines.emplace_back((known.min() + part.cwiseProduct(known.sizes())).head<2>());
     }
   return {known, std::move(lines)};
 }

@@ -70,6 +70,7 @@ TUMBLE_BODY std::vector<FaceTriangle> TriangleColumns::over(const Rectangle& whe
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   std::vector<FaceTriangle> chosen;
+  chosen.reserve(found.size());
   for (const int i : found) chosen.push_back(triangles_[static_cast<std::size_t>(i)]);
   return those_over(mesh_, chosen, view_, where);
 }
