@@ -86,7 +86,8 @@ TEST_CASE("settings: ranges of chapters and of exercises") {
   CHECK(settings(R"({"weights": {"1-4": 2, "4": 3, "4.2": 4}})").most() == 2 + 3 + 4);
   CHECK_REFUSED(settings(R"({"units": ["4-1"]})"), "units[0]: '4-1' is a range that ends before");
   CHECK_REFUSED(settings(R"({"units": ["1-7"]})"), "there is no exercise or chapter '7'");
-  CHECK_REFUSED(settings(R"({"units": ["1-"]})"), "there is no exercise or chapter ''");
+  CHECK_REFUSED(settings(R"({"units": ["1-"]})"), "'1-' is half of a range");
+  CHECK_REFUSED(settings(R"({"units": [" – 4"]})"), "is half of a range");
 }
 
 TEST_CASE("settings: what does not count has no weight and hides nothing") {
