@@ -35,7 +35,7 @@ std::optional<Misconception> expression_that_outlives(const std::string& source,
 /// - "float": the numbers are right to some 7 digits, and there is a float (or 0.5f, or sqrtf).
 void name_from_source(Finding& finding, const std::string& source);
 
-/// "a rounded constant": 0.1667 stands in `source` for 1/6, and the answer is off by about as much.
+/// "a rounded constant": `source` has 0.1667 for 1/6, and the answer is off by about as much.
 /// Only where nothing else is known, a variable that was never set for one.
 void name_rounded_constant(Finding& finding, const std::string& source);
 

@@ -61,7 +61,7 @@ Meeting triangles_meet(const Triangle& s, const Triangle& t);
 /// Where two triangles pass through each other, and how far.
 struct TriangleCrossing {
   Vec3 place;        ///< the mean of where edges go through [m]
-  double depth;      ///< how far one has to be moved to part them, at most [m]
+  double depth;      ///< how far you move one of them to part them, at most [m]
   double reach = 0;  ///< how far from `place` edges go through [m]
 };
 
