@@ -25,7 +25,7 @@ inline Mat3 paper_rotation() {
 inline const std::array<support::Pen, 3> column_pens{
     support::Pen{"c0", 2.6}, {"c1", 2.6}, {"c2", 2.6}};
 
-/// Where a matrix stands in a drawing, and how large [px].
+/// Where a matrix is in a drawing, and how large [px].
 struct MatrixPlace {
   double left, middle;  ///< of its left bracket
   double column, row;   ///< of a number

@@ -8,7 +8,7 @@ namespace quaternions_chapter {
 
 namespace {
 
-/// The formula with sines, as it stands in books; `straight` mixes linearly above that cosine.
+/// The formula with sines, as books have it; `straight` mixes linearly above that cosine.
 Quat by_sines(const Quat& a, const Quat& b, double t, double straight) {
   const double cosine = a.dot(b);
   if (cosine > straight) return mix_four(a, b, t).normalized();

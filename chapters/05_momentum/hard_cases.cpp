@@ -93,7 +93,7 @@ std::string needle_figure() {
     return [way](double condition) { return worst_of_any_L(condition, way); };
   };
   // The uppermost curve first, with a colour that leaves the others theirs: names find their places
-  // one after the other, and those of ends that lie close stand in this order.
+  // one after the other, and those of ends that lie close are in this order.
   add("L ⊥ needle", worst_of_tumbling);
   plot.series.back().colour = "c3";
   add("(R I_body Rᵀ)⁻¹ L",

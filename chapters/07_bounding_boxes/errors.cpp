@@ -98,7 +98,7 @@ std::string between_figure() {
     if (share_of_cube(r) < f - 1e-9) continue;  // fuller than the solid ball
     ball.x.push_back(f), ball.y.push_back(ball_to_cube(r));
   }
-  std::ranges::reverse(shrunk.x);  // a name stands at the end of its curve: here at the left,
+  std::ranges::reverse(shrunk.x);  // a name is at the end of its curve: here at the left,
   std::ranges::reverse(shrunk.y);  // where no object is
   plot.series = {full, shrunk, ball};
   for (const Thing& body : things()) {

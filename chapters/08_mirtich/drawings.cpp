@@ -77,7 +77,7 @@ void draw_edge(Sketch& sketch, std::size_t k) {
                           : "middle");
 }
 
-/// Where a corner's coordinates stand [px].
+/// Where a corner's coordinates are [px].
 void name_corner(Sketch& sketch, const Vec2& p) {
   const bool left = p.x() == 0, low = p.y() == 0;
   sketch.dot(p, "ink", 4);

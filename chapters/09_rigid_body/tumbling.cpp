@@ -19,7 +19,7 @@ double nut_turn() {
   return 2 * pi * principal_axes(nut().I_body()).moments[1] / nut_start().L.norm();
 }
 
-/// Where things stand: a row of pictures two turns apart, and below it the spin, each picture above
+/// Where things are: a row of pictures two turns apart, and below it the spin, each picture above
 /// its time.
 struct NutStrip {
   static constexpr int pictures = 8;

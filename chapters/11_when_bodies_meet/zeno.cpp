@@ -68,7 +68,7 @@ Series zeno_stairs(double e) {
 }
 
 /// The time after which it rests, from the floor of the plot nearly to its top: the name at its end
-/// stands below the grid's last line.
+/// is below the grid's last line.
 Series zeno_wall(double e, double low, const std::string& colour) {
   constexpr double high = 0.3;
   return {e == 0.5 ? "" : "t₀ (1 + e)/(1 − e)",  // the line beside it is another of the kind

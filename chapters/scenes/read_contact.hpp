@@ -7,7 +7,7 @@
 
 namespace tumble::scenes {
 
-/// Floor, walls, restitution and friction; nothing if none of them stands there.
+/// Floor, walls, restitution and friction; nothing if none of them is there.
 /// @throws std::invalid_argument that says where in the file, and what
 std::optional<SceneContact> read_contact(const support::Place& root);
 

@@ -12,7 +12,7 @@
 namespace tumble::tour {
 namespace {
 
-/// Where things stand in the film: a row of pictures, and below it what the body's axes say, each
+/// Where things are in the film: a row of pictures, and below it what the body's axes say, each
 /// picture above its time.
 struct Film {
   static constexpr double picture = 84, row = 118, pictures = 10;  // [px], [px], how many

@@ -71,7 +71,7 @@ struct VolumeIntegrals {
 /// counter-clockwise, α to the right and β up, and all with a minus if they go round clockwise.
 /// @param corners the polygon's corners in space [m], in order; the last one is joined to the
 ///                first. The polygon may have any shape, also with dents, but does not cross
-///                itself. A corner may lie in the middle of an edge, or stand twice in a row, the
+///                itself. A corner may lie in the middle of an edge, or appear twice in a row, the
 ///                first one also at the end. A shadow without area has integrals of 0, and so have
 ///                fewer than three corners.
 /// @param gamma   the axis along which you cast the shadow: 0, 1 or 2

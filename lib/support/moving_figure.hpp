@@ -40,7 +40,7 @@ struct Drag {
 struct ReadersAnswer {
   std::string_view topic;
   std::vector<double> (*question)(Settings);
-  /// The answer to the question of these settings, which stand; no numbers: there is none any more.
+  /// The answer to the question of these settings, which stay; no numbers: there is none any more.
   void (*take)(Settings, std::span<const double> answer);
 };
 
@@ -62,7 +62,7 @@ inline double allowed(const Control& control, double value) {
   return std::clamp(control.least + steps * control.step, control.least, control.most);
 }
 
-/// How a figure stands before a reader changes it.
+/// How a figure is before a reader changes it.
 inline std::vector<double> start_of(const MovingFigure& figure) {
   std::vector<double> settings;
   for (const Control& control : figure.controls) settings.push_back(control.start);

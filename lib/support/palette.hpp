@@ -76,7 +76,7 @@ inline std::string over_attributes() {
 
 }  // namespace palette_detail
 
-/// The style of a figure. It is dark where the viewer or the page is; in a page it stands on the
+/// The style of a figure. It is dark where the viewer or the page is; in a page it is on the
 /// page, without paper of its own.
 inline std::string figure_style() {
   using namespace palette_detail;

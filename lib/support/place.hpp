@@ -15,7 +15,7 @@
 
 namespace tumble::support {
 
-/// A value of a JSON document that knows where it stands.
+/// A value of a JSON document that knows where it is.
 class Place {
  public:
   using Json = nlohmann::json;

@@ -67,7 +67,7 @@ inline std::string draw_markers(const std::vector<Pixel>& points, const SeriesLo
 }
 
 /// A few places on a long curve. Each curve of a plot starts at another one, so that the markers of
-/// two curves that run together stand side by side.
+/// two curves that run together are side by side.
 /// @param phase which part of the way between two markers comes before the first
 inline std::vector<Pixel> places_along(const std::vector<std::vector<Pixel>>& curve, double phase) {
   constexpr double near = 110, most = 7;

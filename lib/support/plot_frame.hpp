@@ -13,7 +13,7 @@
 namespace tumble::support::plot_detail {
 
 constexpr double width = 760, left = 74, right = 178, top = 44, bottom = 56;
-constexpr double narrow_right = 24;  // where no name stands beside the frame
+constexpr double narrow_right = 24;                          // where no name is beside the frame
 constexpr double across = width - left - right, down = 340;  // what the axes enclose
 constexpr double most_down = 480;                            // of a frame with equal scales
 

@@ -36,7 +36,7 @@ struct Label {
   Pixel anchor;  ///< the end of the curve
   Box box;
 
-  /// The leader from the curve's end to the name; none if they stand beside each other.
+  /// The leader from the curve's end to the name; none if they are beside each other.
   bool has_leader() const { return distance(anchor, box.nearest(anchor)) > 15; }
 };
 
@@ -50,7 +50,7 @@ inline std::vector<Pixel> leader_points(const Label& label) {
   return points;
 }
 
-/// The name in its curve's colour, with a rim of paper where it stands on the grid.
+/// The name in its curve's colour, with a rim of paper where it is on the grid.
 inline std::string draw_label(const Label& label, const std::string& name,
                               const std::string& colour) {
   std::string svg;

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Where the names of curves stand: at the curve's end if there is room, else near it or in the
+/// Where the names of curves are: at the curve's end if there is room, else near it or in the
 /// margin, with a thin leader.
 
 #include <algorithm>
@@ -109,7 +109,7 @@ class LabelPlacer {
            box.y + box.height > frame_.floor() - near;
   }
 
-  /// In pixels of leader, roughly: what it costs to stand far away, outside or on other names.
+  /// In pixels of leader, roughly: what it costs to be far away, outside or on other names.
   double cost_among_names(const Label& label, std::size_t which, std::size_t known) const {
     double cost = distance(label.anchor, label.box.nearest(label.anchor));
     if (label.has_leader()) cost += 8;
@@ -152,7 +152,7 @@ class LabelPlacer {
     return 0;
   }
 
-  /// Whether two names stand one above the other, and the ends of their curves the other way round.
+  /// Whether two names are one above the other, and the ends of their curves the other way round.
   static bool are_swapped(const Label& a, const Label& b) {
     constexpr double beside = 30;  // pixels between ends that one takes for one above the other
     const bool stacked = a.box.x < b.box.x + b.box.width && b.box.x < a.box.x + a.box.width;

@@ -89,7 +89,7 @@ inline bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// Whether the words stand in the name by themselves, not as a part of longer ones.
+/// Whether the words are in the name by themselves, not as a part of longer ones.
 inline bool has_words(std::string_view name, std::string_view words) {
   for (std::size_t at = name.find(words); at != std::string_view::npos;
        at = name.find(words, at + 1)) {

@@ -94,7 +94,7 @@ inline bool is_letter(char c) {
 
 inline bool is_subscript(char c) { return is_letter(c) || (c >= '0' && c <= '9'); }
 
-/// Where the `_` of a symbol stands, that of p_body: after one letter. Names of the code have more.
+/// Where the `_` of a symbol is, that of p_body: after one letter. Names of the code have more.
 /// @return the end of the words if there is none
 inline std::size_t subscript_mark(std::string_view words) {
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
@@ -106,7 +106,7 @@ inline std::size_t subscript_mark(std::string_view words) {
   return words.size();
 }
 
-/// Words of a picture, escaped: with minus signs, and subscripts that stand lower.
+/// Words of a picture, escaped: with minus signs, and lowered subscripts.
 inline std::string svg_words(std::string_view words) {
   const std::size_t mark = subscript_mark(words);
   std::string text = svg_minus_signs({words.data(), mark});

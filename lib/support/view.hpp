@@ -15,7 +15,7 @@
 
 namespace tumble::support {
 
-/// Where in the figure a body stands and how large it is drawn.
+/// Where in the figure a body is and how large it is drawn.
 struct Placement {
   double x, y;   ///< where the body's origin is drawn [px]
   double scale;  ///< [px/m]

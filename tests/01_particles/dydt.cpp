@@ -539,7 +539,7 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return ydot;
       }},
      {"velocity in both halves",
-      "In the places of v̇ stand the velocities once more. The velocity changes by the "
+      "In the places of v̇ you have the velocities once more. The velocity changes by the "
       "acceleration, "
       "F/m.",
       "The right-hand side",
@@ -549,7 +549,7 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return ydot;
       }},
      {"acceleration in both halves",
-      "In the places of ẋ stand the accelerations. The position changes by the velocity.",
+      "In the places of ẋ you have the accelerations. The position changes by the velocity.",
       "The right-hand side",
       [](const System& system, double t, const VectorXd& y) {
         VectorXd ydot = reference(system, t, y);
@@ -566,7 +566,8 @@ const Misconceptions<decltype(particles::dydt)> misconceptions{
         return ydot;
       }},
      {"position for its rate",
-      "In the places of ẋ stand the positions themselves. What the solver wants is how fast they "
+      "In the places of ẋ you have the positions themselves. What the solver wants is how fast "
+      "they "
       "change.",
       "The right-hand side",
       [](const System& system, double t, const VectorXd& y) {

@@ -104,7 +104,7 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(particles::flatten)> misconceptions{
     TUMBLE_UNIT,
     {{"all positions first",
-      "All positions stand before all velocities. In our state a particle's numbers stay together: "
+      "All positions come before all velocities. In our state a particle's numbers stay together: "
       "its velocity follows its own position.",
       "The state",
       [](const Particles& list) {
@@ -116,7 +116,7 @@ const Misconceptions<decltype(particles::flatten)> misconceptions{
         return y;
       }},
      {"velocity first",
-      "Each particle's velocity stands before its position. The order of the state is x, then v.",
+      "Each particle's velocity comes before its position. The order of the state is x, then v.",
       "The state",
       [](const Particles& list) {
         Particles swapped = list;
@@ -136,7 +136,7 @@ const Misconceptions<decltype(particles::flatten)> misconceptions{
         return y;
       }},
      {"momentum for velocity",
-      "In the places of the velocities stand momenta: you have multiplied the velocities by the "
+      "In the places of the velocities you have momenta: you have multiplied the velocities by the "
       "masses. We will store rigid bodies like this, but not particles.",
       "The state",
       [](const Particles& list) {
@@ -179,14 +179,16 @@ const Misconceptions<decltype(particles::flatten)> misconceptions{
         return y;
       }},
      {"position twice",
-      "In the places of the velocities stand the positions once more. A copied line?", "The state",
+      "In the places of the velocities you have the positions once more. A copied line?",
+      "The state",
       [](const Particles& list) {
         Particles copies = list;
         for (auto& particle : copies) particle.v = particle.x;
         return reference(copies);
       }},
      {"velocity twice",
-      "In the places of the positions stand the velocities once more. A copied line?", "The state",
+      "In the places of the positions you have the velocities once more. A copied line?",
+      "The state",
       [](const Particles& list) {
         Particles copies = list;
         for (auto& particle : copies) particle.x = particle.v;

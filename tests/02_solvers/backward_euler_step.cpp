@@ -609,7 +609,8 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
             });
       }},
      {"h forgotten in the matrix",
-      "In the matrix of Newton's method the Jacobian stands without the step. So you come to the "
+      "In the matrix of Newton's method the Jacobian is not multiplied by the step. So you come to "
+      "the "
       "solution slowly or not at all. What is the derivative of the equation with respect to y₁?",
       "Implicit steps", with_matrix([](const MatrixXd& hJ, double h) -> MatrixXd {
         return MatrixXd::Identity(hJ.rows(), hJ.cols()) - (h == 0 ? hJ : MatrixXd(hJ / h));
@@ -621,7 +622,7 @@ const Misconceptions<decltype(solvers::backward_euler_step)> misconceptions{
         return MatrixXd::Identity(hJ.rows(), hJ.cols()) + hJ;
       })},
      {"identity forgotten",
-      "Your matrix of Newton's method is made of the Jacobian alone. y₁ itself also stands in the "
+      "Your matrix of Newton's method is made of the Jacobian alone. y₁ itself is also in the "
       "equation, and has a derivative.",
       "Implicit steps", with_matrix([](const MatrixXd& hJ, double) -> MatrixXd { return -hJ; })},
      {"Jacobian transposed",

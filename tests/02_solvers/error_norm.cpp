@@ -306,8 +306,8 @@ const Misconceptions<decltype(solvers::error_norm)> misconceptions{
                          tolerances.relative * std::fmax(std::abs(y0), std::abs(y1)));
       })},
      {"both tolerances times the size",
-      "You have multiplied the absolute tolerance by the component's size as well. It stands "
-      "alone: look at the brackets.",
+      "You have multiplied the absolute tolerance by the component's size as well. Only "
+      "the relative one is multiplied: look at the brackets.",
       "The error of a step", with_allowed([](double y0, double y1, const Tolerances& tolerances) {
         const double size = std::fmax(std::abs(y0), std::abs(y1));
         return (tolerances.absolute + tolerances.relative) * size;

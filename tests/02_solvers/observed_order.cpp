@@ -234,8 +234,9 @@ const Misconceptions<decltype(solvers::observed_order)> misconceptions{
         return products(x, 0, y, 0) / products(x, 0, x, 0);
       }},
      {"number of rows forgotten",
-      "In the formula with plain sums the number of rows is missing, so a sum over the rows stands "
-      "beside the product of two such sums, which has n times as many terms.",
+      "In the formula with plain sums the number of rows is missing, so a sum over the rows is "
+      "next "
+      "to the product of two such sums, which has n times as many terms.",
       "Observed order",
       [](const Numbers& h, const Numbers& errors) {
         const Numbers x = logarithms(h), y = logarithms(errors);

@@ -35,7 +35,7 @@ Mat3 any_stretch(const Vec3& by) {
   return directions * by.asDiagonal() * directions.transpose();
 }
 
-/// The matrix that shifts along one axis by `amount` times what stands along the next one.
+/// The matrix that shifts along one axis by `amount` times what is along the next one.
 Mat3 shear(double amount) {
   Mat3 S = Mat3::Identity();
   S(0, 1) = amount;
@@ -188,7 +188,7 @@ const Misconceptions<decltype(rotation_matrices::nearest_rotation)> misconceptio
       "Drift", [](const Mat3& M) -> Mat3 { return M / std::cbrt(M.determinant()); }},
      {"inverse not transposed",
       "You have taken the mean with the inverse of X itself, and that iteration forgets the "
-      "orientation: look where your cross products stand, in columns or in rows.",
+      "orientation: look where your cross products are, in columns or in rows.",
       "The nearest rotation",
       [](const Mat3& M) -> Mat3 {
         return after_100(M, [](const Mat3& X) -> Mat3 { return (X + X.inverse()) / 2; });

@@ -136,7 +136,8 @@ const Misconceptions<decltype(rotation_matrices::rotation_dot)> misconceptions{
         return reference(R.transpose(), omega).transpose();
       }},
      {"transposed",
-      "The rates of the three axes are right, but stand in the rows. They belong in the columns, "
+      "The rates of the three axes are right, but they are in the rows. They belong in the "
+      "columns, "
       "like the axes themselves.",
       "Columns are axes",
       [](const Mat3& R, const Vec3& omega) -> Mat3 { return reference(R, omega).transpose(); }},

@@ -21,7 +21,7 @@ const Vec3 e_x = Vec3::UnitX(), e_y = Vec3::UnitY(), e_z = Vec3::UnitZ();
 }  // namespace
 
 TEST_SUITE(TUMBLE_UNIT) {
-  TEST_CASE("the numbers of any vector stand at their places, unrounded") {
+  TEST_CASE("the numbers of any vector are in their places, unrounded") {
     for (int n = 0; n < 20; ++n) {
       const Vec3 a = any_vector(10);
       REQUIRE(student::skew(a) == close_to(tumble::rotation::skew(a), 0));
@@ -56,7 +56,7 @@ TEST_SUITE(TUMBLE_UNIT) {
     }
   }
 
-  TEST_CASE("zero, tiny and huge vectors: the numbers stand at their places as they are") {
+  TEST_CASE("zero, tiny and huge vectors: the numbers are in their places as they are") {
     for (const double size : {0., 1e-300, 1e-8, 1e150, 1e300}) {
       const Vec3 a = any_vector(size);
       REQUIRE(student::skew(a) == close_to(tumble::rotation::skew(a), 0));
@@ -126,7 +126,8 @@ const Misconceptions<decltype(rotation_matrices::skew)> misconceptions{
         return tumble::rotation::skew<double>({a.z(), a.y(), a.x()});
       }},
      {"one half only",
-      "The numbers below the diagonal are missing: each component of a stands in the matrix twice.",
+      "The numbers below the diagonal are missing: each component of a appears in the matrix "
+      "twice.",
       "Angular velocity",
       [](const Vec3& a) -> Mat3 {
         Mat3 S = tumble::rotation::skew(a);

@@ -117,8 +117,8 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(quaternions::rotate)> misconceptions{
     TUMBLE_UNIT,
     {{"turned the other way",
-      "This is q⁻¹ p q, which takes world axes to body axes. Look at the side on which your "
-      "inverse stands.",
+      "This is q⁻¹ p q, which takes world axes to body axes. Look at which side your "
+      "inverse is on.",
       "Rotating a point",
       [](const Quaternion& q, const Vec3& p) { return between(reference::inverse(q), p, q); }},
      {"conjugate for inverse",
@@ -147,8 +147,7 @@ const Misconceptions<decltype(quaternions::rotate)> misconceptions{
       "scalar part behind; the second factor finishes the turn.",
       "Rotating a point",
       [](const Quaternion& q, const Vec3& p) { return between(q, p, reference::one); }},
-     {"q on both sides",
-      "This is q p q. What stands on the right must undo what stands on the left.",
+     {"q on both sides", "This is q p q. What is on the right must undo what is on the left.",
       "Rotating a point", [](const Quaternion& q, const Vec3& p) { return between(q, p, q); }},
      {"result normalised",
       "You have put the point on the unit sphere. It is a place, not a direction: its distance "

@@ -28,7 +28,7 @@ constexpr double rounding = 64 * eps;
 /// Nine entries that are each off by `rounding` make RᵀR and det R off by at most 2·3 of it.
 constexpr double rounding_of_all = 6 * rounding;
 
-/// 1 − 2 |v|² and so on, as it stands in books for unit quaternions: without any division, with
+/// 1 − 2 |v|² and so on, as books have it for unit quaternions: without any division, with
 /// `factor` where the 2 belongs.
 Mat3 for_unit(const Quaternion& q, double factor) {
   const Mat3 V = tumble::rotation::skew<double>(q.tail<3>());

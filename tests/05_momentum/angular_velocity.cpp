@@ -156,7 +156,7 @@ const Misconceptions<decltype(momentum::angular_velocity)> misconceptions{
         return reference(R.transpose(), I_body_inv, L);
       }},
      {"turned twice the same way",
-      "R stands on both sides of your tensor. What turns L into body axes has to undo what "
+      "R is on both sides of your tensor. What turns L into body axes has to undo what "
       "turns ω out of them.",
       "Frames of reference",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) -> Vec3 {
@@ -197,7 +197,7 @@ const Misconceptions<decltype(momentum::angular_velocity)> misconceptions{
       }},
      {"upper triangle only",
       "You have left out the numbers of the tensor below its diagonal, or above it. It is "
-      "symmetric, but both halves stand in the product.",
+      "symmetric, but both halves are in the product.",
       "Angular momentum",
       [](const Mat3& R, const Mat3& I_body_inv, const Vec3& L) {
         return reference(R, I_body_inv.triangularView<Eigen::Upper>(), L);

@@ -206,7 +206,7 @@ const Misconceptions<decltype(momentum::net_wrench)> misconceptions{
         return reference(mass, x, R, -g, forces);
       }},
      {"weight once for each force",
-      "You have added the weight as often as there are other forces: look at what stands inside "
+      "You have added the weight as often as there are other forces: look at what is inside "
       "your loop.",
       "Weight",
       [](double mass, const Vec3& x, const Mat3& R, const Vec3& g, const Forces& forces) {

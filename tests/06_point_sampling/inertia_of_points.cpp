@@ -200,7 +200,7 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
         return 2 * diagonal_of(I) - I;
       }},
      {"along the axis instead of across",
-      "On your diagonal stands the square of each axis's own coordinate. How hard a "
+      "On your diagonal is the square of each axis's own coordinate. How hard a "
       "turn about x is depends on how far the mass is from the axis x: take the two "
       "other coordinates.",
       "The discrete inertia sum",
@@ -253,7 +253,7 @@ const Misconceptions<decltype(point_sampling::inertia_of_points)> misconceptions
       }},
      {"one half left empty",
       "You have filled only the diagonal and what is above it. The tensor is symmetric: "
-      "each product stands in two places.",
+      "each product appears in two places.",
       "The discrete inertia sum",
       [](const Points& points, const Vec3& about) -> Mat3 {
         return reference(points, about).triangularView<Eigen::Upper>();

@@ -219,7 +219,7 @@ const Misconceptions<decltype(bounding_boxes::box_inertia)> misconceptions{
         return mass / 12 * Mat3(size.cwiseAbs2().asDiagonal());
       })},
      {"edges in the wrong place",
-      "Your three moments are right, but stand one place too far on. About the first "
+      "Your three moments are right, but they are one place too far on. About the first "
       "axis the second and the third edge count.",
       "The inertia of a box", with([](double mass, const Vec3& size) {
         return own_inertia(mass, {size.z(), size.x(), size.y()});

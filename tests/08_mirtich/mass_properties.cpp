@@ -341,7 +341,7 @@ const Misconceptions<decltype(mirtich::mass_properties)> misconceptions{
         return density * (2 * diagonal_of(I) - I);
       })},
      {"square of the same axis",
-      "On your diagonal stands ∫ x² for the axis x. What resists a turn about x is how far the "
+      "On your diagonal is ∫ x² for the axis x. What resists a turn about x is how far the "
       "mass is from that axis, along y and z.",
       "Mass, centre and inertia", with_inertia([](const Parts& parts, double density) -> Mat3 {
         return density * (2 * diagonal_of(parts.S) - parts.S);

@@ -339,8 +339,8 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"shadows always along z",
-      "You cast all shadows along z. A wall that stands upright has none there, and one that "
-      "nearly does has a very thin one: choose the axis face by face.",
+      "You cast all shadows along z. An upright wall has none there, and one that "
+      "is nearly upright has a very thin one: choose the axis face by face.",
       "Back up again",
       [](const Polyhedron& body) {
         return with_view(body, [](const Corners&, View view) {
@@ -382,8 +382,8 @@ const Misconceptions<decltype(mirtich::volume_integrals)> misconceptions{
         });
       }},
      {"½ and ⅓ forgotten",
-      "Your volume is right, the others are too large, by a factor of 2 or 3. Under the surface "
-      "integral stands an integral of the power: divide by the new exponent.",
+      "Your volume is right, the others are too large, by a factor of 2 or 3. The surface "
+      "integral holds an integral of the power: divide by the new exponent.",
       "From a volume to its surface",
       [](const Polyhedron& body) -> VolumeIntegrals {
         const VolumeIntegrals v = reference(body);

@@ -217,7 +217,7 @@ const Misconceptions<decltype(rigid_body::derived)> misconceptions{
         return R * (body.I_body_inv * L);
       })},
      {"turned the wrong way for ω",
-      "Your R is right, but in your ω it stands where its transpose belongs: you turned L further "
+      "Your R is right, but in your ω it is where its transpose belongs: you turned L further "
       "instead of into body axes. R maps body → world.",
       "Frames of reference", with_omega([](const Mat3& R, const Body& body, const Vec3& L) -> Vec3 {
         return R.transpose() * (body.I_body_inv * (R * L));

@@ -254,7 +254,7 @@ const Misconceptions<decltype(when_bodies_meet::contact_matrix)> misconceptions{
         return R.transpose() * body.I_body_inv * R;
       })},
      {"turned twice the same way",
-      "R stands on both sides of your tensor. What turns a vector into body axes has to undo what "
+      "R is on both sides of your tensor. What turns a vector into body axes has to undo what "
       "turns it out of them.",
       "How a point responds to an impulse",
       with_inverse(

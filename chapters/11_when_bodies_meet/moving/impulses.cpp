@@ -38,7 +38,7 @@ PlanarImpact impact_of(Settings now) {
 /// Where the tip is drawn, and how long a metre and a metre per second are [px].
 const support::Window world{185, 262, 95};
 
-/// @param left whether its name stands to its left
+/// @param left whether its name is to its left
 void draw_velocity(Sketch& sketch, const Vec2& u, const std::string& colour,
                    const std::string& name, bool left) {
   constexpr double farthest = 1.1;  // to the left, or the name would not be seen [m/s]

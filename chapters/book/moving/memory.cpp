@@ -79,7 +79,7 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return ma
 void operator delete(void* memory) noexcept { free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { free(memory); }
 
-// What wants to lie at a multiple of more than 16: the piece's own place stands in front of it.
+// What wants to lie at a multiple of more than 16: the piece's own place is in front of it.
 void* operator new(std::size_t size, std::align_val_t alignment) {
   const auto step = static_cast<std::uintptr_t>(alignment);
   void* const piece = malloc(size + step + sizeof(void*));

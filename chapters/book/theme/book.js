@@ -32,7 +32,7 @@ for (const anchor of text.querySelectorAll(":is(h1, h2, h3, h4) > a.anchor[id]")
   anchor.parentElement.append(link);
 }
 
-// Who reads this is in the site already; on paper and in the repository the whole sentence stands.
+// Who reads this is in the site already; on paper and in the repository the whole sentence stays.
 for (const paragraph of text.querySelectorAll(".try-it p, figcaption"))
   paragraph.innerHTML = paragraph.innerHTML.replace(/On the site that <code>\.\/tumble book<\/code> opens, (.)/, (all, first) => first.toUpperCase());
 

@@ -121,14 +121,14 @@ const tumbleMoving = (function () {
       if (!this.playing) this.link = setTimeout(() => this.writeLink(), 300);
     }
 
-    // The style of all figures stands in the page once: a new one in each frame would make the browser
+    // The style of all figures is in the page once: a new one in each frame would make the browser
     // look at every element of the page again.
     draw() {
       this.place.innerHTML = this.module.draw().replace(/<style>[^]*?<\/style>/, "");
       this.settings().forEach((value, k) => this.fields[k].show(value));
     }
 
-    // The settings stand in the address, so that a link leads to them.
+    // The settings are in the address, so that a link leads to them.
     writeLink() {
       const settings = this.settings();
       const values = this.controls.map((control, k) => "&" + control.name + "=" + +settings[k].toFixed(6));

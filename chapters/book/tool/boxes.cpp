@@ -55,7 +55,7 @@ std::vector<Box> boxes_of(const Page& page) {
     if (!lines[box.first - 1].empty() && !lines[box.first - 1].starts_with("<!--"))
       fail(page, box.first, "the line above a box is empty, or a comment");
     if (lines[box.first - 1].empty() && is_below_a_list(lines, box.first - 1))
-      fail(page, box.first, "between a list and a box stands a paragraph");
+      fail(page, box.first, "a paragraph is missing between a list and a box");
     if (box.end == lines.size() || !lines[box.end].empty())
       fail(page, box.end - 1, "the line below a box is empty");
     boxes.push_back(box);

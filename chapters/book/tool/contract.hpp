@@ -17,7 +17,7 @@ struct ContractPart {
 
 struct Contract {
   std::string introduction;  ///< the comment on the file, without its first paragraph
-  std::string types;         ///< what stands above the first exercise
+  std::string types;         ///< what is above the first exercise
   std::vector<ContractPart> parts;
 };
 

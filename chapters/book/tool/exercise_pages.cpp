@@ -58,7 +58,7 @@ std::string places_text(const fs::path& root, const fs::path& folder, const Page
     if (fs::exists(root / tree / name / (part.name + ".cpp")))
       text += before + "](../../" + tree + "/" + name + "#" + part.name + "cpp).";
   };
-  add("tests", " What is checked stands in [its specification");
+  add("tests", " What is checked is in [its specification");
   add("solutions", " Once yours passes, compare it with [a solution");
   return text + "\n\n";
 }

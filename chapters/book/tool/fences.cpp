@@ -22,7 +22,7 @@ bool read_directive(const std::string& line, Fence& fence) {
   return false;
 }
 
-/// What a line is by itself, wherever it stands.
+/// What a line is by itself, wherever it is.
 enum class LineKind {
   text,
   comment,

@@ -52,7 +52,7 @@ std::vector<std::string> bad_figures(const Page& page, const std::vector<fs::pat
                               std::to_string(before + i + 1) + ". ";
     if (!figures[i].caption.starts_with(start))
       bad.push_back(at(page, figures[i].line) +
-                    "two lines below this figure stands its caption: *" + start + "…*");
+                    "two lines below this figure its caption is missing: *" + start + "…*");
   }
   return bad;
 }

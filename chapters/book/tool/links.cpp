@@ -75,12 +75,12 @@ std::vector<std::string> dead_links(const Page& page) {
       const bool known = std::any_of(links.begin(), links.end(), [at](const Link& link) {
         return link.begin <= at && at < link.end;
       });
-      if (!known) complain("a link stands in one line, from [ to )");
+      if (!known) complain("a link has to be in one line, from [ to )");
     }
     for (const Link& link : links) {
       if (const std::string why = why_dead(page, link.target); !why.empty()) complain(why);
       if (link.image && (link.begin != 0 || link.end != line.size()))
-        complain("a figure stands in a line of its own");
+        complain("a figure has to be in a line of its own");
     }
     if (visible.find("<img") != std::string::npos)
       complain("a figure is written as ![caption](file)");

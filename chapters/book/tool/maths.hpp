@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Formulas in Markdown: where they stand in a line, and what Markdown would do to them.
+/// Formulas in Markdown: where they are in a line, and what Markdown would do to them.
 
 #include <cstddef>
 #include <string>
@@ -15,7 +15,7 @@ struct InlineFormula {
 };
 
 /// The formulas of a line that is outside of fences. A dollar followed by a blank or preceded by
-/// one is a dollar, and so is what stands in a code span.
+/// one is a dollar, and so is what is in a code span.
 std::vector<InlineFormula> formulas_in(const std::string& line);
 
 /// What GitHub's Markdown would change in `$…$` before the formula is set, such as \, or \{

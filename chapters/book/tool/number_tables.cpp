@@ -46,7 +46,7 @@ std::vector<Column> columns_under(const Characters& rule) {
 
 using Row = std::vector<std::string>;
 
-/// The cells of a line; none if a character stands between two columns.
+/// The cells of a line; none if a character is between two columns.
 Row cells_of(const Characters& line, const std::vector<Column>& columns) {
   Row cells;
   std::size_t used = 0;
@@ -91,7 +91,7 @@ std::vector<Row> joined(const std::vector<Row>& lines) {
 }
 
 /// Words begin at the left. Numbers end at the right, and so does a word in their place ("exact"),
-/// however often it stands there.
+/// however often it is there.
 bool holds_text(std::size_t k, const std::vector<Row>& rows) {
   std::vector<std::string> words;
   for (std::size_t i = 1; i < rows.size(); ++i)

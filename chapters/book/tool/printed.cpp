@@ -63,7 +63,7 @@ std::string entry(const std::string& id, const std::string& title) {
   return link_html("#" + id, inline_html(title)) + "<span>000</span>";
 }
 
-/// The entry of a page in the contents: its title, and those of its sections, also where they stand
+/// The entry of a page in the contents: its title, and those of its sections, also where they are
 /// in parts.
 std::string contents_of(const fs::path& root, const Page& page) {
   const std::vector<Fence> fences = fences_of(page);

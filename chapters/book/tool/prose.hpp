@@ -14,7 +14,7 @@ namespace tumble::book {
 struct Paragraph {
   std::size_t line = 0;  ///< its first, from 0
   std::string section;   ///< the heading above; the page's title before the first one
-  std::string text;      ///< as it stands in the page
+  std::string text;      ///< as it is in the page
   bool excused = false;  ///< `<!-- voice: reason -->` is the line above
 };
 

@@ -8,7 +8,7 @@ namespace tumble::book {
 
 namespace {
 
-/// What stands there without Doxygen's own links.
+/// What is there without Doxygen's own links.
 std::string without_tags(std::string html) {
   for (auto tag = html.find('<'); tag != std::string::npos; tag = html.find('<'))
     html.erase(tag, html.find('>', tag) - tag + 1);

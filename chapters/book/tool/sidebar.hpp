@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The list of all pages that stands beside each of them.
+/// The list of all pages beside each of them.
 
 #include <string>
 

@@ -23,7 +23,7 @@ Lines lines_of(const std::filesystem::path& file) {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Does `name` stand in the line as a word that is being defined: before (, {, =, ; or a base
+/// Is `name` in the line as a word that is being defined: before (, {, =, ; or a base
 /// class?
 bool defines(const std::string& line, const std::string& name) {
   const auto at = line.find(name);

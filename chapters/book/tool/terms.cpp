@@ -26,7 +26,7 @@ bool is_run_in_heading(const std::string& bold) {
   return std::string(".:?!").find(bold.back()) != std::string::npos;
 }
 
-/// Where the text begins that a run-in heading may stand before, "**Drag.** Air …".
+/// Where the text begins that a run-in heading may be before, "**Drag.** Air …".
 std::size_t behind_run_in_heading(const std::string& text) {
   const std::size_t end = text.starts_with("**") ? text.find("**", 2) : std::string::npos;
   if (end == std::string::npos || end == 2) return 0;
@@ -70,7 +70,7 @@ std::string formula_under(const std::vector<std::string>& lines, std::size_t lin
   return formula.find("\\begin") == std::string::npos ? "$`" + formula + "`$" : "";
 }
 
-/// A sentence that goes on under its paragraph takes its formula along. What else stands there, a
+/// A sentence that goes on under its paragraph takes its formula along. What else is there, a
 /// figure or a listing, stays where it is.
 std::string completed(std::string sentence, const std::string& formula) {
   if (std::string(".!?)").find(sentence.back()) != std::string::npos) return sentence;
@@ -128,9 +128,9 @@ Page page_of_terms(const fs::path& root, std::vector<Term> terms) {
   const fs::path place = place_of_terms(root);
   const std::string greeting =
       "You met a word and want it again? Here are the terms of the book, each with the "
-      "sentence that introduces it, and a link to where it stands.";
+      "sentence that introduces it, and a link to its place.";
   const std::string origin =
-      "<!-- This page is written by `./tumble book --write`, from what stands in bold in "
+      "<!-- This page is written by `./tumble book --write`, from what is in bold in "
       "the chapters. -->";
   Page page{place, {"# Terms", "", greeting, "", origin, ""}};
   for (const Term& term : terms) {

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The field's terms: each stands once in bold, where it is introduced, and the page of terms leads
+/// The field's terms: each is once in bold, where it is introduced, and the page of terms leads
 /// there.
 
 #include <cstddef>
@@ -19,12 +19,12 @@ struct Term {
   std::size_t line = 0;
 };
 
-/// What stands in bold on a page. Bold that ends a sentence (**Try it.**) or with a colon begins a
+/// What is in bold on a page. Bold that ends a sentence (**Try it.**) or with a colon begins a
 /// paragraph; it is no term.
-/// @throws PageError if a formula stands in bold, which the site cannot show
+/// @throws PageError if a formula is in bold, which the site cannot show
 std::vector<Term> terms_of(const Page& page);
 
-/// Terms that stand in bold twice: "file:line: …" each.
+/// Terms that are in bold twice: "file:line: …" each.
 std::vector<std::string> repeated(const std::vector<Term>& terms);
 
 /// The page that lists all terms, in alphabetical order, each with its sentence and a link.

@@ -29,7 +29,7 @@ std::vector<std::string> words_in(const std::string& text) {
   return words;
 }
 
-/// Where the words stand in the text, not as parts of longer words; npos if nowhere.
+/// Where the words are in the text, not as parts of longer words; npos if nowhere.
 std::size_t find_words(const std::string& text, const std::string& words) {
   for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
     const std::size_t end = at + words.size();
@@ -40,7 +40,7 @@ std::size_t find_words(const std::string& text, const std::string& words) {
   return std::string::npos;
 }
 
-/// "<!-- This page is written by `./tumble …`": from sentences that stand elsewhere.
+/// "<!-- This page is written by `./tumble …`": from sentences that are elsewhere.
 bool is_collected(const Page& page) {
   return std::any_of(page.lines.begin(), page.lines.end(), [](const std::string& line) {
     return line.starts_with("<!-- This page is written by `./tumble ");

@@ -10,7 +10,7 @@ namespace tumble::book {
 /// unit.
 std::string with_whole_formulas(const std::string& words);
 
-/// Words in which a symbol's index stands below: v_z, K_zz, ω_y.
+/// Words in which a symbol's index is below: v_z, K_zz, ω_y.
 std::string with_indices(const std::string& words);
 
 /// A line of a page as the site shows it: a number stays with its unit, a vector in

@@ -182,7 +182,7 @@ std::optional<SourcePlace> place_at(const std::string& line, const std::string& 
   return column.ec == std::errc{} ? std::optional(place) : std::nullopt;
 }
 
-/// "required from here" of gcc stands before its error, "requested here" of clang behind it.
+/// "required from here" of gcc is before its error, "requested here" of clang behind it.
 bool leads_to_header(const std::string& line) {
   return has(line, "required from") || has(line, "note: in instantiation of");
 }

@@ -62,7 +62,7 @@ std::string found_instead(const std::vector<std::string>& functions, const Contr
   return text.empty() ? "" : "found there:\n" + text;
 }
 
-/// What opens a block and stands before it: "namespace particles", "inline VectorXd f(double x)".
+/// What opens a block and is before it: "namespace particles", "inline VectorXd f(double x)".
 std::string opening(const std::string& code, std::size_t brace) {
   const auto before = brace == 0 ? std::string::npos : code.find_last_of(";{}", brace - 1);
   const std::size_t begin = before == std::string::npos ? 0 : before + 1;

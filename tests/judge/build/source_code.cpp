@@ -42,7 +42,7 @@ bool ends(In in, char last, char c) {
   return false;
 }
 
-/// Where the raw text ends whose quote stands at `quote`, as in R"x(1/2)x"; `quote` if it is an
+/// Where the raw text ends whose quote is at `quote`, as in R"x(1/2)x"; `quote` if it is an
 /// ordinary one.
 std::size_t end_of_raw_text(const std::string& source, std::size_t quote) {
   std::size_t word = quote;
@@ -96,7 +96,7 @@ std::string directive_in(const std::string& line) {
   return words.starts_with("#") ? words : "";
 }
 
-/// Blanks what stands between #if 0 and its #else or #endif.
+/// Blanks what is between #if 0 and its #else or #endif.
 void skip_what_is_switched_off(std::string& code) {
   std::size_t depth = 0, off_at = 0;  // how many #if are open; which of them is "#if 0"
   for (std::size_t begin = 0; begin < code.size();) {

@@ -107,7 +107,7 @@ class Builder {
   bool succeeded(const Finished& step, WorkerBuild& result, bool others) const {
     if (step.ending == Ending{false, 0}) return true;
     result.explained = has_error_in(source(), step.output);
-    // The text may stand nowhere: an object that was kept is linked without it.
+    // The text may be nowhere: an object that was kept is linked without it.
     const std::string output = header_errors_at(source(), text_, step.output);
     result.detail = messages_about(source(), output, others) + advice_on(output);
     if (result.detail.empty()) result.detail = "It ended without a word about a line of yours.\n";

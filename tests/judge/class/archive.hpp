@@ -14,7 +14,7 @@ namespace tumble::judge {
 namespace fs = std::filesystem;
 
 /// What is in a student's archive, or why it is not looked at. An archive in it is read too, its
-/// files stand under its name: homework.zip/product.cpp.
+/// files are under its name: homework.zip/product.cpp.
 struct Unpacked {
   std::map<std::string, std::string> files;  ///< the source files, by their paths in it
   std::string refused;                       ///< empty if it was read

@@ -49,7 +49,7 @@ int natural_order(const std::string& a, const std::string& b) {
   return i < a.size() ? 1 : j < b.size() ? -1 : 0;
 }
 
-/// What stands before the ending of a source file or an archive; other names are as they are.
+/// What is before the ending of a source file or an archive; other names are as they are.
 std::string without_known_ending(const std::string& name) {
   for (const std::string& stem : {source_stem(name), archive_stem(name)})
     if (!stem.empty()) return stem;

@@ -25,7 +25,7 @@ std::size_t end_of_quoted(const std::string& text, std::size_t at) {
   return at + 1;
 }
 
-/// Does a comma at `at` stand before the end of a list or of { … }?
+/// Is a comma at `at` before the end of a list or of { … }?
 bool is_last_comma(const std::string& text, std::size_t at) {
   if (text[at] != ',') return false;
   const std::size_t next = text.find_first_not_of(" \t\r\n", at + 1);

@@ -6,7 +6,7 @@
 
 namespace tumble::judge {
 
-/// The first of these that stands outside a text in quotes, with its place: quotes that a word
+/// The first of these outside a text in quotes, with its place: quotes that a word
 /// processor has made (“units”), single quotes, comments, a comma behind the last element. Empty if
 /// there is none.
 std::string json_slip_in(const std::string& text);

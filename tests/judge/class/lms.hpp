@@ -35,7 +35,7 @@ struct LmsEntry {
 };
 
 /// "Ann Meyer_4711_assignsubmission_file_": a folder, or with more behind it a file. Instead of
-/// "file" any of Moodle's plugins may stand there: "onlinetext", "comments".
+/// "file" any of Moodle's plugins may be there: "onlinetext", "comments".
 std::optional<LmsEntry> moodle_entry(const std::string& name);
 
 /// "doejane_12345_67890_product-1.cpp", "doejane_LATE_12345_67890_product.cpp",

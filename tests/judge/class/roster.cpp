@@ -85,7 +85,8 @@ class RosterReader {
     return member;
   }
 
-  /// Who stands there twice, in two sections of a course, is one; two of one number are not.
+  /// A student who is there twice, in two sections of a course, is one; two with one number are
+  /// not.
   bool is_new(const Member& member) {
     if (member.who.id.empty()) return true;
     const auto [found, is_first] = of_id_.try_emplace(member.who.id, member);

@@ -34,7 +34,7 @@ using nlohmann::json;
 /// What standard input comes from cannot be read.
 struct DiskFailed : std::exception {};
 
-/// More than is unpacked at all, in however many archives it stands.
+/// More than is unpacked at all, in however many archives it is.
 struct TooMuch : Refused {
   using Refused::Refused;
 };

@@ -32,7 +32,7 @@ std::string signal_text(int number) {
   }
 }
 
-/// What stands between two texts of a line; empty if one of them is missing.
+/// What is between two texts of a line; empty if one of them is missing.
 std::string between(const std::string& line, const std::string& before, std::size_t end) {
   const auto start = line.rfind(before, end);
   if (start == std::string::npos || end == std::string::npos) return {};
@@ -86,7 +86,7 @@ std::string subject_of(const std::string& text) {
 std::string in_words(const std::string& assertion) {
   auto quote = assertion.find("&& \"");
   if (quote == std::string::npos) return assertion;
-  std::string words;  // of literals that stand side by side
+  std::string words;  // of literals side by side
   for (quote += 3; quote < assertion.size() && assertion[quote] == '"';) {
     const auto end = assertion.find('"', quote + 1);
     if (end == std::string::npos) return assertion;

@@ -17,7 +17,7 @@ namespace tumble::judge::mine {
 struct Part {
   Unit unit;
   fs::path source;      ///< the student's file
-  std::string missing;  ///< why the solution stands here instead, in a few words; or empty
+  std::string missing;  ///< why the solution is here instead, in a few words; or empty
   std::string detail;   ///< what the compiler says about it
 
   bool own() const { return missing.empty(); }
@@ -30,7 +30,7 @@ struct EngineBuild {
   WorkerProgram worker;                    ///< unless it does not link
 
   std::vector<Part> missing() const;
-  /// The parts of another engine stand beside these.
+  /// The parts of another engine are beside these.
   void add(const EngineBuild& other);
 };
 

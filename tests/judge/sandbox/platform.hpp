@@ -57,8 +57,8 @@ using Resource = __rlimit_resource;
 using Resource = int;
 #endif
 
-/// Sets a limit, or the one that stands already where that is lower: a shell's own (ulimit -v, -t)
-/// may be lowered, not raised.
+/// Sets a limit, or the one that is there already where that is lower: a shell's own (ulimit -v,
+/// -t) may be lowered, not raised.
 inline bool limit_resource(Resource resource, std::uint64_t soft, std::uint64_t hard) {
   rlimit limit = {};
   if (getrlimit(resource, &limit) != 0) return false;

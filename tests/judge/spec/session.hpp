@@ -61,7 +61,7 @@ class Session {
   bool gives_the_same_in_case(std::size_t number, std::size_t misconception) const;
   /// The questions of case `number` before the one with its first wrong answer.
   std::span<const Call> asked_before_the_wrong_answer(std::size_t number) const;
-  /// How many questions of case `number` stand behind the one with its first wrong answer: they
+  /// How many questions of case `number` follow the one with its first wrong answer: they
   /// were asked before any was judged. 0 if all answers of the case are the same.
   std::size_t asked_behind_the_wrong_answer(std::size_t number) const;
   /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong

@@ -20,7 +20,7 @@
 
 namespace tumble::judge {
 
-/// The value that came back, and the question that it answers. It stands where the value can stand.
+/// The value that came back, and the question that it answers. It goes where the value can go.
 template <class T>
 class Answer {
  public:

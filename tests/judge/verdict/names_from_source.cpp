@@ -51,7 +51,7 @@ std::size_t first_number_in(const std::string& text) {
   return number;
 }
 
-/// Whether a number is the right operand of what stands before it: 1 in "h * 1/6" and 2 in
+/// Whether a number is the right operand of what is before it: 1 in "h * 1/6" and 2 in
 /// "x / 2 / 3". Then the quotient is of another number, which may be a double.
 bool is_right_operand(const std::string& code, std::size_t begin) {
   while (begin > 0 && std::isspace(static_cast<unsigned char>(code[begin - 1]))) --begin;

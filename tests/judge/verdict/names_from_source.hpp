@@ -28,7 +28,7 @@ std::optional<Misconception> expression_that_outlives(const std::string& source,
                                                       const std::string& place);
 
 /// Puts a name to a wrong answer for which `source` holds the reason:
-/// - "whole-number division": 1/2 or 1/12 stands there, which is 0: a quotient of two numbers, not
+/// - "whole-number division": 1/2 or 1/12 is there, which is 0: a quotient of two numbers, not
 ///   h * 1/2. It replaces other names, which take the factor that is missing for something else;
 /// - "input that is not there": it reads std::cin, and the answer has no name or one of memory that
 ///   was never set;

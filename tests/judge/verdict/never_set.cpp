@@ -22,7 +22,7 @@ bool is_about_it(const std::string& line) {
 }
 
 /// The name in a line's first quotes: "body.mass" of 'body.only_what::Body::mass'. Empty if it is
-/// none that stands in a student's file: a part of Eigen, or <anonymous>.
+/// none that is in a student's file: a part of Eigen, or <anonymous>.
 std::string variable_in(const std::string& line) {
   const std::size_t begin = line.find('\''), end = line.find('\'', begin + 1);
   if (begin == std::string::npos || end == std::string::npos) return {};

@@ -230,8 +230,8 @@ MaybeName in_wrong_places(const Compared& each) {
   const bool is_one_of_two = std::adjacent_find(there.begin(), there.end(), is_near) != there.end();
   if (is_one_of_two || each.is_struct() || !is_vector(each.value))
     return Misconception{"numbers in the wrong places",
-                         "Your answer has the right numbers, but some of them stand in each "
-                         "other's places.",
+                         "Your answer has the right numbers, but some of them have changed "
+                         "places.",
                          ""};
   const auto own = std::find_if(each.wrong.begin(), each.wrong.end(),
                                 [&](std::size_t i) { return is_near(each.demanded[i], sought); });
@@ -243,7 +243,7 @@ MaybeName in_wrong_places(const Compared& each) {
                        ""};
 }
 
-/// All wrong numbers of a matrix stand in one row, or in one column.
+/// All wrong numbers of a matrix are in one row, or in one column.
 MaybeName wrong_line(const Compared& each) {
   if (each.is_struct() || !is_square_matrix(each.value) || each.wrong.size() < 2 ||
       right_and_nonzero(each) < 2)

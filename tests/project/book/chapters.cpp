@@ -175,7 +175,7 @@ TEST_CASE("a page speaks to its reader, without the idioms of the list") {
   CHECK(book.mistakes(with("You and us.", "It stops like you do.")) == "");
 }
 
-TEST_CASE("a page that a command writes has the voice of where its sentences stand") {
+TEST_CASE("a page that a command writes has the voice of where its sentences are") {
   const tumble::test::TemporaryFolder folder;
   folder.write("page.md",
                "# All\n\n<!-- This page is written by `./tumble x`. -->\n\nOne has to.\n");

@@ -160,8 +160,8 @@ TEST_CASE("links, headings and figures that are not there") {
   CHECK(contains(book.mistakes("See [below](#below).\n"), "there is no heading #below"));
   CHECK(contains(book.mistakes("![A drawing](figures/b.svg)\n"), "there is no figures/b.svg"));
   CHECK(contains(book.mistakes("Here: ![A drawing](figures/a.svg)\n"), "a line of its own"));
-  CHECK(
-      contains(book.mistakes("See [two\nand more](none.md).\n"), ":4: a link stands in one line"));
+  CHECK(contains(book.mistakes("See [two\nand more](none.md).\n"),
+                 ":4: a link has to be in one line"));
   CHECK(contains(book.mistakes("<img src=\"figures/a.svg\">\n"), "is written as"));
   CHECK(contains(book.mistakes("Set `$HOME` and see [two](none.md).\n"), "there is no none.md"));
 }

@@ -71,7 +71,7 @@ TEST_CASE("contract and hints are one page, and the box of an exercise leads to 
                  "[All](exercises-01_one.html)"));
 }
 
-TEST_CASE("below the title stand the neighbours and the contents of a page") {
+TEST_CASE("below the title are the neighbours and the contents of a page") {
   const Project project;
   const std::string site = project.converted(
       "# One\n\n## A `b`\n\n### C\n\n## D\n\n[Terms](../terms/README.md) · [2 Two "
@@ -109,7 +109,7 @@ TEST_CASE("output in columns becomes a table: numbers flush right, words flush l
   const std::string site = project.converted(
       "<!-- output: 01_one#a -->\n```text\n  method   h [s]    error\n  ──────   ─────   ──────\n"
       "  RK4 < 2   0.1   1.5e-3\n  Euler     –         2\n```\nEnd.\n");
-  CHECK_FALSE(mentions(site, "<table"));  // "2" stands between two columns
+  CHECK_FALSE(mentions(site, "<table"));  // "2" is between two columns
   const std::string table = project.converted(
       "<!-- output: 01_one#a -->\n```text\n  method   h [s]    error\n  ──────   ─────   ──────\n"
       "  a < b      0.1   1.5e-3\n  Euler        –        2\n```\nEnd.\n");
@@ -195,7 +195,7 @@ TEST_CASE("the head of a column breaks between words, and not in a formula") {
   CHECK(with_whole_formulas("v + ω × (R p_body)") == "v\u00a0+\u00a0ω\u00a0×\u00a0(R\u00a0p_body)");
 }
 
-TEST_CASE("a symbol's index stands below, and names of the code stay as they are") {
+TEST_CASE("a symbol's index is below, and names of the code stay as they are") {
   const Project project;
   CHECK(project.converted("if v_z < 0 or |v_z| <= 1\n") ==
         "if v<sub>z</sub>\u00a0&lt;\u00a00 or |v<sub>z</sub>| <=\u00a01\n");

@@ -78,7 +78,7 @@ class BoundsGrid {
     return !(cells.prod() <= many && farthest.maxCoeff() <= last * cell_);
   }
 
-  /// Each list in which bounds stand. Two cells may share one: then it is shown twice.
+  /// Each list in which bounds are. Two cells may share one: then it is shown twice.
   template <class Visit>
   void for_lists(const Bounds& bounds, const Visit& visit) {
     if (bounds.isEmpty()) return;

@@ -11,7 +11,8 @@
 /// inlined into it. Compilers inline less in a large source than in a small one: without it, a
 /// right-hand side beside a dozen others was seen to take four times as long as alone.
 ///
-/// TUMBLE_COLD is for what ends in a refusal: it stands elsewhere, and what calls it stays small.
+/// TUMBLE_COLD is for what ends in a refusal: it is compiled elsewhere, and what calls it stays
+/// small.
 
 #if defined(__GNUC__)
 #define TUMBLE_INLINE inline __attribute__((always_inline))

@@ -2,7 +2,7 @@
 /// @file
 /// Steps of one size for a whole ensemble.
 ///
-/// The result of a body is the same, to the last bit, wherever it stands, in whatever company, and
+/// The result of a body is the same, to the last bit, wherever it is, in whatever company, and
 /// with any number of threads.
 
 #include <type_traits>

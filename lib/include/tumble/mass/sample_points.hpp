@@ -19,7 +19,7 @@ namespace tumble::sampling {
 /// @addtogroup mass
 /// @{
 
-/// `count()` points in [0, 1)³, given out by `next()`. Copies start where the original stands.
+/// `count()` points in [0, 1)³, given out by `next()`. Copies start where the original is.
 template <class P>
 concept SamplePoints = std::copy_constructible<P> && requires(P points, const P& constant) {
   { constant.count() } -> std::same_as<std::int64_t>;

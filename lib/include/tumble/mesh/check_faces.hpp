@@ -31,7 +31,7 @@ const char* degeneracy(const PolygonMesh& mesh, std::span<const int> face);
 /// Whether a face has less than three corners.
 bool has_short_faces(const PolygonMesh& mesh);
 
-/// ": vertex #4 at (…)", the vertex that stands there twice, or else the first three.
+/// ": vertex #4 at (…)", the vertex that is there twice, or else the first three.
 std::string described_corners(const PolygonMesh& mesh, std::span<const int> face);
 
 /// Finds faces without area.

@@ -20,7 +20,7 @@ double power_of_ten(int n);
 /// The power of ten of the first digit of x ≠ 0: 0 for 1.5.
 inline int first_place(double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))); }
 
-/// Whether x is the double nearest to a decimal number whose last digit stands at 10^−places.
+/// Whether x is the double nearest to a decimal number whose last digit is at 10^−places.
 bool is_decimal(double x, int places);
 
 /// Decimals that all coordinates of a mesh are written with.
@@ -48,7 +48,7 @@ struct WrittenDigits {
   /// small coordinates have more places.
   bool may_be_fixed() const { return places <= significant - largest_place; }
 
-  /// Where the last digit stands of a number that begins at 10^first.
+  /// Where the last digit is of a number that begins at 10^first.
   int last_place(int first, bool fixed) const { return fixed ? places : significant - 1 - first; }
 
   /// Half a unit of that digit; 0 if there are as many as a double has.

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Surfaces that stand there twice, once each way round, as files for drawing have them.
+/// Surfaces that are there twice, once each way round, as files for drawing have them.
 ///
 /// If both copies are cut into the same triangles and share their vertices, nothing is left: the
 /// surface is flat. If they are cut along other diagonals, as quads are whose fans begin at other

@@ -2,9 +2,9 @@
 /// @file
 /// Vertical lines, spread over a box so that the ones near a triangle are known at once.
 ///
-/// Line (i, j) stands at x = (i + ½) Δx, y = (j + {½ + i s}) Δy. With s = 1/φ the lattice's columns
+/// Line (i, j) is at x = (i + ½) Δx, y = (j + {½ + i s}) Δy. With s = 1/φ the lattice's columns
 /// are shifted by the golden ratio, so that no row of a regular mesh slips through it; with s = 0
-/// the lines stand in the middles of cells. Source: Niederreiter, "Random Number Generation and
+/// the lines are in the middles of cells. Source: Niederreiter, "Random Number Generation and
 /// Quasi-Monte Carlo Methods" (1992), §5.1 (lattice rules in two dimensions).
 
 #include <cmath>
@@ -39,7 +39,7 @@ class LatticeFilter {
   template <class P>
   TUMBLE_INLINE P near(const P& x0, const P& x1, const P& y0, const P& y1) const {
     if (!useful_) return P{} + 1;
-    // Column i stands at i + ½, where the cells are the unit.
+    // Column i is at i + ½, where the cells are the unit.
     const P first = simd::rounded((x0 - low_x_) * per_x_ - slack_x_);
     const P columns = simd::rounded((x1 - low_x_) * per_x_ + slack_x_) - first;
     const P low = (y0 - low_y_) * per_y_ - slack_y_, high = (y1 - low_y_) * per_y_ + slack_y_;
@@ -55,7 +55,7 @@ class LatticeFilter {
   TUMBLE_INLINE static P at_most_1(const P& count) {
     return simd::smaller(simd::larger(count, P{}), P{} + 1);
   }
-  /// Whether a line of column i stands between low and high: they are at j + ½ + i s, whole turns
+  /// Whether a line of column i is between low and high: they are at j + ½ + i s, whole turns
   /// left out.
   template <class P>
   TUMBLE_INLINE P in_column(const P& i, const P& low, const P& high) const {

@@ -79,7 +79,7 @@ class PlyHeaderReader {
   }
 
  private:
-  /// Lines without a word and comments may stand anywhere; the format is before the elements.
+  /// Lines without a word and comments may be anywhere; the format is before the elements.
   /// @return whether more lines belong to the header
   bool read_line() {
     if (text_.at_end()) text_.refuse("the text ends where 'end_header' should be");

@@ -17,7 +17,7 @@ inline bool is_newline(char c) { return c == '\n' || c == '\r'; }
 bool is_keyword(std::string_view word, std::string_view keyword);
 
 /// A text without what some programs fill it up with behind its end: bytes 0, and the mark with
-/// which DOS ended a text; blanks may stand between these.
+/// which DOS ended a text; blanks may be between these.
 std::string_view without_padding(std::string_view text);
 
 /// Lines end with \n, \r\n, or (on old machines) \r; words with a space, a tab or their line. A

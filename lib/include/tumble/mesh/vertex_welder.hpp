@@ -39,7 +39,7 @@ class VertexWelder {
     return static_cast<std::size_t>(h);
   }
 
-  /// Where the number of p stands, or would: −1.
+  /// Where the number of p is, or would be: −1.
   int& slot_of(const Vec3& p) {
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t i = hash(p) & mask;; i = (i + 1) & mask) {

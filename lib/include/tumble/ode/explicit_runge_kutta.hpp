@@ -33,7 +33,7 @@ struct ExplicitRungeKutta {
  protected:
   /// Fills k₂ … kₛ; k₁ = f(t, y) is there already. k may be longer than that.
   ///
-  /// This is a loop although each stage has a sum of its own: so f stands in one place, where it is
+  /// This is a loop although each stage has a sum of its own: so f is in one place, where it is
   /// inlined, and is not called through memory.
   template <class F, OdeState State, std::size_t n>
   static TUMBLE_INLINE void compute_stages(F& f, ScalarOf<State> t, const State& y,

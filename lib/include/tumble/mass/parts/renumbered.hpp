@@ -9,12 +9,12 @@
 
 namespace tumble::detail {
 
-/// Whether a number sign behind some words stands before a vertex: they say what it counts, as in
+/// Whether a number sign behind some words is before a vertex: they say what it counts, as in
 /// "edge #3–#7 of the faces #1 and #2".
 bool counts_vertices(std::string_view words);
 
 /// The message with other numbers behind its number signs.
-/// @param face   what stands there instead, of the index of a face from 0
+/// @param face   what is there instead, of the index of a face from 0
 /// @param vertex the same of a vertex
 template <class FaceText, class VertexText>
 std::string renumbered(const std::string& message, const FaceText& face, const VertexText& vertex) {
