@@ -309,9 +309,14 @@ expect 1 'judge: check --help'
 run grade .
 called 'ninja tumble_judge any_spec'
 called 'ninja tumble_judge_grading'
+run check --from . 4.1
+expect 1 'judge: check --from . 4.1'
+run grade . --from moodle
+expect 1 'judge: grade . --from moodle'
 run grade . --only 1.1 1.2 --out nowhere --strict
 expect 1 'judge: grade . --only 1.1 1.2'
-for arguments in 'grade nowhere' 'grade --out x nowhere' 'grade --strict nowhere --jobs 2'; do
+for arguments in 'grade nowhere' 'grade --out x nowhere' 'grade --strict nowhere --jobs 2' 'grade --merge nowhere' \
+  'grade --merge . nowhere' 'check 4.1 --from nowhere' 'check --from=nowhere' 'mine --fill --from nowhere'; do
   # shellcheck disable=SC2086
   run $arguments
   expect 2 'there is no folder nowhere'
