@@ -156,9 +156,9 @@ TEST_CASE("lasting contact: a box slides to its end, or up a slope and back, as 
   CHECK(sliding(0, 2).first == doctest::Approx(-v * stops / 2).epsilon(1e-9));
   CHECK(sliding(0, 2).second == doctest::Approx(stops).epsilon(1e-9));
   constexpr double tilt = 0.4;  // friction holds it up to 0.29
-  const double up = gravity * (std::sin(tilt) + mu * std::cos(tilt)), turns = v / up;
-  const double down = gravity * (std::sin(tilt) - mu * std::cos(tilt));
-  const double back = down * (1 - turns) * (1 - turns) / 2;
+  const double slows = gravity * (std::sin(tilt) + mu * std::cos(tilt)), turns = v / slows;
+  const double gains = gravity * (std::sin(tilt) - mu * std::cos(tilt));
+  const double back = gains * (1 - turns) * (1 - turns) / 2;
   CHECK(sliding(tilt, 1).first == doctest::Approx(back - v * turns / 2).epsilon(1e-8));
   CHECK(sliding(0.25, 2).second ==
         doctest::Approx(v / (gravity * (std::sin(0.25) + mu * std::cos(0.25)))).epsilon(1e-9));

@@ -5,6 +5,7 @@
 #include "project/harness/refusal.hpp"
 #include "project/library/mass/meshes.hpp"
 #include "tumble/core/solid.hpp"
+#include "tumble/mass/transform.hpp"
 #include "tumble/mass/validity.hpp"
 
 using namespace tumble;
