@@ -7,6 +7,7 @@
 
 #include "tumble/mesh/diagnose.hpp"
 #include "tumble/mesh/mesh_solid.hpp"
+#include "tumble/mesh/parse_mesh.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/mesh/read_mesh.hpp"
 #include "tumble/mesh/weld.hpp"

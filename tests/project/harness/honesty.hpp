@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "project/harness/extended_trajectory.hpp"
+#include "tumble/quaternion/exp_log.hpp"
 #include "tumble/simulate/simulate.hpp"
 
 namespace tumble::test {

@@ -157,6 +157,16 @@ Names names_of(const std::string& space, const Headers& headers) {
   return all;
 }
 
+/// The headers that a program gets which includes `header`, if the bodies are compiled elsewhere
+/// (`tumble::compiled`): without those in `.inl` files.
+void add_reached(const fs::path& folder, const std::string& header, Names& reached) {
+  if (!reached.insert(header).second) return;
+  static const std::regex include(R"re(#include "tumble/(.*\.hpp)")re");
+  std::smatch found;
+  for (const std::string& line : lines_of(text_of(folder / header)))
+    if (std::regex_search(line, found, include)) add_reached(folder, found[1], reached);
+}
+
 fs::path project_root() {
   const char* root = std::getenv("TUMBLE_ROOT");
   REQUIRE_MESSAGE(root != nullptr, "TUMBLE_ROOT is not set");
@@ -174,6 +184,17 @@ TEST_SUITE("public names") {
     CHECK(headers.at("ode/euler.hpp") ==
           NamesBySpace{{"tumble::runge_kutta", {"Euler", "euler_step"}}});
     for (const std::string& difference : differences(tables, headers)) FAIL_CHECK(difference);
+  }
+
+  TEST_CASE(
+      "the umbrella headers bring every public name, also where the bodies are compiled once") {
+    Names reached;
+    for (const char* umbrella : {"tumble.hpp", "collide.hpp", "contact.hpp"})
+      add_reached(project_root() / "lib/include/tumble", umbrella, reached);
+    CHECK(reached.count("core/types.hpp") == 1);
+    for (const Row& row : tables_in(text_of(project_root() / "lib/README.md")))
+      for (const std::string& header : row.headers)
+        CHECK_MESSAGE(reached.count(header) == 1, header << " is in no umbrella header");
   }
 
   TEST_CASE("namespace tumble itself holds what a program needs: 135 names at most") {

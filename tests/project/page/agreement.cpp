@@ -123,10 +123,10 @@ void compare(PageJudge& page, const Compared& each) {
   const Written& file = each.file;
   CAPTURE(file.unit);
   CAPTURE(file.name);
-  const Json outcome = page.verdict_on(file, seed);
+  const Json outcome = page.verdict_on(file, usual_seed);
   REQUIRE_MESSAGE(!outcome.contains("failure"), outcome.dump());
   if (each.may_pass) return;
-  const Json native = native_verdict_on(file, seed);
+  const Json native = native_verdict_on(file, usual_seed);
   CHECK(outcome.at("passed") == native.at("passed"));
   if (each.may_differ) return;
   const auto normal = [](const Json& verdict) {

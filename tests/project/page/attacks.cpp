@@ -52,7 +52,7 @@ void show(const Submission& attack, const Json& verdict, double seconds) {
 
 Json judged(PageJudge& page, const Submission& attack) {
   const auto began = std::chrono::steady_clock::now();
-  Json verdict = page.verdict_on(product(attack.name, attack.text), seed);
+  Json verdict = page.verdict_on(product(attack.name, attack.text), usual_seed);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - began;
   show(attack, verdict, time.count());
   return verdict;
@@ -60,7 +60,7 @@ Json judged(PageJudge& page, const Submission& attack) {
 
 void check_solution_passes(PageJudge& page, const std::string& after) {
   const std::string solution = text_of(root() / "solutions" / (unit + ".cpp"));
-  const Json verdict = page.verdict_on(product("solution", solution), seed);
+  const Json verdict = page.verdict_on(product("solution", solution), usual_seed);
   CHECK_MESSAGE(verdict.value("summary", "") == "passed", "after ", after, ": ", verdict.dump());
 }
 

@@ -12,10 +12,10 @@ TEST_CASE("kill matrix: a page fails and names every misconception, as the nativ
   PageJudge page;
   for (const std::string& digits : chapters_in_page()) {
     CAPTURE(digits);
-    const Json here = page.kill_matrix(digits, seed);
+    const Json here = page.kill_matrix(digits, usual_seed);
     const CommandResult native =
         run_command(from_environment("TUMBLE_JUDGE") + " matrix " +
-                    std::to_string(std::stoi(digits)) + " --seed " + std::to_string(seed));
+                    std::to_string(std::stoi(digits)) + " --seed " + std::to_string(usual_seed));
     CHECK(here.at("complete") == true);
     CHECK(here.at("matrix") == native.output);
   }

@@ -8,6 +8,8 @@
 #include "project/harness/temporary_folder.hpp"
 #include "project/library/mesh/mesh_files.hpp"
 #include "project/library/mesh/shapes.hpp"
+#include "tumble/mesh/parse_mesh.hpp"
+#include "tumble/mesh/read_obj.hpp"
 #include "tumble/mesh/weld.hpp"
 
 using namespace tumble;

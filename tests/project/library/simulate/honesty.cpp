@@ -8,6 +8,7 @@
 #include "project/harness/sanitized.hpp"
 #include "reference/double_double_motion.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
+#include "tumble/quaternion/exp_log.hpp"
 #include "tumble/simulate/simulate.hpp"
 
 using namespace tumble;

@@ -4,6 +4,7 @@
 #include "tumble/body/forces_between.hpp"
 #include "tumble/ode/dop853.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
+#include "tumble/quaternion/exp_log.hpp"
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/simulate_bodies.hpp"
 

@@ -6,6 +6,7 @@
 #include "project/harness/refusal.hpp"
 #include "reference/rigid_body.hpp"
 #include "tumble/ode/integrate_adaptive.hpp"
+#include "tumble/quaternion/exp_log.hpp"
 
 using namespace tumble;
 

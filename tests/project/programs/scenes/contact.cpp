@@ -279,8 +279,8 @@ TEST_CASE("simulate: contact that lasts, and too many impacts, are said, with ex
 
 TEST_CASE("simulate: a box that slides on its face, to the digit; on another one, it is said") {
   json scene = dropped_ball(0.5);
-  const double mu = 0.3, g = 9.81, v = 0.5, stops = v / (mu * g);
-  scene["gravity"] = {0, 0, -g};
+  const double mu = 0.3, pull = 9.81, v = 0.5, stops = v / (mu * pull);
+  scene["gravity"] = {0, 0, -pull};
   scene["friction"] = mu;
   scene["bodies"][0] = {{"name", "box"},
                         {"shape", {{"box", {0.2, 0.2, 0.1}}}},
