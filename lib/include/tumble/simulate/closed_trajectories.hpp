@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tumble/core/largest.hpp"
 #include "tumble/free_body/free_flow.hpp"
 #include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/simulation_task.hpp"
@@ -48,11 +49,13 @@ class ClosedFormTrajectory final : public AnyTrajectory<RigidBodyState<>> {
 };
 
 /// A closed form of the turning, put over the path.
+/// @param report of the turning
 /// @throws std::runtime_error if the path leaves the range of doubles on the way
 template <class Turning>
 Trajectory closed_trajectory(const Turning& turning, const steady::SteadyPath& path, double omega,
-                             const SimulationTask& task, const SimulationReport& report) {
+                             const SimulationTask& task, SimulationReport report) {
   const double span = task.t1 - task.t0;
+  report.error_estimate = largest({report.error_estimate, path.error_bound(span)});
   const auto& turned = turning.at(span);
   require_finite({path.x(span), turned.q, path.P(span), turned.L}, report.error_estimate, task.t1);
   return {

@@ -48,6 +48,11 @@ class SteadyPath {
     return std::exp(y) * P_ + (t * detail::phi1(y)) * force_;
   }
 
+  /// What rounding leaves uncertain of x and P until t ≥ 0, a part of their largest sizes.
+  /// Backwards in time drag pushes: then the terms grow as e^(z), and may leave little when they
+  /// are added.
+  double error_bound(double t) const;
+
  private:
   Vec3 x_, P_, force_;
   double mass_, rate_;

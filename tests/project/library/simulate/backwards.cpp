@@ -77,3 +77,30 @@ TEST_CASE("first_event of a motion backwards in time is the latest, to the last 
   REQUIRE(from_floor);
   CHECK(std::abs(from_floor->t - (1 + (3 - std::sqrt(9 + 4 * g)) / g)) < 4e-15);
 }
+
+// At its final speed a body has fallen for ever, but the next double beside that speed has not:
+// backwards in time the difference grows as e^(k t/m).
+TEST_CASE("simulate backwards against drag says what rounding leaves of the path") {
+  const RigidBody<> body(1, Mat3::Identity());
+  const Vec3 speed(0, 0, -9.80665);
+  const RigidBodyState<> falls{Vec3::Zero(), Quat::Identity(), speed, Vec3::Zero()};
+  const SteadyForces turned{.at_point = {{Vec3(0.1, 0, 0), Vec3(0, 0.1, 0)}}};
+  const SteadyForces weight_and_drag{.force = speed, .linear_drag = 1};
+  const auto holds = [&](const SimulationTask& task, const SteadyForces& forces) {
+    const Trajectory past = simulate(body, falls, task, forces);
+    CAPTURE(task.t1);
+    CAPTURE(past.report().method);
+    double error = 0;
+    for (const double t : {0.3 * task.t1, task.t1}) {
+      error = std::max({error, (past.at(t).P - speed).norm() / speed.norm(),
+                        (past.at(t).x - t * speed).norm() / (task.t1 * speed).norm()});
+    }
+    CHECK(error <= 10 * past.report().error_estimate);
+    CHECK(past.report().reached() == (task.t1 > -20));
+  };
+  for (const double t1 : {-1., -10., -25., -30., -40.}) {
+    holds({.t1 = t1, .tolerance = 1e-9}, weight_and_drag);
+    holds({.t1 = t1, .tolerance = 1e-9}, weight_and_drag + turned);
+    holds({.t1 = t1, .tolerance = 1e-9, .wanted = Wanted::path_only}, weight_and_drag);
+  }
+}
