@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "project/harness/extended_trajectory.hpp"
 #include "project/harness/refusal.hpp"
 #include "reference/rigid_body.hpp"
 #include "tumble/free_body/free_trajectory.hpp"
@@ -459,4 +460,34 @@ TEST_CASE(
   }
   CHECK(beyond <= scenes / 40);
   CHECK(worst <= 10);
+}
+
+// From a place of no balance all errors grow along one direction: that of the start and those of
+// the steps may cancel. In this scene they did, and the two runs were sixty times as close to each
+// other as to the truth.
+TEST_CASE("hard scenes: two runs that agree by luck are not believed") {
+  test::MotionScene scene{};
+  scene.mass = 1;
+  scene.I_body << 4.7559365470054912e-05, 2.4345058348263919e-05, -1.1248961083432337e-05,
+      2.4345058348263919e-05, 2.4573972858173584e-05, 1.826188156022047e-05,
+      -1.1248961083432337e-05, 1.826188156022047e-05, 5.4164841403285585e-05;
+  scene.start = {
+      Vec3::Zero(),
+      Quat(-0.10202872255222872, -0.061835659612377594, 0.23145774291997409, 0.9655018406078022),
+      Vec3::Zero(), Vec3(6.3925452326877949e-07, 1.6804020106443807e-06, 1.1844750543350165e-05)};
+  scene.t1 = 64.978296462680333;
+  scene.steady.at_point = {
+      {Vec3(0, 0, -0.001237937460589981),
+       Vec3(-0.0050827587896316367, 0.0020933542246687302, 0.0036221109299315732)}};
+  scene.steady.angular_drag = 3.4435368300492905e-12;
+  test::ExtendedTrajectory truth(scene);
+  REQUIRE(truth.advance_to(scene.t1));
+  const Quat right(truth.state().q.cast<double>());
+  for (const double part : {0.9, 0.95, 1., 1.05, 1.1}) {
+    const double tolerance = part * 4.2254968154995312e-06;
+    const Trajectory found = simulate(RigidBody<>(scene.mass, scene.I_body), scene.start,
+                                      {0, scene.t1, tolerance}, scene.steady);
+    CAPTURE(part);
+    CHECK(angle_between(found.end().q, right) <= 10 * found.report().error_estimate);
+  }
 }
