@@ -13,6 +13,7 @@
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/held.hpp"
+#include "tumble/simulate/held_error.hpp"
 #include "tumble/simulate/motion_difference.hpp"
 #include "tumble/simulate/motion_record.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"

@@ -3,11 +3,13 @@
 /// Says how a body turns that is held at one of its points, as simulate() does for one that is
 /// free.
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "tumble/body/held_body.hpp"
+#include "tumble/simulate/held_error.hpp"
 #include "tumble/simulate/simulate.hpp"
 #include "tumble/simulate/valid_start.hpp"
 
@@ -32,9 +34,33 @@ class HeldTrajectory final : public AnyTrajectory<RigidBodyState<>> {
   Trajectory turning_;
 };
 
-inline Trajectory held_trajectory(const HeldBody& held, const Trajectory& turning) {
+/// The motion of a held body, by finer turnings until the centre's error is what was asked for.
+/// @param turn      turn(tolerance) → the turning
+/// @param tolerance that was asked for
+template <class Turn>
+Trajectory held_trajectory(const HeldBody& held, const Turn& turn, double tolerance) {
+  constexpr double finer = 0.01, finest = 1e-15;
+  Trajectory turning = turn(tolerance);
+  HeldError error(held, turning);
+  SimulationReport report = error.report(tolerance), costs = report;
+  for (double asked = tolerance;
+       !report.reached() && turning.report().reached() && asked > finest;) {
+    asked = std::max(finest, finer * asked);
+    const Trajectory next = turn(asked);
+    const HeldError next_error(held, next);
+    const SimulationReport next_report = next_error.report(tolerance, error);
+    add_report(costs, next_report);
+    if (!(next_report.error_estimate < report.error_estimate)) break;
+    turning = next;
+    error = next_error;
+    report = next_report;
+  }
+  report.runs = costs.runs;
+  report.steps = costs.steps;
+  report.rejected = costs.rejected;
+  report.evaluations = costs.evaluations;
   return {std::make_shared<const HeldTrajectory>(held, turning), turning.t0(), turning.t1(),
-          turning.report()};
+          report};
 }
 
 }  // namespace detail
@@ -44,7 +70,8 @@ inline Trajectory held_trajectory(const HeldBody& held, const Trajectory& turnin
 /// @param start  at task.t0, as HeldBody::state() gives it
 /// @param forces BodyForce each, on the body with its centre of mass: the joint takes up what would
 ///               move the point
-/// @return the states of the centre of mass, with L about it; the report is that of the turning
+/// @return the states of the centre of mass, with L about it; the error is that of these states, as
+///         simulate() of a free body measures it, with the body's size about the point
 /// @throws as simulate() of a free body, and std::invalid_argument if the held point moves
 template <BodyForce<double>... Forces>
 Trajectory simulate(const HeldBody& held, const RigidBodyState<>& start, SimulationTask task,
@@ -53,7 +80,12 @@ Trajectory simulate(const HeldBody& held, const RigidBodyState<>& start, Simulat
   task.wanted = Wanted::trajectory;  // the path of the centre follows from the turning
   const RigidBodyState<> from = held.turning_of(detail::valid_start(start));
   const auto turned_by = [&](const auto&... torques) {
-    return detail::held_trajectory(held, simulate(held.about_point(), from, task, torques...));
+    const auto turn = [&](double tolerance) {
+      SimulationTask finer = task;
+      finer.tolerance = tolerance;
+      return simulate(held.about_point(), from, finer, torques...);
+    };
+    return detail::held_trajectory(held, turn, task.tolerance);
   };
   if constexpr ((detail::SteadyForce<Forces> && ...)) {
     const SteadyForces steady = detail::steady_forces(held.body(), forces...);
