@@ -66,6 +66,10 @@ struct Look {
   double t, g;
 };
 
+/// The number that a user's function of the time and the state has given.
+/// @throws std::runtime_error with the time if it is not a number
+double require_number(double g, double t);
+
 /// Where the parabola through three looks at one side of 0 comes nearest to it, if that is between
 /// them, and near enough that the function may be beyond 0 there.
 std::optional<double> nearest_to_zero(const std::array<Look, 3>& looks);
@@ -94,7 +98,7 @@ std::optional<Look> beyond_zero(const Value& value, std::array<Look, 3> looks) {
 template <class State, class G, class Visit>
 void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit& visit) {
   constexpr int parts = 8;
-  const auto value = [&](double t) { return static_cast<double>(g(t, trajectory.at(t))); };
+  const auto value = [&](double t) { return require_number(g(t, trajectory.at(t)), t); };
   const std::vector<double>& times = trajectory.times();
   const auto changes = [](const Look& a, const Look& b) {
     return a.g != 0 && (b.g == 0 || std::signbit(a.g) != std::signbit(b.g));
@@ -132,6 +136,7 @@ void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit
 /// step, and where g comes nearest to 0 between them, as at the top of a path: what changes sign
 /// and back so fast that three looks don't show it is not seen. In a motion backwards in time the
 /// first is the latest.
+/// @throws std::runtime_error with the time if g is not a number there
 template <class State, detail::EventFunction<State> G>
 std::optional<detail::EventOf<State>> first_event(const TrajectoryOf<State>& trajectory,
                                                   const G& g) {
@@ -144,6 +149,7 @@ std::optional<detail::EventOf<State>> first_event(const TrajectoryOf<State>& tra
 }
 
 /// All such times in turn, each found as first_event() finds the first.
+/// @throws as first_event() does
 template <class State, detail::EventFunction<State> G>
 std::vector<detail::EventOf<State>> every_event(const TrajectoryOf<State>& trajectory, const G& g) {
   std::vector<detail::EventOf<State>> all;

@@ -1,9 +1,19 @@
 #pragma once
 
-#include "tumble/core/compiled.hpp"
 #include "tumble/simulate/first_event.hpp"
 
+#include <stdexcept>
+
+#include "tumble/core/compiled.hpp"
+#include "tumble/core/require.hpp"
+
 namespace tumble::detail {
+
+TUMBLE_BODY double require_number(double g, double t) {
+  if (std::isnan(g))
+    throw_error<std::runtime_error>("the function of an event is not a number at t = ", t);
+  return g;
+}
 
 TUMBLE_BODY std::optional<double> nearest_to_zero(const std::array<Look, 3>& looks) {
   const auto& [a, b, c] = looks;

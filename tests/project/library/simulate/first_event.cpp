@@ -56,6 +56,18 @@ TEST_CASE("first_event: none, at once, and from zero on") {
   CHECK_FALSE(first_event(still, [](double t, const RigidBodyState<>&) { return t; }));
 }
 
+TEST_CASE(
+    "first_event and every_event: a function that is not a number is refused, with the time") {
+  const Trajectory still = simulate(body, {}, {0, 4, 1e-9});
+  const auto root = [](double t, const RigidBodyState<>&) { return std::sqrt(2 - t); };
+  const char* why = "the function of an event is not a number at t = ";
+  CHECK_THROWS_WITH_AS((void)every_event(still, root), doctest::Contains(why), std::runtime_error);
+  const auto never = [](double, const RigidBodyState<>&) { return std::nan(""); };
+  CHECK_THROWS_WITH_AS((void)first_event(still, never), doctest::Contains(why), std::runtime_error);
+  const auto infinite = [](double t, const RigidBodyState<>&) { return 1 / (t - 2); };
+  CHECK(first_event(still, infinite)->t == 2);
+}
+
 TEST_CASE("first_event: a short crossing at the top of a flight, between the moments looked at") {
   const Weight weight;
   const double g = -weight.g.z();
