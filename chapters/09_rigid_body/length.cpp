@@ -57,8 +57,8 @@ Table length_table() {
   const RigidBodyRhs motion(handle());
   const RigidBodyState<> exact = FreeTrajectory(handle(), handle_start()).at(seconds);
   for (const auto& [name, repair] : repairs) {
-    const auto off = [&, repair = repair](int rate) {
-      const Drifted run = drifted(motion, handle_start(), seconds, rate * seconds, repair);
+    const auto off = [&, how = repair](int rate) {
+      const Drifted run = drifted(motion, handle_start(), seconds, rate * seconds, how);
       return turned_apart(unpack<double>(run.end), exact);
     };
     const Drifted coarse = drifted(motion, handle_start(), seconds, 60 * seconds, repair);

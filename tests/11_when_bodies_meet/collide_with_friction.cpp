@@ -142,8 +142,8 @@ double rounding(const Contact& c) {
     change(other);
     sum += (right(other).impulse - j).cwiseAbs().maxCoeff();
   };
-  for (const auto& [i, k] : {std::pair(0, 0), {0, 1}, {1, 1}})
-    add([&, i = i, k = k](Contact& o) { o.K(i, k) = o.K(k, i) += small * c.K.norm(); });
+  for (const auto& [row, column] : {std::pair(0, 0), {0, 1}, {1, 1}})
+    add([&, i = row, k = column](Contact& o) { o.K(i, k) = o.K(k, i) += small * c.K.norm(); });
   for (int i = 0; i < 2; ++i) add([&](Contact& o) { o.u[i] += small * c.u.norm(); });
   add([&](Contact& o) { o.e += small; });
   add([&](Contact& o) { o.mu += small * c.mu; });

@@ -108,7 +108,7 @@ std::vector<Distortion> distortions() {
   std::vector<Distortion> all;
   all.reserve(20);
   for (const auto& [name, x] : numbers)
-    all.push_back({name, [x = x](const Value& v) { return with_numbers(v, x); }});
+    all.push_back({name, [number = x](const Value& v) { return with_numbers(v, number); }});
   all.push_back({"other integers", with_other_integers});
   for (const double place : {0., 0.5, 1.})
     all.push_back({"NaN once", [=](const Value& v) { return with_number_at(v, nan, place); }});
@@ -116,7 +116,7 @@ std::vector<Distortion> distortions() {
     for (const int depth : {0, 1})
       all.push_back(
           {name + " at depth " + std::to_string(depth),
-           [depth, change = change](const Value& v) { return with_lists(v, depth, change); }});
+           [depth, resize = change](const Value& v) { return with_lists(v, depth, resize); }});
   return all;
 }
 
