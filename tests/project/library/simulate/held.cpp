@@ -232,3 +232,18 @@ TEST_CASE("simulate a held body: the stated error is that of P and of L about th
     if (found.report().reached()) CHECK(error <= tolerance);
   }
 }
+
+// Its closed form errs in its phases: P is as wrong as q, and no finer turning is looked for.
+TEST_CASE("simulate a held body: a top keeps its closed form, whose error is that of P, too") {
+  const HeldBody held(RigidBody<>(0.05, Mat3(Vec3(2e-5, 2e-5, 1.35e-5).asDiagonal())),
+                      Vec3(0, 0, 0.0375));
+  const Quat q = exp_quaternion<double>(Vec3(2.84, 0, 0));
+  const RigidBodyState<> start = held.state(Vec3::Zero(), q, Vec3(0, 89.1, 286.5));
+  const Trajectory top = simulate(held, start, {.t1 = 3, .tolerance = 1e-9}, Weight{});
+  CHECK(top.report().runs == 0);
+  CHECK(top.report().reached());
+  const Trajectory fine = simulate(held, start, {.t1 = 3, .tolerance = 1e-12}, Weight{});
+  REQUIRE(fine.report().runs > 0);
+  for (const double t : {0.5, 1.5, 3.})
+    CHECK((top.at(t).P - fine.at(t).P).norm() <= top.report().error_estimate * fine.at(t).P.norm());
+}
