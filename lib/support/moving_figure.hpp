@@ -62,7 +62,7 @@ inline double allowed(const Control& control, double value) {
   return std::clamp(control.least + steps * control.step, control.least, control.most);
 }
 
-/// How a figure is before a reader changes it.
+/// How a figure looks before a reader changes it.
 inline std::vector<double> start_of(const MovingFigure& figure) {
   std::vector<double> settings;
   for (const Control& control : figure.controls) settings.push_back(control.start);

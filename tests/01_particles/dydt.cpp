@@ -329,7 +329,8 @@ TEST_SUITE(TUMBLE_UNIT) {
 const Misconceptions<decltype(particles::dydt)> misconceptions{
     TUMBLE_UNIT,
     {{"force for acceleration",
-      "In the places of v̇ stand forces. How fast a velocity changes also depends on how heavy the "
+      "In the places of v̇ you have forces. How fast a velocity changes also depends on how heavy "
+      "the "
       "particle is.",
       "The right-hand side",
       [](const System& system, double t, const VectorXd& y) {

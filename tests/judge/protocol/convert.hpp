@@ -37,7 +37,7 @@ concept StandardList = requires(T list) {
 
 // ── Writing ──
 
-/// 0 or 1. A truth value that was never set is neither: then its byte is there four times,
+/// 0 or 1. A truth value that was never set is neither: then it is its byte, four times,
 /// which is the mark of an int that was never set.
 inline std::int64_t number_of_truth(const bool& x) {
   const unsigned byte = *reinterpret_cast<const volatile unsigned char*>(&x);

@@ -17,7 +17,7 @@ using Places = std::vector<std::size_t>;
 /// glance.
 inline constexpr std::size_t of_a_loop = 6;
 
-/// All numbers of a value in the order in which they are there; nothing if it holds something
+/// All numbers of a value in their order; nothing if it holds something
 /// else too.
 std::optional<std::vector<double>> numbers_in(const Value& value);
 

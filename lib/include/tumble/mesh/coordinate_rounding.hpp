@@ -48,7 +48,7 @@ struct WrittenDigits {
   /// small coordinates have more places.
   bool may_be_fixed() const { return places <= significant - largest_place; }
 
-  /// Where the last digit is of a number that begins at 10^first.
+  /// The place of the last digit of a number that begins at 10^first.
   int last_place(int first, bool fixed) const { return fixed ? places : significant - 1 - first; }
 
   /// Half a unit of that digit; 0 if there are as many as a double has.
