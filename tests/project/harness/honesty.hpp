@@ -118,8 +118,8 @@ inline std::optional<Answer> answer_for(const MotionScene& scene) {
     answer.reference_error =
         std::max(answer.reference_error, error_between(other->states[k], right, truth->sizes));
   }
-  // Where the truth is no better than what is judged by it, nothing is judged.
-  if (!(answer.reference_error <= 0.1 * std::max(answer.asked, answer.stated))) return {};
+  // Where the truth is not known to a tenth of what is judged by it, nothing is judged.
+  if (!(answer.reference_error <= 0.1 * std::max(answer.truth, answer.stated))) return {};
   return answer;
 }
 

@@ -23,6 +23,25 @@ namespace tumble::detail {
 /// The breaks inside the span, ascending [s after t0].
 std::vector<double> breaks_within(const SimulationTask& task);
 
+/// What a motion makes of errors of one step, as rougher pairs of runs have shown. Near rounding
+/// two runs are now and then close to each other by luck; with a larger tolerance they are not, as
+/// there the error of one of them is most of what they differ by.
+class GrowthOfErrors {
+ public:
+  void learn(const TwoRuns& runs) {
+    constexpr double too_large = 0.05;  // is not proportional to anything
+    if (runs.difference < too_large) growth_ = std::max(growth_, runs.difference / runs.epsilon);
+  }
+
+  /// What it makes of steps with this tolerance, or with what rounding makes of them.
+  double of_least(double tolerance) const {
+    return growth_ * std::max(tolerance, 4 * unit_roundoff);
+  }
+
+ private:
+  double growth_ = 0;
+};
+
 /// Runs under any forces, rougher and finer.
 /// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
 template <class Rhs>
@@ -52,22 +71,21 @@ class AnyForces {
   /// The fine run; it meets the tolerance unless rounding forbids.
   TrajectoryOf<typename Rhs::State> trajectory() {
     while (true) {
-      const double fine_tolerance = 0.1 * epsilon_;
-      const Run rough = run(epsilon_, true);
+      const Run rough = run(epsilon_, Side::one);
       if (ends_early(rough)) continue;
       guide_ = rough.ends();
-      Run fine = run(fine_tolerance, false);
+      Run fine = run(0.1 * epsilon_, Side::none);
       if (ends_early(fine)) continue;
       guide_ = fine.ends();
       rough.account(report_);
       fine.account(report_);
       if (is_surprised(fine)) continue;
-      state_errors<Run>(report_,
-                        {fine.difference(rough), fine.difference_of_small(rough), epsilon_,
-                         fine_tolerance, fine.steps(), fine.radians()},
-                        rhs_.lost_moments(), unseen_);
+      TwoRuns both = compared(fine, rough);
+      state(both);
+      if (!report_.reached() && epsilon_ <= lowest_) state(without_luck(both, fine));
+      growth_.learn(both);
       if (report_.reached() || epsilon_ <= lowest_ || unseen_ > task_.tolerance) {
-        if (fine.is_rough()) report_.error_estimate = without_luck(report_.error_estimate);
+        if (fine.is_rough()) report_.error_estimate = beside_jumps(report_.error_estimate);
         report_.method = stiff_ ? "Radau IIA 5" : "Dormand–Prince 8(5,3)";
         return trajectory_of(std::move(fine), task_, report_);
       }
@@ -76,18 +94,44 @@ class AnyForces {
   }
 
  private:
-  Run run(double tolerance, bool is_rough) const {
-    const double part = is_rough ? 16 : 23;
+  Run run(double tolerance, Side side) const {
+    const double part = side == Side::none ? 23 : 16;
     RunSettings settings{.tolerance = tolerance,
                          .longest = std::min(task_.longest_step, span_ / part),
                          .breaks = breaks_,
                          .guide = guide_,
-                         .moved = is_rough,
+                         .side = side,
                          .stiff = stiff_,
                          .watched = !stiff_ && !stiff_in_vain_};
     // A step of Radau5 costs as much as ten.
     if (stiff_) settings.max_steps = std::min(explicit_steps_, most_steps) / 10;
     return Run(rhs_, start_, task_.t0, span_, settings);
+  }
+
+  static TwoRuns compared(const Run& fine, const Run& rough) {
+    return {.difference = fine.difference(rough),
+            .of_small = fine.difference_of_small(rough),
+            .epsilon = rough.tolerance(),
+            .tolerance = fine.tolerance(),
+            .steps = fine.steps(),
+            .radians = fine.radians()};
+  }
+
+  void state(const TwoRuns& runs) {
+    state_errors<Run>(report_, runs, rhs_.lost_moments(), unseen_);
+    report_.error_estimate = std::max(report_.error_estimate, growth_.of_least(runs.tolerance));
+  }
+
+  /// Where rounding decides, two runs are now and then close to each other by luck, three seldom:
+  /// the third begins at the other side of the start.
+  TwoRuns without_luck(TwoRuns runs, const Run& fine) {
+    const Run third = run(runs.epsilon, Side::other);
+    third.account(report_);
+    if (third.end() != RunEnd::complete) return runs;
+    const TwoRuns others = compared(fine, third);
+    runs.difference = std::max(runs.difference, others.difference);
+    runs.of_small = std::max(runs.of_small, others.of_small);
+    return runs;
   }
 
   /// Whether a run ended before the span did; then the next goes another way.
@@ -163,7 +207,7 @@ class AnyForces {
   /// What a step makes of a jump depends on where in it the jump is: by luck two runs are now and
   /// then ten times as close to each other as to the truth. On random scenes four times what they
   /// differ by is enough in 98 of 100, and the tolerance is kept all the same.
-  double without_luck(double error) const {
+  double beside_jumps(double error) const {
     constexpr double luck = 4;
     return error <= task_.tolerance ? std::min(luck * error, task_.tolerance) : luck * error;
   }
@@ -180,6 +224,7 @@ class AnyForces {
   double lowest_ = 2e-15, coarse_ = 0;
   double epsilon_ = std::clamp(1e-2 * task_.tolerance, lowest_, 1e-3);
   int rounds_ = 0;
+  GrowthOfErrors growth_;
   double unseen_ = 0;  ///< what forces do that the fine run has not seen, a part of the sizes
   SimulationReport report_{
       .model = Model::full_body, .why = Rhs::why, .tolerance = task_.tolerance};

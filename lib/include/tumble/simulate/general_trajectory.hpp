@@ -33,8 +33,8 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   GeneralTrajectory(const Rhs& rhs, const State& start, double t0, double span,
                     const RunSettings& settings)
       : Record(rhs, t0, shift(settings) * std::max(std::abs(t0), std::abs(t0 + span)),
-               rhs.numbers(settings.moved ? beside(start, shift(settings)) : start), span,
-               settings.tolerance, settings.breaks, settings.stiff),
+               rhs.numbers(settings.side != Side::none ? beside(start, shift(settings)) : start),
+               span, settings.tolerance, settings.breaks, settings.stiff),
         settings_(settings),
         guide_(std::move(settings_.guide)),
         budget_(0, span, settings.max_steps) {
@@ -44,6 +44,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   }
 
   RunEnd end() const { return end_; }
+  double tolerance() const { return settings_.tolerance; }  ///< of a step
   double predicted_steps() const { return budget_.predicted(); }
   double radians() const { return radians_; }
   bool has_jumped() const { return after_jump_ >= 0; }  ///< the forces
@@ -66,9 +67,9 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   using Record::breaks_, Record::dense_, Record::rhs_, Record::steps_, Record::t0_,
       Record::tolerance_;
 
-  /// The part of themselves by which numbers are moved: some roundings.
+  /// The part of themselves by which numbers are moved.
   static double shift(const RunSettings& settings) {
-    return settings.moved ? 4 * unit_roundoff : 0;
+    return static_cast<int>(settings.side) * 4 * unit_roundoff;
   }
 
   /// From where it is to a break, to the end, or across a jump of the forces.
@@ -154,7 +155,8 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   template <class F, class Stages>
   void remember_way(const F& f, double s, const Numbers& y, const Numbers& y1, double h,
                     const Stages& stages) {
-    if (dense_.size() < max_dense && !settings_.moved) dense_.emplace_back(f, s, y, y1, h, stages);
+    if (dense_.size() < max_dense && settings_.side == Side::none)
+      dense_.emplace_back(f, s, y, y1, h, stages);
   }
 
   /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", IV.2; the numbers are

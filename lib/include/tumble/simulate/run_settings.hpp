@@ -12,15 +12,18 @@ namespace tumble::detail {
 /// That a run takes.
 inline constexpr double most_steps = 1e6;
 
+/// Whether a run's start and times are some roundings beside the given ones, and on which side.
+enum class Side { other = -1, none, one };
+
 /// How a run goes from one end of the span to the other.
 struct RunSettings {
   double tolerance;                ///< of a step
   double longest;                  ///< step [s]
   std::vector<double> breaks;      ///< times after t0 that no step goes across, ascending [s]
   std::vector<double> guide = {};  ///< the ends of another run's steps, see StepGuide
-  bool moved = false;              ///< whether start and time are some roundings beside
-  bool stiff = false;              ///< by Radau5
-  bool watched = false;            ///< whether to stop where the scene turns out to be stiff
+  Side side = Side::none;
+  bool stiff = false;    ///< by Radau5
+  bool watched = false;  ///< whether to stop where the scene turns out to be stiff
   double max_steps = most_steps;
 };
 
