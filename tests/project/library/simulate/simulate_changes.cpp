@@ -90,6 +90,26 @@ TEST_CASE("simulate_changes: the stated error holds what events make of errors")
   }
 }
 
+TEST_CASE("simulate_changes: the stated error holds the rounding of late times") {
+  // Thrown up at each landing as fast as it came. At 1000 s a time is rounded to 10⁻¹³ s.
+  for (const double t0 : {172.25, 664.125, 1000.5}) {
+    const double back = std::sqrt(2 * dropped.x.z() / gravity), t = 4.5;
+    const auto motion =
+        simulate_changes(dropped_ball, dropped, {t0, t0 + t, 1e-9}, height, bounce(1), Weight{});
+    REQUIRE(motion.events.size() == 2);
+    const double s = t - 4 * back;
+    const double off =
+        std::abs(motion.trajectory.end().x.z() - (dropped.x.z() - gravity / 2 * s * s)) /
+        dropped.x.z();
+    const SimulationReport& report = motion.trajectory.report();
+    CAPTURE(t0);
+    CAPTURE(off);
+    CHECK(report.error_estimate > 1e-16 * t0);
+    CHECK(off <= report.error_estimate);
+    CHECK(report.error_estimate < 1e-11);
+  }
+}
+
 TEST_CASE("simulate_changes: a spring between two bodies tears") {
   const std::vector<RigidBody<>> balls = {dropped_ball, dropped_ball};
   const std::vector<RigidBodyState<>> starts = {{Vec3(0, 0, 0), Quat::Identity(), Vec3(-4, 0, 0)},
