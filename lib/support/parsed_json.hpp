@@ -50,7 +50,8 @@ inline std::string what_was_expected(const std::string& what) {
 
 /// The value of a document in which no { … } has a key twice: all but the last would be lost.
 /// @param name of the file, for messages
-/// @throws std::invalid_argument if it is none, and where
+/// @throws std::invalid_argument if it is none, and where; and if it is nested so deep that whoever
+///         goes through it would run out of stack
 inline nlohmann::json parsed_json(const std::string& text, const std::string& name) {
   using Json = nlohmann::json;
   struct Open {  // { … } that has not ended yet
@@ -59,7 +60,10 @@ inline nlohmann::json parsed_json(const std::string& text, const std::string& na
     std::string last;
   };
   std::vector<Open> all;
-  const auto each_key_once = [&](int, Json::parse_event_t event, Json& value) {
+  constexpr int deepest = 64;  // nobody writes more by hand
+  const auto each_key_once = [&](int depth, Json::parse_event_t event, Json& value) {
+    require(depth < deepest, name, " has lists or { … } in each other that are more than ", deepest,
+            " deep");
     if (event == Json::parse_event_t::object_start)
       all.push_back({all.empty() ? name : all.back().name + "." + all.back().last, {}, {}});
     if (event == Json::parse_event_t::object_end) all.pop_back();
