@@ -84,16 +84,33 @@ class FittedAxis {
       return list;
     }
     const double step = linear_step();
-    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const int count = static_cast<int>(std::lround((high_ - low_) / step));
     for (int i = 0; i <= count; ++i) {
       const double value = low_ + i * step;
-      list.push_back({value, svg_number(value, digits)});
+      list.push_back({value, tick_number(value, step)});
     }
     return list;
   }
 
  private:
+  /// As many digits as tell the ticks apart. Where they would be more than can be written, the
+  /// largest power of ten stands behind them.
+  std::string tick_number(double value, double step) const {
+    constexpr int most_digits = 15, most_of_mantissa = 9;
+    const auto digits_to = [&](double unit) {
+      return std::max(0, static_cast<int>(std::ceil(std::log10(unit / step) - 1e-9)));
+    };
+    const double largest = std::max(std::abs(low_), std::abs(high_));
+    const int digits = digits_to(1);
+    if (digits <= most_digits && largest * std::pow(10.0, digits) < 0x1p51)
+      return svg_number(value, digits);
+    const int exponent = static_cast<int>(std::floor(std::log10(largest)));
+    const double unit = std::pow(10.0, exponent);
+    const std::string mantissa =
+        svg_number(value / unit, std::min(most_of_mantissa, digits_to(unit)));
+    return mantissa == "0" ? mantissa : mantissa + " · " + power_of_ten(exponent);
+  }
+
   double warp(double value) const { return axis_.scale == Scale::log ? std::log10(value) : value; }
 
   /// 1, 2 or 5 times a power of ten, so that there are about five steps.

@@ -28,6 +28,24 @@ TEST_CASE("svg_number: short, and the same everywhere") {
   CHECK(svg_number(0.5, 3) == "0.5");
 }
 
+TEST_CASE("axis: ticks of numbers as small and as large as doubles are") {
+  const auto labels = [](double low, double high) {
+    FittedAxis axis({"speed [m/s]"});
+    axis.include(low);
+    axis.include(high);
+    axis.finish();
+    std::vector<std::string> all;
+    for (const Tick& tick : axis.ticks()) all.push_back(tick.label);
+    return all;
+  };
+  CHECK(labels(0, 1) == std::vector<std::string>{"0", "0.2", "0.4", "0.6", "0.8", "1"});
+  CHECK(labels(0, 1e-299).back() == "1 · 10⁻²⁹⁹");
+  CHECK(labels(0, 5e59) ==
+        std::vector<std::string>{"0", "1 · 10⁵⁹", "2 · 10⁵⁹", "3 · 10⁵⁹", "4 · 10⁵⁹", "5 · 10⁵⁹"});
+  CHECK(labels(-1e20, 1e20).front() == "-1 · 10²⁰");
+  CHECK(labels(1e20, 1e20 + 1e16)[1] == "1.00002 · 10²⁰");
+}
+
 TEST_CASE("svg_text: what XML reserves is escaped") {
   CHECK(svg_text("a<b & c>d") == "a&lt;b &amp; c&gt;d");
 }
