@@ -5,6 +5,7 @@
 #include "objects/shapes.hpp"
 #include "scenes/round_solids.hpp"
 #include "support/mesh_notes.hpp"
+#include "support/printable.hpp"
 #include "support/table.hpp"
 #include "support/view.hpp"
 #include "tumble/collide/hull_points.hpp"
@@ -100,7 +101,10 @@ BodyShape shape_around(const PolygonMesh& mesh, const Vec3& centre) {
 }  // namespace
 
 std::filesystem::path mesh_path(const Place& mesh, const std::filesystem::path& folder) {
-  return folder / mesh.text();
+  const std::string name = mesh.text();
+  require(name.find('\0') == std::string::npos, mesh.name(), " is \"", support::escaped(name),
+          "\": no file has \\u0000 in its name");  // the system would open what stands before it
+  return folder / name;
 }
 
 ReadShape read_shape(const Place& shape, const std::filesystem::path& folder,

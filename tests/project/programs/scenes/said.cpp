@@ -149,6 +149,33 @@ TEST_CASE("simulate: what a file's text has wrong is said in plain words, with t
   plain("\\u12", "without four hexadecimal digits");
 }
 
+TEST_CASE("simulate: a file nested so deep that no program should follow it is refused") {
+  for (const auto& [open, close] : {std::pair{"[", "]"}, {R"({"a":)", "}"}}) {
+    std::string text = "1";
+    for (int i = 0; i < 100'000; ++i) text = open + text;
+    for (int i = 0; i < 100'000; ++i) text += close;
+    CHECK(mentions(said_to(text), "text.json has lists or { … } in each other that are more than"));
+  }
+}
+
+TEST_CASE("simulate: a mesh's name ends where its text does") {
+  write("named.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const json shape = {{"mesh", std::string("named.obj\0.old", 14)}};
+  CHECK(mentions(refusal({{"bodies", {{{"shape", shape}, {"mass", 1}}}}, {"duration", 1}}),
+                 "scene.json.bodies[0].shape.mesh is \"named.obj\\x00.old\": no file has"));
+}
+
+TEST_CASE("simulate: a figure of a motion however slow or fast") {
+  for (const double omega : {1e-300, 1e30}) {
+    json scene = spinning({1, 1, 1});
+    scene["bodies"][0]["omega"] = {omega, 0, 0};
+    write("scene.json", scene.dump());
+    std::filesystem::remove(folder / "spin.svg");
+    CHECK(scenes("simulate scene.json --svg spin.svg").status != 2);
+    CHECK(is_there("spin.svg"));
+  }
+}
+
 TEST_CASE("simulate: advice is such that a scene can follow it") {
   json still = spinning({1, 2, 3});
   still["duration"] = 0;
