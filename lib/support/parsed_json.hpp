@@ -62,8 +62,8 @@ inline nlohmann::json parsed_json(const std::string& text, const std::string& na
   std::vector<Open> all;
   constexpr int deepest = 64;  // nobody writes more by hand
   const auto each_key_once = [&](int depth, Json::parse_event_t event, Json& value) {
-    require(depth < deepest, name, " has lists or { … } in each other that are more than ", deepest,
-            " deep");
+    require(depth < deepest, name, " is nested deeper than ", deepest,
+            ": it has too many [ or { in ", "each other");
     if (event == Json::parse_event_t::object_start)
       all.push_back({all.empty() ? name : all.back().name + "." + all.back().last, {}, {}});
     if (event == Json::parse_event_t::object_end) all.pop_back();

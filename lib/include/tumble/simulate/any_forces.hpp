@@ -24,8 +24,8 @@ namespace tumble::detail {
 std::vector<double> breaks_within(const SimulationTask& task);
 
 /// What a motion makes of errors of one step, as rougher pairs of runs have shown. Near rounding
-/// two runs are now and then close to each other by luck; with a larger tolerance they are not, as
-/// there the error of one of them is most of what they differ by.
+/// two runs are now and then close to each other by luck. With a larger tolerance they are not: the
+/// rough run's error is most of what they differ by.
 class GrowthOfErrors {
  public:
   void learn(const TwoRuns& runs) {

@@ -155,7 +155,8 @@ TEST_CASE("simulate: a file nested so deep that no program should follow it is r
     for (int i = 0; i < 100'000; ++i) text += open;
     text += "1";
     for (int i = 0; i < 100'000; ++i) text += close;
-    CHECK(mentions(said_to(text), "text.json has lists or { … } in each other that are more than"));
+    CHECK(mentions(said_to(text),
+                   "text.json is nested deeper than 64: it has too many [ or { in each other"));
   }
 }
 
