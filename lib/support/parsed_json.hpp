@@ -50,8 +50,8 @@ inline std::string what_was_expected(const std::string& what) {
 
 /// The value of a document in which no { … } has a key twice: all but the last would be lost.
 /// @param name of the file, for messages
-/// @throws std::invalid_argument if it is none, and where; and if it is nested so deep that whoever
-///         goes through it would run out of stack
+/// @throws std::invalid_argument if it is none, and where; and if it is nested too deep: a walk
+///         through it would run out of stack
 inline nlohmann::json parsed_json(const std::string& text, const std::string& name) {
   using Json = nlohmann::json;
   struct Open {  // { … } that has not ended yet
@@ -63,7 +63,7 @@ inline nlohmann::json parsed_json(const std::string& text, const std::string& na
   constexpr int deepest = 64;  // nobody writes more by hand
   const auto each_key_once = [&](int depth, Json::parse_event_t event, Json& value) {
     require(depth < deepest, name, " is nested deeper than ", deepest,
-            ": it has too many [ or { in ", "each other");
+            ": it has too many [ or { in each other");
     if (event == Json::parse_event_t::object_start)
       all.push_back({all.empty() ? name : all.back().name + "." + all.back().last, {}, {}});
     if (event == Json::parse_event_t::object_end) all.pop_back();

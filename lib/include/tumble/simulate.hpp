@@ -12,6 +12,7 @@
 #include "tumble/simulate/event_count.hpp"
 #include "tumble/simulate/first_event.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
+#include "tumble/simulate/growth_of_errors.hpp"
 #include "tumble/simulate/held.hpp"
 #include "tumble/simulate/held_error.hpp"
 #include "tumble/simulate/motion_difference.hpp"

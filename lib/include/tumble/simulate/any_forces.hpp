@@ -14,6 +14,7 @@
 
 #include "tumble/simulate/computed_trajectory.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
+#include "tumble/simulate/growth_of_errors.hpp"
 #include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
@@ -22,25 +23,6 @@ namespace tumble::detail {
 
 /// The breaks inside the span, ascending [s after t0].
 std::vector<double> breaks_within(const SimulationTask& task);
-
-/// What a motion makes of errors of one step, as rougher pairs of runs have shown. Near rounding
-/// two runs are now and then close to each other by luck. With a larger tolerance they are not: the
-/// rough run's error is most of what they differ by.
-class GrowthOfErrors {
- public:
-  void learn(const TwoRuns& runs) {
-    constexpr double too_large = 0.05;  // is not proportional to anything
-    if (runs.difference < too_large) growth_ = std::max(growth_, runs.difference / runs.epsilon);
-  }
-
-  /// What it makes of steps with this tolerance, or with what rounding makes of them.
-  double of_least(double tolerance) const {
-    return growth_ * std::max(tolerance, 4 * unit_roundoff);
-  }
-
- private:
-  double growth_ = 0;
-};
 
 /// Runs under any forces, rougher and finer.
 /// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
