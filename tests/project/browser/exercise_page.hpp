@@ -64,6 +64,12 @@ globalThis.check = async (how) => {
 };
 )js";
 
+/// What all tests of a program read; what a page keeps is its browser's.
+inline const ServedSite& site_of_stand_in() {
+  static const ServedSite site{stand_in_judge};
+  return site;
+}
+
 /// A browser on the page of chapter 4, the editor of 4.1 in it.
 class ExercisePage {
  public:
@@ -83,7 +89,7 @@ class ExercisePage {
 
   nlohmann::json says(const std::string& expression) { return browser.evaluate(expression); }
 
-  ServedSite site{stand_in_judge};
+  const ServedSite& site = site_of_stand_in();
   Chromium browser;
 };
 

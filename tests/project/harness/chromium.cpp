@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "project/harness/temporary_folder.hpp"
+
 namespace tumble::test {
 
 namespace {
@@ -83,18 +85,83 @@ std::string chromium_program() {
   return {};
 }
 
-Chromium::Chromium() {
-  std::array<int, 2> commands{}, answers{};
-  if (pipe2(commands.data(), O_CLOEXEC) != 0 || pipe2(answers.data(), O_CLOEXEC) != 0)
-    throw std::runtime_error("no pipe to the browser");
-  const std::string program = chromium_program();
-  process_ = fork();
-  if (process_ == 0) become(program, profile_.path(), commands[0], answers[1]);
-  close(commands[0]);
-  close(answers[1]);
-  to_ = commands[1];
-  from_ = answers[0];
-  const Json target = call("Target.createTarget", {{"url", "about:blank"}});
+class BrowserProcess {
+ public:
+  BrowserProcess() {
+    std::array<int, 2> commands{}, answers{};
+    if (pipe2(commands.data(), O_CLOEXEC) != 0 || pipe2(answers.data(), O_CLOEXEC) != 0)
+      throw std::runtime_error("no pipe to the browser");
+    const std::string program = chromium_program();
+    process_ = fork();
+    if (process_ == 0) become(program, profile_.path(), commands[0], answers[1]);
+    close(commands[0]);
+    close(answers[1]);
+    to_ = commands[1];
+    from_ = answers[0];
+  }
+  BrowserProcess(const BrowserProcess&) = delete;
+  BrowserProcess& operator=(const BrowserProcess&) = delete;
+  ~BrowserProcess() {
+    kill(-process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+    close(to_);
+    close(from_);
+    // Its helpers may still write into the profile.
+    std::error_code busy;
+    for (int i = 0; i < 100 && fs::exists(profile_.path()); ++i) {
+      fs::remove_all(profile_.path(), busy);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  /// The one that this program has; it ends with the program.
+  static BrowserProcess& shared() {
+    static BrowserProcess browser;
+    return browser;
+  }
+
+  /// Sends a command, with a number of its own, to a page or, without a session, to the browser.
+  /// @return the number
+  int send(const std::string& session, const std::string& method, Json parameters) {
+    Json message = {{"id", ++last_}, {"method", method}, {"params", std::move(parameters)}};
+    if (!session.empty()) message["sessionId"] = session;
+    const std::string text = message.dump();
+    for (std::size_t sent = 0; sent <= text.size();) {
+      const ssize_t count = write(to_, text.c_str() + sent, text.size() + 1 - sent);
+      if (count <= 0) throw std::runtime_error("the browser takes no commands");
+      sent += static_cast<std::size_t>(count);
+    }
+    return last_;
+  }
+
+  /// The next message: an answer, or an event.
+  Json receive() {
+    while (true) {
+      if (const auto end = unread_.find('\0'); end != std::string::npos) {
+        const Json message = Json::parse(unread_.substr(0, end));
+        unread_.erase(0, end + 1);
+        return message;
+      }
+      pollfd ready{from_, POLLIN, 0};
+      if (poll(&ready, 1, patience) <= 0) throw std::runtime_error("the browser does not answer");
+      std::array<char, 65536> bytes{};
+      const ssize_t count = read(from_, bytes.data(), bytes.size());
+      if (count <= 0) throw std::runtime_error("the browser has gone");
+      unread_.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  TemporaryFolder profile_;
+  pid_t process_ = -1;
+  int to_ = -1, from_ = -1, last_ = 0;
+  std::string unread_;
+};
+
+Chromium::Chromium() : browser_(BrowserProcess::shared()) {
+  context_ = call("Target.createBrowserContext").at("browserContextId");
+  const Json target =
+      call("Target.createTarget", {{"url", "about:blank"}, {"browserContextId", context_}});
   session_ = call("Target.attachToTarget", {{"targetId", target["targetId"]}, {"flatten", true}})
                  .at("sessionId");
   for (const char* domain : {"Page", "Runtime", "Log", "Network"})
@@ -102,35 +169,15 @@ Chromium::Chromium() {
 }
 
 Chromium::~Chromium() {
-  kill(-process_, SIGKILL);
-  waitpid(process_, nullptr, 0);
-  close(to_);
-  close(from_);
-  // Its helpers may still write into the profile.
-  std::error_code busy;
-  for (int i = 0; i < 100 && fs::exists(profile_.path()); ++i) {
-    fs::remove_all(profile_.path(), busy);
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-}
-
-Json Chromium::receive() {
-  while (true) {
-    if (const auto end = unread_.find('\0'); end != std::string::npos) {
-      const Json message = Json::parse(unread_.substr(0, end));
-      unread_.erase(0, end + 1);
-      return message;
-    }
-    pollfd ready{from_, POLLIN, 0};
-    if (poll(&ready, 1, patience) <= 0) throw std::runtime_error("the browser does not answer");
-    std::array<char, 65536> bytes{};
-    const ssize_t count = read(from_, bytes.data(), bytes.size());
-    if (count <= 0) throw std::runtime_error("the browser has gone");
-    unread_.append(bytes.data(), static_cast<std::size_t>(count));
+  session_.clear();
+  try {
+    call("Target.disposeBrowserContext", {{"browserContextId", context_}});
+  } catch (const std::exception&) {  // it has gone: what it kept is gone as well
   }
 }
 
 void Chromium::take(const Json& event) {
+  if (event.value("sessionId", "") != session_) return;  // of a page that is gone
   const std::string method = event.value("method", "");
   const Json& what = event.contains("params") ? event["params"] : Json::object();
   seen_.push_back(method);
@@ -150,17 +197,10 @@ void Chromium::take(const Json& event) {
 }
 
 Json Chromium::call(const std::string& method, Json parameters) {
-  Json message = {{"id", ++last_}, {"method", method}, {"params", std::move(parameters)}};
-  if (!session_.empty()) message["sessionId"] = session_;
-  const std::string text = message.dump();
-  for (std::size_t sent = 0; sent <= text.size();) {
-    const ssize_t count = write(to_, text.c_str() + sent, text.size() + 1 - sent);
-    if (count <= 0) throw std::runtime_error("the browser takes no commands");
-    sent += static_cast<std::size_t>(count);
-  }
+  const int number = browser_.send(session_, method, std::move(parameters));
   while (true) {
-    const Json answer = receive();
-    if (answer.value("id", 0) != last_) {
+    const Json answer = browser_.receive();
+    if (answer.value("id", 0) != number) {
       take(answer);
       continue;
     }
@@ -171,7 +211,7 @@ Json Chromium::call(const std::string& method, Json parameters) {
 
 void Chromium::wait_for(const std::string& event) {
   const auto there = [&] { return std::find(seen_.begin(), seen_.end(), event) != seen_.end(); };
-  while (!there()) take(receive());
+  while (!there()) take(browser_.receive());
 }
 
 void Chromium::resize(int width, int height, bool phone) {

@@ -2,25 +2,24 @@
 /// @file
 /// A headless Chromium that a test drives, by the DevTools protocol over two pipes.
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "project/harness/temporary_folder.hpp"
-
 namespace tumble::test {
 
 /// The program of Chromium, or empty if there is none.
 std::string chromium_program();
 
-/// One browser with one page.
+/// The browser itself: a process that all pages of a program share, as it takes long to start.
+class BrowserProcess;
+
+/// A page in a browser that has seen no other: nothing that an earlier page has kept is there.
 class Chromium {
  public:
-  /// @throws std::runtime_error if it does not start
+  /// @throws std::runtime_error if the browser does not start
   Chromium();
   Chromium(const Chromium&) = delete;
   Chromium& operator=(const Chromium&) = delete;
@@ -51,15 +50,11 @@ class Chromium {
  private:
   nlohmann::json call(const std::string& method,
                       nlohmann::json parameters = nlohmann::json::object());
-  nlohmann::json receive();
   void take(const nlohmann::json& event);
   void wait_for(const std::string& event);
 
-  TemporaryFolder profile_;
-  pid_t process_ = -1;
-  int to_ = -1, from_ = -1;
-  int last_ = 0;
-  std::string session_, unread_, home_ = "file:";
+  BrowserProcess& browser_;
+  std::string context_, session_, home_ = "file:";
   std::vector<std::string> complaints_, seen_;
 };
 

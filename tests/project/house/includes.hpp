@@ -47,30 +47,44 @@ inline bool is_source(const fs::path& path) {
   return path.extension() == ".hpp" || path.extension() == ".inl" || path.extension() == ".cpp";
 }
 
-/// From the root; empty if the include leads out of the tree, or to no file.
-inline fs::path resolved(const fs::path& root, const fs::path& from, const std::string& text) {
+/// Every file under lib/, chapters/, exercises/, solutions/ and tests/, from the root: listed once,
+/// as to ask the disk for each candidate of each include takes long.
+inline std::set<fs::path> files_of(const fs::path& root) {
+  std::set<fs::path> files;
+  for (const char* tree : {"lib", "chapters", "exercises", "solutions", "tests"}) {
+    if (!fs::exists(root / tree)) continue;  // a hand-out has no solutions
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / tree))
+      if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(root));
+  }
+  return files;
+}
+
+/// From the root; empty if the include leads out of the trees, or to no file.
+inline fs::path resolved(const std::set<fs::path>& files, const fs::path& from,
+                         const std::string& text) {
   std::vector<fs::path> candidates{from.parent_path() / text};
   if (*from.begin() == "solutions")  // a contract lies beside the stub
     candidates.push_back("exercises" / from.parent_path().filename() / text);
   for (const fs::path& folder : include_roots) candidates.push_back(folder / text);
-  for (const fs::path& candidate : candidates) {
-    const fs::path path = candidate.lexically_normal();
-    if (*path.begin() != ".." && fs::is_regular_file(root / path)) return path;
-  }
+  for (const fs::path& candidate : candidates)
+    if (const auto file = files.find(candidate.lexically_normal()); file != files.end())
+      return *file;
   return {};
 }
 
-inline void add_includes_of(const fs::path& root, const fs::path& file,
-                            std::vector<Include>& includes) {
+inline std::vector<Include> includes_in(const fs::path& root, const std::set<fs::path>& files,
+                                        const fs::path& file) {
   static const std::regex quoted(R"re(\s*#\s*include\s*"([^"]+)".*)re");
+  std::vector<Include> includes;
   std::ifstream in(root / file);
   std::size_t number = 0;
   std::smatch match;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (std::regex_match(line, match, quoted))
-      includes.push_back({file, number, match[1], resolved(root, file, match[1])});
+    if (line.find("include") != std::string::npos && std::regex_match(line, match, quoted))
+      includes.push_back({file, number, match[1], resolved(files, file, match[1])});
   }
+  return includes;
 }
 
 inline std::string at(const Include& include) {
@@ -160,18 +174,12 @@ inline Arrows arrows_between_folders(const std::vector<Include>& includes) {
 /// Every quoted include of the C++ files under lib/, chapters/, exercises/, solutions/ and tests/,
 /// but for submissions that attack the judge and programs outside the project.
 inline std::vector<Include> includes_of(const fs::path& root) {
-  std::vector<fs::path> files;
-  for (const char* tree : {"lib", "chapters", "exercises", "solutions", "tests"}) {
-    if (!fs::exists(root / tree)) continue;  // a hand-out has no solutions
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / tree)) {
-      const fs::path path = entry.path().lexically_relative(root);
-      if (entry.is_regular_file() && detail::is_source(path) && !detail::is_foreign(path))
-        files.push_back(path);
-    }
-  }
-  std::sort(files.begin(), files.end());
+  const std::set<fs::path> files = detail::files_of(root);
   std::vector<Include> includes;
-  for (const fs::path& file : files) detail::add_includes_of(root, file, includes);
+  for (const fs::path& file : files)
+    if (detail::is_source(file) && !detail::is_foreign(file))
+      for (Include& include : detail::includes_in(root, files, file))
+        includes.push_back(std::move(include));
   return includes;
 }
 
