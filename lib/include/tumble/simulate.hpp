@@ -14,6 +14,7 @@
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/growth_of_errors.hpp"
 #include "tumble/simulate/held.hpp"
+#include "tumble/simulate/late_moments.hpp"
 #include "tumble/simulate/held_error.hpp"
 #include "tumble/simulate/motion_difference.hpp"
 #include "tumble/simulate/motion_record.hpp"

@@ -4,6 +4,7 @@
 /// many it would take.
 
 #include <iomanip>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -25,6 +26,8 @@ class StepBudget {
   int steps() const { return steps_; }
   /// How many steps it takes in all, as far as their pace shows.
   double predicted() const { return predicted_; }
+  /// How far a step led lately.
+  double pace() const { return pace_; }
   /// Whether that is too many: the more have been taken, the more the pace is believed.
   bool hopeless() const {
     const double believed = 0x1p14 / steps_;
@@ -33,14 +36,15 @@ class StepBudget {
 
  private:
   void look_ahead(double t) {
-    const double pace = (t - then_) / (steps_ - before_);
-    predicted_ = steps_ + (t1_ - t) / pace;
+    pace_ = (t - then_) / (steps_ - before_);
+    predicted_ = steps_ + (t1_ - t) / pace_;
     then_ = t;
     before_ = steps_;
     next_check_ *= 2;
   }
 
   double t1_, most_, then_, predicted_ = 0;
+  double pace_ = std::numeric_limits<double>::infinity();
   int steps_ = 0, before_ = 0, next_check_ = 256;
 };
 

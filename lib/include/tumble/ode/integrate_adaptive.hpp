@@ -45,9 +45,8 @@ template <class Scalar>
 /// The refusals that keep an integration from going on for ever.
 template <OdeState State>
 void require_progress(const runge_kutta::Attempt<State>& attempt, ScalarOf<State> t,
-                      ScalarOf<State> h, ScalarOf<State> shortest, int attempts) {
-  using std::abs;
-  if (!attempt.accepted() && abs(h) <= shortest) {
+                      ScalarOf<State> h, bool is_shortest, int attempts) {
+  if (!attempt.accepted() && is_shortest) {
     if (attempt.error != attempt.error)
       stop_integration("dydt is not finite", t, h,
                        "the solution leaves the domain of dydt here; end the integration before");
@@ -95,15 +94,16 @@ OdeSolution<State> integrate_adaptive(F&& f, const State& y0, ScalarOf<State> t0
     // A few units in the last place of t: a shorter step says nothing.
     const Scalar shortest = Scalar(8) * std::numeric_limits<Scalar>::epsilon() * abs(t);
     if (abs(h) < shortest) h = copysign(shortest, h);
+    const bool is_shortest = abs(h) == shortest;
     // The last step is stretched by up to 1 % rather than followed by a tiny one.
-    const bool last = abs(t1 - t) <= Scalar(1.01) * abs(h);
-    if (last) h = t1 - t;
+    const Scalar next = abs(t1 - t) <= Scalar(1.01) * abs(h) ? t1 : t + h;
+    h = next - t;  // as far as the rounded time leads, else late steps add up to another span
 
     const runge_kutta::Attempt<State> attempt = stepper.attempt(counted, t, solution.y, h);
     attempt.accepted() ? ++solution.steps : ++solution.rejected;
-    detail::require_progress(attempt, t, h, shortest, solution.steps + solution.rejected);
+    detail::require_progress(attempt, t, h, is_shortest, solution.steps + solution.rejected);
     if (attempt.accepted()) {
-      t = last ? t1 : t + h;
+      t = next;
       solution.y = attempt.y;
       observe(t, solution.y);
     }

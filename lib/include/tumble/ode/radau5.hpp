@@ -78,8 +78,7 @@ class Radau5::Stepper {
 
   template <class F>
   detail::NewtonResult<State> solve(F&& f, Scalar t, const State& y, Scalar h) {
-    if (h != factorised_h_) matrices_ = detail::Radau5Matrices<State>(h, J_);
-    factorised_h_ = h;
+    factorise(h);
     const auto norm = [&](const detail::Radau5Stages<State>& W) {
       using runge_kutta::error_norm;
       const Vector3<Scalar> norms(error_norm(State(W.col(0)), y, y, tolerances_),
@@ -92,6 +91,15 @@ class Radau5::Stepper {
                                       std::min(0.03, std::sqrt(tolerances_.relative)));
     return detail::solve_radau5(f, t, y, h, starting_values(y, h), matrices_, norm,
                                 detail::NewtonLimits{tolerance, max_iterations, last_eta_});
+  }
+
+  /// The matrices of a step as long as this one, but for the rounding of the time, serve again.
+  void factorise(Scalar h) {
+    using std::abs;
+    const Scalar as_long = 64 * std::sqrt(std::numeric_limits<Scalar>::epsilon());
+    if (abs(h - factorised_h_) <= as_long * abs(h)) return;
+    matrices_ = detail::Radau5Matrices<State>(h, J_);
+    factorised_h_ = h;
   }
 
   /// The collocation polynomial of the last step, continued into this one.

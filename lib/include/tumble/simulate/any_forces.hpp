@@ -4,8 +4,8 @@
 /// stated_error.hpp, and a witness.
 ///
 /// What acts for a short time only may lie between all moments at which a run looks at it. So no
-/// step is longer than a part of the span, another one for each of the two runs, and none is much
-/// longer than those of the run before; and between the moments of the better run a witness
+/// step is longer than a part of the span, or of a piece between breaks, another one for each of the
+/// two runs, and none is much longer than those of the run before; and between the moments of the better run a witness
 /// compares the forces with what the run thinks they are. What it finds is a break for new runs.
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "tumble/simulate/computed_trajectory.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/growth_of_errors.hpp"
+#include "tumble/simulate/late_moments.hpp"
 #include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
@@ -42,7 +43,7 @@ class AnyForces {
             " s needs at least ", steps, " steps from t0 = ", task.t0, " to t1 = ", task.t1,
             ", and at most ", most_steps, " are taken: give longest_step = ", span_ / most_steps,
             " s or more; or say in breaks when forces begin, end or jump");
-    const double jumps = jumps_by_rounding();
+    const double jumps = jumps_by_rounding(rhs, rhs.numbers(start), task, breaks_);
     require_moments(jumps, std::max(std::abs(task.t0), std::abs(task.t1)));
     constexpr double of_jumps = 0.01;
     coarse_ = std::min(of_jumps * jumps, 1e-3);
@@ -64,7 +65,7 @@ class AnyForces {
       if (is_surprised(fine)) continue;
       TwoRuns both = compared(fine, rough);
       state(both);
-      if (!report_.reached() && epsilon_ <= lowest_) state(without_luck(both, fine));
+      if (rounding_decides()) state(without_luck(both, fine));
       growth_.learn(both);
       if (report_.reached() || epsilon_ <= lowest_ || unseen_ > task_.tolerance) {
         if (fine.is_rough()) report_.error_estimate = beside_jumps(report_.error_estimate);
@@ -101,7 +102,17 @@ class AnyForces {
 
   void state(const TwoRuns& runs) {
     state_errors<Run>(report_, runs, rhs_.lost_moments(), unseen_);
-    report_.error_estimate = std::max(report_.error_estimate, growth_.of_least(runs.tolerance));
+    const double rounding = std::sqrt(static_cast<double>(runs.steps)) * unit_roundoff;
+    report_.error_estimate =
+        std::max({report_.error_estimate, growth_.of_least(runs.tolerance), rounding});
+  }
+
+  /// Whether the stated error is no larger than what rounding makes: of the state, where nothing
+  /// finer is left, or of late moments.
+  bool rounding_decides() const {
+    constexpr double of_late_moments = 1000;  // ten times what forces jump by, see coarse_
+    return (!report_.reached() && epsilon_ <= lowest_) ||
+           report_.error_estimate < of_late_moments * coarse_;
   }
 
   /// Where rounding decides, two runs are now and then close to each other by luck, three seldom:
@@ -138,28 +149,6 @@ class AnyForces {
     constexpr double coarsest = 1e-7, coarser = 100;
     if (epsilon_ >= coarsest) run.refuse();
     epsilon_ = lowest_ = std::min(coarsest, coarser * epsilon_);
-  }
-
-  /// By how much forces that depend on the time jump where a late time is rounded, on average and
-  /// as a part of the largest that they are: steps that are to see less than that would be as short
-  /// as the times lie apart.
-  double jumps_by_rounding() const {
-    constexpr double little = 1e-9;
-    constexpr int looks = 64;
-    const double late = 4 * unit_roundoff * std::max(std::abs(task_.t0), std::abs(task_.t1));
-    if (late <= little * span_) return 0;
-    const auto y = rhs_.numbers(start_);
-    const auto rate = [&](double t) { return typename Rhs::Numbers(span_ * rhs_(t, y)); };
-    auto sizes = rhs_.least_squares(span_);
-    auto jumps = SquaredSizes<typename Rhs::Numbers>::Zero(sizes.size()).eval();
-    for (int i = 0; i < looks; ++i) {
-      const double t = task_.t0 + (i + 0.618) / looks * span_;
-      const auto here = rate(t);
-      sizes = sizes.cwiseMax(squared_sizes(here));
-      jumps += squared_sizes(typename Rhs::Numbers(rate(t + late) - here)) / looks;
-    }
-    const double part = std::sqrt(jumps.cwiseQuotient(sizes).maxCoeff());
-    return part > 0 ? part : 0;
   }
 
   /// After a surprise we look closer: what comes and goes once may do so again.

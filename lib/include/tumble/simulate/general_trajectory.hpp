@@ -32,7 +32,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   /// @throws std::runtime_error if a force is not finite, or no step is short enough
   GeneralTrajectory(const Rhs& rhs, const State& start, double t0, double span,
                     const RunSettings& settings)
-      : Record(rhs, t0, shift(settings) * std::max(std::abs(t0), std::abs(t0 + span)),
+      : Record(rhs, t0, Moments::beside(settings.side, std::max(std::abs(t0), std::abs(t0 + span))),
                rhs.numbers(settings.side != Side::none ? beside(start, shift(settings)) : start),
                span, settings.tolerance, settings.breaks, settings.stiff),
         settings_(settings),
@@ -72,6 +72,10 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
     return static_cast<int>(settings.side) * 4 * unit_roundoff;
   }
 
+  /// Of the first step behind a break and of the longest, which another run takes as a whole: with
+  /// the same steps two runs would make the same errors, and not differ.
+  double own_part() const { return settings_.side == Side::none ? 0.6 : 1; }
+
   /// From where it is to a break, to the end, or across a jump of the forces.
   template <class Method>
   void follow(double end) {
@@ -82,16 +86,17 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
     const Numbers dydt = f(s, y);
     if (!dydt.allFinite()) stop("a force is not finite", s, end - s);
     typename Method::template Stepper<Numbers, MotionTolerance<Numbers>> stepper(tolerance_, dydt);
-    double h = initial_step_size(f, s, y, dydt, end - s, Method::error_order, tolerance_);
+    const double longest = std::min(settings_.longest, own_part() * (end - s));
+    double h =
+        own_part() * initial_step_size(f, s, y, dydt, end - s, Method::error_order, tolerance_);
     int in_vain = 0;  // attempts in turn
     while (s != end && end_ == RunEnd::complete) {
       const double shortest = 8 * 0x1p-52 * std::max(s, 0.01 * breaks_.back());
-      h = std::max(guide_.longest(s, std::min(h, settings_.longest)), shortest);
-      const bool last = end - s <= 1.01 * h;
-      if (last) h = end - s;
+      const double wanted = std::max(guide_.longest(s, std::min(h, longest)), shortest);
+      const double next = end - s <= 1.01 * wanted ? end : s + wanted;
+      h = next - s;  // as far as the rounded time leads
       const runge_kutta::Attempt<Numbers> attempt = stepper.attempt(f, s, y, h);
       if (attempt.accepted()) {
-        const double next = last ? end : s + h;
         keep(attempt.y, next, h);
         look_at(stepper, f, s, y, attempt.y, h);
         stepper.tolerances().grow(attempt.y);
@@ -102,8 +107,8 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
       } else {
         ++rejected_;
         rough_ |= ++in_vain >= 3;
-        if (h <= shortest) {
-          cross_jump(stepper, f, attempt, s, last ? end : s + h, h);
+        if (wanted <= shortest) {
+          cross_jump(stepper, f, attempt, s, next, h);
           break;
         }
       }

@@ -113,24 +113,26 @@ class MotionRecord {
   /// f(s, y), which before a break does not look behind it.
   struct Timed {
     const Rhs& rhs;
-    double t0, last;
+    double t0, coarse, last;
 
-    double time(double s) const { return std::min(t0 + s, last); }
+    /// Rounded as coarsely as the run asks: `coarse` takes the last digits with it, and gives none
+    /// of them back.
+    double time(double s) const { return std::min(t0 + s + coarse - coarse, last); }
     Numbers operator()(double s, const Numbers& y) const { return rhs(time(s), y); }
   };
   Timed timed(double s) const {
     const auto next = std::upper_bound(breaks_.begin(), breaks_.end() - 1, s);
     constexpr double never = std::numeric_limits<double>::infinity();
     const bool ends = next == breaks_.end() - 1;
-    return {rhs_, t0_ + late_, ends ? never : std::nextafter(t0_ + *next, -never)};
+    return {rhs_, t0_ + moments_.late, moments_.coarse,
+            ends ? never : std::nextafter(t0_ + *next, -never)};
   }
 
-  /// @param late by how much all times are late, to see what that does [s]
-  MotionRecord(const Rhs& rhs, double t0, double late, const Numbers& start, double span,
+  MotionRecord(const Rhs& rhs, double t0, const Moments& moments, const Numbers& start, double span,
                double tolerance, const std::vector<double>& breaks, bool stiff)
       : rhs_(rhs),
         t0_(t0),
-        late_(late),
+        moments_(moments),
         breaks_(breaks),
         stiff_(stiff),
         tolerance_{tolerance, rhs.least_squares(span)},
@@ -140,7 +142,8 @@ class MotionRecord {
   }
 
   Rhs rhs_;
-  double t0_, late_;
+  double t0_;
+  Moments moments_;
   std::vector<double> breaks_;  ///< the end is the last [s after t0]
   bool stiff_;
   MotionTolerance<Numbers> tolerance_;

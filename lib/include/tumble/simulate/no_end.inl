@@ -20,7 +20,7 @@ TUMBLE_BODY std::string why_so_many(std::size_t breaks, const StepBudget& budget
   if (steps < steps_a_break * static_cast<double>(breaks))
     why << "its forces begin, end or jump at " << breaks
         << " times, and each takes some steps; ask for a shorter time";
-  else if (s < roundings_a_step * rounding * budget.steps())
+  else if (budget.pace() < roundings_a_step * rounding)
     why << "doubles near this time lie " << rounding
         << " s apart, and forces that depend on the time jump as often; count the time from a "
            "moment near t0";

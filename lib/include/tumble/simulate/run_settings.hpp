@@ -3,9 +3,12 @@
 /// How a run under any forces goes from one end of the span to the other.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+#include "tumble/core/rounding.hpp"
 
 namespace tumble::detail {
 
@@ -14,6 +17,22 @@ inline constexpr double most_steps = 1e6;
 
 /// Whether a run's start and times are some roundings beside the given ones, and on which side.
 enum class Side { other = -1, none, one };
+
+/// How the moments at which a run asks the forces differ from the given ones, to see what their
+/// rounding does.
+struct Moments {
+  double late = 0;    ///< [s]
+  double coarse = 0;  ///< a number so large that a sum with it has the digits that are left [s]
+
+  /// @param t the latest in size [s]
+  static Moments beside(Side side, double t) {
+    if (side == Side::none) return {};
+    // Both sides round otherwise than the given moments do, and than each other.
+    const double digits = side == Side::one ? 0x1.8p54 : 0x1.8p53;
+    return {.late = static_cast<int>(side) * 4 * unit_roundoff * t,
+            .coarse = digits * (std::nextafter(t, 2 * t) - t)};
+  }
+};
 
 /// How a run goes from one end of the span to the other.
 struct RunSettings {

@@ -45,6 +45,15 @@ TEST_CASE_TEMPLATE("integrate_adaptive: backwards in time it comes back", Method
   CHECK(back.steps > 0);
 }
 
+TEST_CASE_TEMPLATE("integrate_adaptive: a late start costs no digits", Method, DormandPrince54,
+                   Dop853, Radau5) {
+  const test::Kepler<double> kepler;
+  const auto end = [&](double t0) {
+    return integrate_adaptive<Method>(kepler, kepler.start(), t0, t0 + 2.5, {1e-12, 1e-12}).y;
+  };
+  CHECK((end(0x1p27) - end(0)).norm() <= 1e-11);  // times lie 3e-8 s apart there
+}
+
 TEST_CASE_TEMPLATE("integrate_adaptive: no time, no step, not even an evaluation", Method,
                    DormandPrince54, Dop853, Radau5) {
   const test::Kepler<double> kepler;
