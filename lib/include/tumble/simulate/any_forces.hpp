@@ -4,9 +4,10 @@
 /// stated_error.hpp, and a witness.
 ///
 /// What acts for a short time only may lie between all moments at which a run looks at it. So no
-/// step is longer than a part of the span, or of a piece between breaks, another one for each of the
-/// two runs, and none is much longer than those of the run before; and between the moments of the better run a witness
-/// compares the forces with what the run thinks they are. What it finds is a break for new runs.
+/// step is longer than a part of the span, or of a piece between breaks, another one for each of
+/// the two runs, and none is much longer than those of the run before; and between the moments of
+/// the better run a witness compares the forces with what the run thinks they are. What it finds is
+/// a break for new runs.
 
 #include <algorithm>
 #include <cmath>
