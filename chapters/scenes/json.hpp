@@ -27,4 +27,21 @@ inline std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
+/// The members of an object that has some, without the lines of its braces.
+inline std::string members_text(const Json& object) {
+  const std::string text = json_text(object), opens = "{\n", closes = "\n}";
+  return text.substr(opens.size(), text.size() - opens.size() - closes.size());
+}
+
+/// A text as a part of another one, its lines so many columns to the right.
+inline std::string deeper(const std::string& text, std::size_t columns) {
+  const std::string margin(columns, ' ');
+  std::string moved = margin;
+  for (const char c : text) {
+    moved += c;
+    if (c == '\n') moved += margin;
+  }
+  return moved;
+}
+
 }  // namespace tumble::scenes

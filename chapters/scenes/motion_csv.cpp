@@ -17,8 +17,7 @@ void add(std::ostringstream& csv, const Vec3& v) {
 
 }  // namespace
 
-std::string states_csv(const Scene& scene, const Motions& motions) {
-  std::ostringstream csv;
+void write_states_csv(std::ostream& csv, const Scene& scene, const Motions& motions) {
   csv << "time,body," << output::csv_columns << '\n';
   for (const double t : record_times(scene, motions))
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -26,7 +25,6 @@ std::string states_csv(const Scene& scene, const Motions& motions) {
       detail::write_csv_numbers(csv, scene.bodies[i].body, motions.at(i, t));
       csv << '\n';
     }
-  return csv.str();
 }
 
 std::string impacts_csv(const Scene& scene, const Motions& motions) {

@@ -120,22 +120,26 @@ Json contact_json(const Scene& scene, const Motions& motions) {
                           : Json{{"can_touch", false}, {"impacts", Json::array()}};
 }
 
-Json scene_json(const Scene& scene, const Motions& motions, const std::string& file) {
-  Json json = {{"scene", file},
+void write_scene_json(std::ostream& out, const Scene& scene, const Motions& motions,
+                      const std::string& file) {
+  Json head = {{"scene", file},
                {"from", motions.start},
                {"to", motions.end},
                {"stopped", motions.stopped},
-               {"chosen_and_spent", Json::array()},
-               {"records", Json::array()}};
+               {"chosen_and_spent", Json::array()}};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    json["chosen_and_spent"].push_back(
+    head["chosen_and_spent"].push_back(
         motions.contacts ? flights_json(scene, motions, i)
                          : report_json(scene.bodies[i], motions.trajectories[i].report()));
-  for (const double t : record_times(scene, motions))
-    json["records"].push_back(record_json(scene, motions, t));
-  json["end"] = record_json(scene, motions, motions.end);
-  if (scene.contact) json.update(contact_json(scene, motions));
-  return json;
+  out << "{\n" << members_text(head) << ",\n  \"records\": [";
+  const char* separator = "\n";
+  for (const double t : record_times(scene, motions)) {
+    out << separator << deeper(json_text(record_json(scene, motions, t)), 4);
+    separator = ",\n";
+  }
+  Json tail = {{"end", record_json(scene, motions, motions.end)}};
+  if (scene.contact) tail.update(contact_json(scene, motions));
+  out << "\n  ],\n" << members_text(tail) << "\n}\n";
 }
 
 }  // namespace tumble::scenes

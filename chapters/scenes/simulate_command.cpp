@@ -22,7 +22,9 @@ void require_own_outputs(const SimulateCommand& command, const Scene& scene) {
 }
 
 void write_files(const SimulateCommand& command, const Scene& scene, const Motions& motions) {
-  if (!command.csv.empty()) support::write_text(command.csv, states_csv(scene, motions));
+  if (!command.csv.empty())
+    support::write_text(command.csv,
+                        [&](std::ostream& csv) { write_states_csv(csv, scene, motions); });
   if (!command.impacts.empty()) support::write_text(command.impacts, impacts_csv(scene, motions));
   if (!command.svg.empty())
     support::write_text(command.svg,
@@ -67,7 +69,7 @@ int run(const SimulateCommand& command) {
   const Motions motions = move(scene);
   write_files(command, scene, motions);
   if (command.json) {
-    std::cout << json_text(scene_json(scene, motions, command.file)) << '\n';
+    write_scene_json(std::cout, scene, motions, command.file);
   } else {
     print_motion(scene, motions);
     if (motions.contacts) print_contacts(scene, motions);

@@ -66,15 +66,19 @@ inline std::string draw_markers(const std::vector<Pixel>& points, const SeriesLo
          stroke_of(look.colour) + " stroke-width=\"1.4\"/>\n";
 }
 
+inline double length(const std::vector<std::vector<Pixel>>& curve) {
+  double sum = 0;
+  for (const std::vector<Pixel>& piece : curve)
+    for (std::size_t i = 1; i < piece.size(); ++i) sum += distance(piece[i - 1], piece[i]);
+  return sum;
+}
+
 /// A few places on a long curve. Each curve of a plot starts at another one, so that the markers of
 /// two curves that run together are side by side.
 /// @param phase which part of the way between two markers comes before the first
 inline std::vector<Pixel> places_along(const std::vector<std::vector<Pixel>>& curve, double phase) {
   constexpr double near = 110, most = 7;
-  double length = 0;
-  for (const std::vector<Pixel>& piece : curve)
-    for (std::size_t i = 1; i < piece.size(); ++i) length += distance(piece[i - 1], piece[i]);
-  const double spacing = std::max(near, length / most);
+  const double spacing = std::max(near, length(curve) / most);
   std::vector<Pixel> places;
   double next = phase * spacing, passed = 0;
   for (const std::vector<Pixel>& piece : curve)

@@ -7,17 +7,21 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "support/plot_label.hpp"
 
 namespace tumble::support::plot_detail {
 
-/// The points of a curve, so close to each other that no name fits between two.
+/// The points of a curve, so close to each other that no name fits between two. Of one that fills
+/// the frame, as it goes up and down hundreds of times, they are farther apart.
 inline std::vector<Pixel> dense(const Series& series, const Frame& frame) {
-  constexpr double close = 4;
+  constexpr double nearest = 4, most = 20'000;
+  const std::vector<std::vector<Pixel>> curve = pieces(series, frame);
+  const double close = std::max(nearest, length(curve) / most);
   std::vector<Pixel> points;
-  for (const std::vector<Pixel>& piece : pieces(series, frame))
+  for (const std::vector<Pixel>& piece : curve)
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const Pixel to = piece[i], from = i == 0 || series.look == Look::dots ? to : piece[i - 1];
       const int n = 1 + static_cast<int>(distance(from, to) / close);
@@ -49,21 +53,33 @@ class LabelPlacer {
   }
 
  private:
-  /// Moves a name to its best place.
+  /// A place for a name, and what it costs at least.
+  struct Candidate {
+    Label label;
+    std::size_t number;  ///< of two that cost as much, the first is taken
+    double price;
+  };
+
+  /// Moves a name to its best place. What seems cheap is tried first: most others need no look at
+  /// the curves.
   /// @return what that costs
   double place(std::size_t which, std::size_t known) {
-    Label best = labels_[which];
-    double least = std::numeric_limits<double>::infinity();
-    for (const Label& candidate : candidates(labels_[which].series)) {
-      const double of_names = cost_among_names(candidate, which, known);
-      if (of_names >= least) continue;
-      const double cost = of_names + cost_among_curves(candidate);
-      if (cost >= least) continue;
-      least = cost;
-      best = candidate;
+    std::vector<Candidate> list;
+    for (const Label& label : candidates(labels_[which].series))
+      list.push_back({label, list.size(), cost_by_itself(label)});
+    std::sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
+      return std::pair(a.price, a.number) < std::pair(b.price, b.number);
+    });
+    Candidate best{labels_[which], 0, std::numeric_limits<double>::infinity()};
+    for (Candidate& candidate : list) {
+      if (candidate.price > best.price) break;
+      add_cost_among_names(candidate, which, known, best.price);
+      add_cost_among_curves(candidate, best.price);
+      if (std::pair(candidate.price, candidate.number) < std::pair(best.price, best.number))
+        best = candidate;
     }
-    labels_[which] = best;
-    return least;
+    labels_[which] = best.label;
+    return best.price;
   }
 
   /// Around the curve's end, near and farther away, and in the margin. Dots without a line have no
@@ -109,33 +125,42 @@ class LabelPlacer {
            box.y + box.height > frame_.floor() - near;
   }
 
-  /// In pixels of leader, roughly: what it costs to be far away, outside or on other names.
-  double cost_among_names(const Label& label, std::size_t which, std::size_t known) const {
+  /// In pixels of leader, roughly: what it costs to be far away or outside.
+  double cost_by_itself(const Label& label) const {
     double cost = distance(label.anchor, label.box.nearest(label.anchor));
     if (label.has_leader()) cost += 8;
     if (!fits(label.box)) cost += 1e4;
     if (stands_on_axis(label.box)) cost += 200;
-    for (std::size_t i = 0; i < known; ++i) {
-      if (i == which) continue;
-      if (labels_[i].box.meets(label.box)) cost += 1e3;
-      cost += 200 * crossings(label, labels_[i]) + 200 * crossings(labels_[i], label);
-      if (are_swapped(label, labels_[i])) cost += 40;
-    }
     return cost;
   }
 
+  /// The same for being on other names.
+  /// @param enough at more than this the candidate is out, and we look no further
+  void add_cost_among_names(Candidate& candidate, std::size_t which, std::size_t known,
+                            double enough) const {
+    const Label& label = candidate.label;
+    for (std::size_t i = 0; i < known && candidate.price <= enough; ++i) {
+      if (i == which) continue;
+      if (labels_[i].box.meets(label.box)) candidate.price += 1e3;
+      candidate.price += 200 * crossings(label, labels_[i]) + 200 * crossings(labels_[i], label);
+      if (are_swapped(label, labels_[i])) candidate.price += 40;
+    }
+  }
+
   /// The same for standing on curves, and for a leader that runs across them.
-  double cost_among_curves(const Label& label) const {
+  void add_cost_among_curves(Candidate& candidate, double enough) const {
+    const Label& label = candidate.label;
     const std::vector<Pixel> leader =
         label.has_leader() ? leader_points(label) : std::vector<Pixel>{};
     double cost = 0;
     for (std::size_t s = 0; s < curves_.size(); ++s)
       for (const Pixel& p : curves_[s]) {
+        if (candidate.price + cost > enough) break;
         if (label.box.holds(p, half_width(plot_.series[s]))) cost += 35;
         for (const Pixel& q : leader)
           if (std::abs(p.x - q.x) + std::abs(p.y - q.y) < 4) cost += 8;
       }
-    return cost;
+    candidate.price += cost;
   }
 
   /// What a curve covers beside its points, its markers with it where each point has one.
@@ -146,7 +171,10 @@ class LabelPlacer {
 
   /// Whether the leader of one name runs through the other.
   static double crossings(const Label& from, const Label& through) {
-    if (!from.has_leader()) return 0;
+    const Pixel a = from.anchor, b = from.box.nearest(a);
+    const Box around{std::min(a.x, b.x), std::min(a.y, b.y), std::abs(a.x - b.x),
+                     std::abs(a.y - b.y)};
+    if (!around.meets(through.box) || !from.has_leader()) return 0;
     for (const Pixel& p : leader_points(from))
       if (through.box.holds(p)) return 1;
     return 0;
