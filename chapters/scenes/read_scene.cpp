@@ -9,6 +9,7 @@
 #include "scenes/read_springs.hpp"
 #include "support/parsed_json.hpp"
 #include "support/text_file.hpp"
+#include "tumble/core/time_span.hpp"
 
 namespace tumble::scenes {
 namespace {
@@ -59,8 +60,9 @@ void read_times(const Place& root, Scene& scene) {
   const double duration = root["duration"].number();
   require(duration >= 0, root.name(), ".duration is ", duration, ", less than 0");
   scene.task.t1 = scene.task.t0 + duration;
-  require(duration == 0 || scene.task.t1 > scene.task.t0, root.name(), ".duration is ", duration,
-          " s: too short for times from ", scene.task.t0, " s on, which have 16 digits");
+  require(duration == 0 || (scene.task.t1 > scene.task.t0 && detail::is_time(duration)),
+          root.name(), ".duration is ", duration, " s: too short for times from ", scene.task.t0,
+          " s on, which have 16 digits");
   scene.task.tolerance = root.has("tolerance") ? root["tolerance"].positive_number() : 1e-9;
   scene.every = root.number_or("record_every", duration / 100);
   constexpr double most = 1e7;

@@ -33,9 +33,10 @@ using DefaultMethod =
 /// @param forces each a Weight, BodyDrag or ForceAtBodyPoint for all bodies, a PerBody of such
 ///               forces, or a PackForce
 /// @return the bodies that left the finite numbers; all the others are where they should be
-/// @throws std::invalid_argument if the step, the time or a force is not finite, a drag or the
-///         number of steps is negative, that of threads not positive, the processor does not have
-///         the instructions, or there are not as many forces as bodies
+/// @throws std::invalid_argument if the step, the time or a force is not finite, the step not 0 and
+///         below 1e-150 s, a drag or the number of steps is negative, that of
+///         threads not positive, the processor does not have the instructions, or there are not as
+///         many forces as bodies
 template <class Method = void, class... Forces>
 [[nodiscard]] LostBodies advance(Ensemble& bodies, const FixedSteps& steps,
                                  const Forces&... forces) {

@@ -38,6 +38,9 @@ void require_valid_steps([[maybe_unused]] std::size_t bodies, const FixedSteps& 
                          const Forces&... forces) {
   require(std::isfinite(steps.h) && std::isfinite(steps.t0), "advance: the step is ", steps.h,
           " s and the time ", steps.t0, " s, but both must be finite");
+  constexpr double shortest = 1e-150;  // of which h² is a double
+  require(steps.h == 0 || std::abs(steps.h) >= shortest, "advance: the step is ", steps.h,
+          " s. It must be 0, or at least ", shortest, " s long: the square of a shorter one is 0");
   require(steps.count >= 0, "advance: the number of steps is ", steps.count, ", less than 0");
   require(steps.loop.threads >= 1, "advance: the number of threads is ", steps.loop.threads,
           ", not positive");

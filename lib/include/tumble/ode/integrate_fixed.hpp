@@ -32,7 +32,8 @@ namespace tumble {
 /// The state at t1, after `steps` steps of size h = (t1 − t0) / steps.
 /// @param f       right-hand side of y' = f(t, y)
 /// @param observe called as observe(t, y) after each step
-/// @throws std::invalid_argument if steps < 1 or y0, t0 or t1 is not finite
+/// @throws std::invalid_argument if steps < 1, y0, t0, t1 or t1 − t0 is not finite, or h is not 0
+///         and below 2e-308
 template <class Method, OdeState State, OdeRhs<State> F,
           runge_kutta::OdeObserver<State> Observer = detail::IgnoreSteps>
 State integrate_fixed(F&& f, const State& y0, ScalarOf<State> t0, ScalarOf<State> t1, int steps,
@@ -44,10 +45,12 @@ State integrate_fixed(F&& f, const State& y0, ScalarOf<State> t0, ScalarOf<State
   detail::require_finite("integrate_fixed", y0, t0, t1);
 
   const Scalar h = (t1 - t0) / static_cast<Scalar>(steps);
+  require(detail::is_time(h), "integrate_fixed: ", steps, " steps from t0 = ", t0, " to t1 = ", t1,
+          " are of h = ", h, " each, which has no digits: take fewer");
   const auto time = [&](int i) { return i == steps ? t1 : t0 + static_cast<Scalar>(i) * h; };
   State y = y0;
   for (int i = 0; i < steps; ++i) {
-    y = Method::step(f, time(i), y, h);
+    if (h != Scalar(0)) y = Method::step(f, time(i), y, h);  // implicit methods divide by it
     observe(time(i + 1), y);
   }
   return y;

@@ -10,6 +10,7 @@
 #include <concepts>
 
 #include "tumble/core/require.hpp"
+#include "tumble/core/time_span.hpp"
 #include "tumble/core/types.hpp"
 
 namespace tumble {
@@ -58,12 +59,14 @@ namespace tumble::detail {
 
 /// Refuses a start or a span of time that is no number.
 /// @param who the function that asks, for the message
-/// @throws std::invalid_argument if y0, t0 or t1 is not finite
+/// @throws std::invalid_argument if y0, t0, t1 or t1 − t0 is not finite, or that is below 2e-308
 template <OdeState State>
 void require_finite(const char* who, const State& y0, ScalarOf<State> t0, ScalarOf<State> t1) {
   using std::isfinite;  // a dual number brings its own
   require(isfinite(t0) && isfinite(t1), who, ": from t0 = ", t0, " to t1 = ", t1,
           " is not a finite span");
+  require(is_time(t1 - t0), who, ": t1 − t0 = ", t1 - t0, " from t0 = ", t0, " to t1 = ", t1,
+          " is a span that doubles have no digits for");
   require(y0.allFinite(), who, ": y0 = (", y0.transpose(), ") is not finite");
 }
 

@@ -81,6 +81,9 @@ TEST_CASE("advance: refuses what makes no sense, with words") {
   };
   CHECK_REFUSED(go({NAN, 1}), "step", "nan");
   CHECK_REFUSED(go({INFINITY, 1}), "step", "inf");
+  for (const double h : {1e-320, -1e-320, 5e-324, 1e-151})
+    CHECK_REFUSED(go({h, 3}, BodyDrag{1, 1}), "step is", "at least 1e-150 s");
+  CHECK(go({-1e-150, 3}, BodyDrag{1, 1}, ForceAtBodyPoint{Vec3(1, 2, 3), Vec3(1, 0, 0)}) == 0);
   CHECK_REFUSED(go({0.1, 1, NAN}), "time", "nan");
   CHECK_REFUSED(go({0.1, -1}), "steps", "-1");
   CHECK_REFUSED(go({0.1, 1, 0, {0}}), "threads", "0");

@@ -34,6 +34,8 @@ TEST_CASE("integrate_adaptive: refuses a start, a time or a tolerance that is no
   CHECK(contains(run(INFINITY, 0, 1, {}), "y0 = (inf)"));
   CHECK(contains(run(1, nan, 1, {}), "t0 = nan"));
   CHECK(contains(run(1, 0, -INFINITY, {}), "t1 = -inf"));
+  CHECK(contains(run(1, -1e308, 1e308, {}), "t1 − t0 = inf"));
+  CHECK(contains(run(1, 0, -1e-320, {}), "no digits"));
   CHECK(contains(run(1, 0, 1, {0, 1e-9}), "relative = 0"));
   CHECK(contains(run(1, 0, 1, {1e-6, -1}), "absolute = -1"));
 }

@@ -60,4 +60,15 @@ TEST_CASE("integrate_fixed: refuses what is no integration") {
   CHECK(contains(run(y0, 0, INFINITY, 1), "t1 = inf"));
   CHECK(contains(run(Vec3(1, nan, 3), 0, 1, 1), "y0 = (  1 nan   3)"));
   CHECK(run(y0, 0, 0, 1) == "");
+  CHECK(contains(run(y0, -1e308, 1e308, 10), "t1 − t0 = inf"));
+  CHECK(contains(run(y0, 0, 1e-320, 1), "no digits"));
+  CHECK(contains(run(y0, 0, 1e-300, 1'000'000'000), "take fewer"));
+}
+
+TEST_CASE("integrate_fixed: no time is no step, with implicit methods too") {
+  const auto f = [](double, const Vec3& y) -> Vec3 { return -y; };
+  const Vec3 y0(1, 2, 3);
+  CHECK(integrate_fixed<Radau5>(f, y0, 1, 1, 3) == y0);
+  CHECK(integrate_fixed<runge_kutta::BackwardEuler>(f, y0, 1, 1, 3) == y0);
+  CHECK(integrate_fixed<Rk4>(f, y0, 1, 1, 3) == y0);
 }
