@@ -93,6 +93,26 @@ std::optional<Look> beyond_zero(const Value& value, std::array<Look, 3> looks) {
   return {};
 }
 
+/// Moments soon after a start, each twice as far from it, up to `first`. Where the function is 0
+/// but for rounding, as when an event has just been, these show what leaves 0 and is back before
+/// `first`. They begin where the function has grown a few times in turn: that is no rounding.
+template <class Value>
+std::vector<double> soon_after(const Look& start, double first, const Value& value) {
+  constexpr int middle = 20, halvings = 30, enough = 4;
+  const auto moment = [&](int k) { return start.t + std::ldexp(first - start.t, -k); };
+  std::vector<double> moments;
+  if (start.g != 0 && std::signbit(value(moment(middle))) == std::signbit(start.g)) return moments;
+  double before = start.g;
+  int growing = 0;
+  for (int k = halvings; k > 0; --k) {
+    const double now = value(moment(k)), growth = now / before;
+    if (growing < enough) growing = growth > 1.5 && growth < 5 ? growing + 1 : 0;
+    if (growing == enough) moments.push_back(moment(k));
+    before = now;
+  }
+  return moments;
+}
+
 /// Shows `visit` each event, in turn, until it has seen enough.
 /// @param visit visit(event, whether g falls) → whether to look for more
 template <class State, class G, class Visit>
@@ -110,22 +130,29 @@ void visit_events(const TrajectoryOf<State>& trajectory, const G& g, const Visit
   std::array<Look, 3> looks{};  // the last ones
   looks[2] = {times.front(), value(times.front())};
   int at_one_side = 1;  // how many of them
+  const auto goes_on_after = [&](double t) {
+    looks = {looks[1], looks[2], Look{t, value(t)}};
+    const auto& [a, b, c] = looks;
+    const bool changed = changes(b, c);
+    if (changed && !goes_on(b, c)) return false;
+    at_one_side = changed || b.g == 0 ? 1 : at_one_side + 1;
+    if (at_one_side < 3) return true;
+    if (const std::optional<Look> there = beyond_zero(value, looks)) {
+      const bool before_b = std::abs(there->t - a.t) < std::abs(b.t - a.t);
+      const Look &from = before_b ? a : b, &to = before_b ? b : c;
+      if (!goes_on(from, *there) || (changes(*there, to) && !goes_on(*there, to))) return false;
+      at_one_side = 1;  // or the next three looks would find it once more
+    }
+    return true;
+  };
   for (std::size_t i = 1; i < times.size(); ++i)
     for (int part = 1; part <= parts; ++part) {
       const double t =
           part == parts ? times[i] : times[i - 1] + part * (times[i] - times[i - 1]) / parts;
-      looks = {looks[1], looks[2], Look{t, value(t)}};
-      const auto& [a, b, c] = looks;
-      const bool changed = changes(b, c);
-      if (changed && !goes_on(b, c)) return;
-      at_one_side = changed || b.g == 0 ? 1 : at_one_side + 1;
-      if (at_one_side < 3) continue;
-      if (const std::optional<Look> there = beyond_zero(value, looks)) {
-        const bool before_b = std::abs(there->t - a.t) < std::abs(b.t - a.t);
-        const Look &from = before_b ? a : b, &to = before_b ? b : c;
-        if (!goes_on(from, *there) || (changes(*there, to) && !goes_on(*there, to))) return;
-        at_one_side = 1;  // or the next three looks would find it once more
-      }
+      if (i == 1 && part == 1)
+        for (const double soon : soon_after(looks[2], t, value))
+          if (!goes_on_after(soon)) return;
+      if (!goes_on_after(t)) return;
     }
 }
 

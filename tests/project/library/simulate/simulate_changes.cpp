@@ -57,6 +57,30 @@ TEST_CASE("simulate_changes: events that come to no end are an error, and may en
   CHECK_THROWS_AS(motion.trajectory.at(4), std::invalid_argument);
 }
 
+TEST_CASE("simulate_changes: of bodies whose events follow each other closely none is missed") {
+  // Each falls from its own height, and is turned back at the floor; the second a little later than
+  // the first, sooner than one looks again.
+  const std::vector<RigidBody<>> balls(2, dropped_ball);
+  const auto lowest = [](double, const std::vector<RigidBodyState<>>& all) {
+    return std::min(all[0].x.z(), all[1].x.z());
+  };
+  const auto turn_lowest_back = [](double, std::vector<RigidBodyState<>> all) {
+    RigidBodyState<>& lowest = all[0].x.z() < all[1].x.z() ? all[0] : all[1];
+    lowest.P.z() = std::abs(lowest.P.z());
+    return all;
+  };
+  for (const double later : {1e-2, 1e-4, 1e-6}) {
+    CAPTURE(later);
+    const double fall = 1 + later;
+    const auto motion = simulate_changes(
+        balls, {{Vec3(0, 0, gravity / 2)}, {Vec3(1, 0, gravity / 2 * fall * fall)}}, {0, 2.5, 1e-9},
+        lowest, turn_lowest_back, Weight{});
+    REQUIRE(motion.events.size() == 2);
+    CHECK(std::abs(motion.events[1].t - fall) < 1e-14);
+    CHECK(motion.trajectory.end()[1].x.z() > 0);
+  }
+}
+
 TEST_CASE("simulate_changes: a fall counts where rounding gives 0 some times in turn") {
   // Just before some landings the height is 0, or below it, at the double before, too.
   const ForceAtBodyPoint push{Vec3(-0.4, -0.2, 0.3), Vec3(0.04, 0.2, -0.3)};
