@@ -21,7 +21,7 @@ namespace {
 
 Trajectory motion_of(const SceneBody& body, const SimulationTask& task) {
   const auto simulated = [&](const auto&... forces) {
-    return body.held ? simulate(*body.held, body.start, task, forces...)
+    return body.held ? detail::simulate_turning(*body.held, body.start, task, forces...)
                      : simulate(body.body, body.start, task, forces...);
   };
   if (body.springs.empty()) return simulated(body.steady);
@@ -52,7 +52,7 @@ class SameMotion final : public detail::AnyTrajectory<RigidBodyState<>> {
 double rounding_of_start(const SceneBody& body, double span) {
   constexpr double roundings = 8;
   const RigidBody<>& turning = body.held ? body.held->about_point() : body.body;
-  const RigidBodyState<> start = body.held ? body.held->turning_of(body.start) : body.start;
+  const RigidBodyState<>& start = body.start;
   const Mat3& I = turning.I_body();
   if (start.L.isZero(0) || (start.q.vec().isZero(0) && I.isDiagonal(0))) return 0;
   const double fastest = start.L.norm() / principal_axes(I).moments.minCoeff();

@@ -105,8 +105,7 @@ void add_force(const Place& force, const Vec3& centre, SceneBody& body) {
   }
 }
 
-/// Where the body starts and how it moves. Of a held body, `position` is that of the point that
-/// stays.
+/// Where the body starts and how it moves; how it turns about its point, if that is held.
 RigidBodyState<> start_of(const Place& place, const RigidBody<>& body,
                           const std::optional<HeldBody>& held) {
   const Vec3 position = place.vector_or("position", Vec3::Zero());
@@ -117,7 +116,7 @@ RigidBodyState<> start_of(const Place& place, const RigidBody<>& body,
                                    omega);
   require(!place.has("velocity"), place.name(),
           " is held at a point, so its velocity follows from omega: leave the velocity out");
-  return held->state(position, q, omega);
+  return held->turning(position, q, omega);
 }
 
 /// With contact all flights are closed forms, under gravity alone.

@@ -26,7 +26,7 @@ struct SceneBody {
   std::string name;
   RigidBody<> body;
   Vec3 centre;  ///< of mass, where points of the file are counted from the shape's origin [m]
-  RigidBodyState<> start;
+  RigidBodyState<> start;  ///< of a held body: its turning about the point
   SteadyForces steady;
   std::vector<SpringToWorld> springs;
   std::optional<HeldBody> held = {};    ///< if a point of it stays where it is

@@ -46,7 +46,14 @@ class HeldBody {
             angular_momentum(body_, R, omega)};
   }
 
-  /// The same motion as a turning about the point: x is the point's place, P is 0.
+  /// The same motion as a turning about the point: x is the point's place, P is 0, L is about it.
+  /// Of a slim body it keeps digits of ω that L about the centre of mass has no room for.
+  RigidBodyState<> turning(const Vec3& point, const Quat& q, const Vec3& omega) const {
+    const Mat3 R = to_matrix(detail::of_moderate_length(q));
+    return {point, q, Vec3::Zero(), angular_momentum(about_point_, R, omega)};
+  }
+
+  /// The turning that a state of the centre of mass is.
   /// @throws std::invalid_argument if the point moves
   RigidBodyState<> turning_of(const RigidBodyState<>& state) const {
     const Quat q = detail::of_moderate_length(state.q);

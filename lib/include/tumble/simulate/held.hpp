@@ -63,6 +63,30 @@ Trajectory held_trajectory(const HeldBody& held, const Turn& turn, double tolera
           report};
 }
 
+/// The motion of a held body from its turning about the point.
+/// @param from as HeldBody::turning() gives it
+template <BodyForce<double>... Forces>
+Trajectory simulate_turning(const HeldBody& held, const RigidBodyState<>& from, SimulationTask task,
+                            const Forces&... forces) {
+  (require_valid_force(forces), ...);
+  task.wanted = Wanted::trajectory;  // the path of the centre follows from the turning
+  const auto turned_by = [&](const auto&... torques) {
+    const auto turn = [&](double tolerance) {
+      SimulationTask finer = task;
+      finer.tolerance = tolerance;
+      return simulate(held.about_point(), from, finer, torques...);
+    };
+    return held_trajectory(held, turn, task.tolerance);
+  };
+  if constexpr ((SteadyForce<Forces> && ...)) {
+    const SteadyForces steady = steady_forces(held.body(), forces...);
+    if (steady.linear_drag == 0) return turned_by(about_point(held, steady));
+    return turned_by(TorqueAboutPoint<SteadyForces>{held, steady});
+  } else {
+    return turned_by(TorqueAboutPoint<Forces>{held, forces}...);
+  }
+}
+
 }  // namespace detail
 
 /// The motion of a held body. A symmetric top that is held on its axis has a closed form under its
@@ -74,26 +98,10 @@ Trajectory held_trajectory(const HeldBody& held, const Turn& turn, double tolera
 ///         simulate() of a free body measures it, with the body's size about the point
 /// @throws as simulate() of a free body, and std::invalid_argument if the held point moves
 template <BodyForce<double>... Forces>
-Trajectory simulate(const HeldBody& held, const RigidBodyState<>& start, SimulationTask task,
+Trajectory simulate(const HeldBody& held, const RigidBodyState<>& start, const SimulationTask& task,
                     const Forces&... forces) {
-  (detail::require_valid_force(forces), ...);
-  task.wanted = Wanted::trajectory;  // the path of the centre follows from the turning
-  const RigidBodyState<> from = held.turning_of(detail::valid_start(start));
-  const auto turned_by = [&](const auto&... torques) {
-    const auto turn = [&](double tolerance) {
-      SimulationTask finer = task;
-      finer.tolerance = tolerance;
-      return simulate(held.about_point(), from, finer, torques...);
-    };
-    return detail::held_trajectory(held, turn, task.tolerance);
-  };
-  if constexpr ((detail::SteadyForce<Forces> && ...)) {
-    const SteadyForces steady = detail::steady_forces(held.body(), forces...);
-    if (steady.linear_drag == 0) return turned_by(detail::about_point(held, steady));
-    return turned_by(detail::TorqueAboutPoint<SteadyForces>{held, steady});
-  } else {
-    return turned_by(detail::TorqueAboutPoint<Forces>{held, forces}...);
-  }
+  return detail::simulate_turning(held, held.turning_of(detail::valid_start(start)), task,
+                                  forces...);
 }
 
 /// @}

@@ -190,6 +190,33 @@ TEST_CASE("simulate: a held body turns about its point, which stays") {
                  "velocity"));
 }
 
+TEST_CASE(
+    "simulate: a slim held body has all digits of its omega, and its error is the stated one") {
+  // L about the centre of a needle has no room for what turns it about itself; L about a point
+  // beside its axis has.
+  const json drag = {{"linear", 0.0023666899564547127}, {"angular", 0.09346521273186395}};
+  const json push = {{"newton", {0.017107462333398143, -0.0527288593987771, 0.06173237711110883}},
+                     {"at", {-6.570796343083296, -2.0068341040543653, -3.2797127578646967}}};
+  json needle = {{"mass", 0.025333208200476787}};
+  needle["inertia"] = {2.4910548260282663e-06, 0.2491054826028266, 0.24910779169934258};
+  needle["held_at"] = {-0.10259419690104904, 0.27833226207664585, 1.338057815192881};
+  needle["orientation"] = {0.6671015550856864, -0.5952965416336332, 0.2699366254248145,
+                           0.36459458102973363};
+  needle["omega"] = {7.854269673319896, -30.770337655318748, 51.692044416356474};
+  needle["forces"] = {{{"drag", drag}}, {{"force", push}}};
+  json scene = {{"duration", 1.5}, {"tolerance", 1e-11}};
+  scene["gravity"] = {-7.454982199014583, 0.4875577039003415, 2.6404144755486665};
+  scene["bodies"].push_back(needle);
+  const json result = simulated(scene);
+  // From an extrapolated midpoint rule with 19 digits.
+  const Eigen::Quaterniond truth(0.008077653914327819, -0.8294036020556512, -0.540079688247538,
+                                 -0.14261257569651226);
+  const auto q = result["end"]["bodies"][0]["orientation"].get<std::array<double, 4>>();
+  const Eigen::Quaterniond error = truth.conjugate() * Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+  const double stated = result["chosen_and_spent"][0]["error_estimate"];
+  CHECK(2 * error.vec().norm() <= 3 * stated);
+}
+
 TEST_CASE("simulate: a name with a comma or a quote stays one field of the CSV") {
   json scene = thrown_ball();
   scene["bodies"][0]["name"] = "a,\"b\"";
