@@ -6,6 +6,7 @@
 
 #include "scenes/contact_motion.hpp"
 #include "scenes/contact_scene.hpp"
+#include "scenes/fastest_force.hpp"
 #include "scenes/joined_motion.hpp"
 #include "support/printable.hpp"
 #include "tumble/body/derived.hpp"
@@ -74,26 +75,30 @@ Trajectory with_rounded_start(const Trajectory& motion, double rounding) {
 
 /// What `f()` gives. What the library says names a body here, and its advice is one that a scene
 /// can follow.
+/// @param fastest fastest() → which force is too fast, if one is
 /// @throws std::runtime_error that begins with `who`
-template <class F>
-auto in_words_of_scenes(const std::string& who, F&& f) -> decltype(f()) {
+template <class Fastest, class F>
+auto in_words_of_scenes(const std::string& who, const Fastest& fastest, F&& f) -> decltype(f()) {
   try {
     return f();
-  } catch (const detail::TooManySteps&) {
+  } catch (const std::exception& error) {
+    const std::string force = fastest();
+    if (!force.empty()) throw std::runtime_error(who + ": " + force);
+    if (dynamic_cast<const detail::TooManySteps*>(&error) == nullptr)
+      throw std::runtime_error(who + ": " + error.what());
     throw std::runtime_error(
         who +
         ": to follow this motion to the end takes too many steps. It turns or swings too often in "
         "that time, or a strong drag stops it almost at once. Give a shorter duration, or make "
         "what is so fast or so strong weaker");
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(who + ": " + error.what());
   }
 }
 
 Trajectory named_motion_of(const SceneBody& body, const SimulationTask& task) {
-  Trajectory motion = in_words_of_scenes(support::escaped(body.name), [&] {
-    return with_rounded_start(motion_of(body, task), rounding_of_start(body, task.t1 - task.t0));
-  });
+  const double duration = task.t1 - task.t0;
+  Trajectory motion = in_words_of_scenes(
+      support::escaped(body.name), [&] { return fastest_force(body, duration); },
+      [&] { return with_rounded_start(motion_of(body, task), rounding_of_start(body, duration)); });
   if (task.t1 != task.t0) return motion;
   SimulationReport report = motion.report();
   report.method = "none: the duration is 0";  // a scene file has no t0 and no t1
@@ -104,7 +109,8 @@ Motions move_each(const Scene& scene) {
   Motions motions{.start = scene.task.t0, .end = scene.task.t1};
   const std::vector<std::size_t> joined = joined_bodies(scene);
   const std::vector<Trajectory> together = in_words_of_scenes(
-      "the bodies that springs join", [&] { return move_joined(scene, joined); });
+      "the bodies that springs join", [&] { return fastest_joined_force(scene); },
+      [&] { return move_joined(scene, joined); });
   std::size_t next = 0;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const bool is_joined = next < joined.size() && joined[next] == i;

@@ -83,6 +83,7 @@ Trajectory simulate_turning(const HeldBody& held, const RigidBodyState<>& from, 
     if (steady.linear_drag == 0) return turned_by(about_point(held, steady));
     return turned_by(TorqueAboutPoint<SteadyForces>{held, steady});
   } else {
+    (require_followable(forces, held, std::abs(task.t1 - task.t0)), ...);
     return turned_by(TorqueAboutPoint<Forces>{held, forces}...);
   }
 }

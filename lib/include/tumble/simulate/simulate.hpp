@@ -14,6 +14,7 @@
 /// The last two run twice and more, until the error over the whole span is what was asked for, see
 /// stated_error.hpp.
 
+#include "tumble/body/force_pace.hpp"
 #include "tumble/body/forces.hpp"
 #include "tumble/simulate/any_forces.hpp"
 #include "tumble/simulate/backwards.hpp"
@@ -50,6 +51,7 @@ Trajectory forwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& 
     return steady_trajectory(body, from, film ? backwards(sum) : sum, task);
   } else {
     using Rhs = RigidBodyRhs<double, FilmedForce<Forces>...>;
+    (require_followable(forces, body, task.t1 - task.t0), ...);
     const Rhs rhs(body, FilmedForce<Forces>{forces, film}...);
     const ScaledRhs scaled(rhs, from, task.t0, task.t1 - task.t0);
     return AnyForces(scaled, from, task).trajectory();
@@ -68,7 +70,8 @@ Trajectory forwards_trajectory(const RigidBody<>& body, const RigidBodyState<>& 
 ///         of a body that forces hold at rest, nothing moves but what they are rounded to. If a
 ///         motion is smaller than that, error_of_small_motion says what error it has itself
 /// @throws std::invalid_argument if a number is not finite, the quaternion zero or the tolerance
-///         not positive, or if a force refuses what it was made of
+///         not positive, if a force refuses what it was made of, or if a spring or drag is so
+///         strong that its motion could never be followed to t1
 /// @throws std::runtime_error if the motion cannot be followed to t1: a force that is not finite, a
 ///         singularity, growth beyond all bounds, more turns than there is time for, which it says
 ///         at once; or if t0 is so large that its rounding hides how forces depend on the time

@@ -63,6 +63,11 @@ SceneTrajectory joined_trajectory(const std::vector<RigidBody<>>& bodies,
                                   const std::vector<RigidBodyState<>>& from,
                                   const SimulationTask& task, bool film, const Forces&... forces) {
   using Rhs = SceneRhs<double, FilmedForce<Forces>...>;
+  const auto require_followable_by = [&](const auto& force) {
+    require_followable(force, std::span<const RigidBody<>>(bodies), task.t1 - task.t0);
+    for (const RigidBody<>& body : bodies) require_followable(force, body, task.t1 - task.t0);
+  };
+  (require_followable_by(forces), ...);
   const Rhs rhs(bodies, FilmedForce<Forces>{forces, film}...);
   const ScaledSceneRhs scaled(rhs, from, task.t0, task.t1 - task.t0);
   return AnyForces(scaled, from, task).trajectory();

@@ -146,6 +146,8 @@ TEST_CASE("simulate: starts at any time, and no time at all is the start") {
 TEST_CASE("simulate: refuses what it cannot do, and says what") {
   CHECK_REFUSED(simulate(full, moving(), {0, INFINITY, 1e-6}), "t0 = 0", "t1 = inf");
   CHECK_REFUSED(simulate(full, moving(), {0, NAN, 1e-6}), "nan");
+  CHECK_REFUSED(simulate(full, moving(), {-1e308, 1e308, 1e-6}), "inf s");
+  CHECK_REFUSED(simulate(full, moving(), {0, 1e-320, 1e-6}), "no digits");
   CHECK_REFUSED(simulate(full, moving(), {0, 1, 0}), "tolerance", "0");
   RigidBodyState<> bad = moving();
   bad.x[1] = INFINITY;
@@ -154,6 +156,12 @@ TEST_CASE("simulate: refuses what it cannot do, and says what") {
   bad.q = Quat(0, 0, 0, 0);
   CHECK_REFUSED(simulate(full, bad, {0, 1, 1e-6}), "quaternion");
   CHECK_REFUSED(simulate(full, moving(), {0, 1, 1e-6}, BodyDrag{-1, 0}), "drag", "-1");
+  CHECK_REFUSED(
+      simulate(full, moving(), {0, 1, 1e-6}, SpringToWorld{Vec3(0, 0, 0), Vec3(1, 2, 3), 1e60, 1}),
+      "the stiffness 1e+60 N/m", "for 1 s", "N/m at most");
+  CHECK_REFUSED(simulate(full, moving(), {0, 1, 1e-6},
+                         SpringToWorld{Vec3(0, 0, 0), Vec3(1, 2, 3), 1, 1, 1e60}),
+                "the damping 1e+60 N s/m");
   const auto poison = [](double, const RigidBody<>&, const Derived<>&) -> Wrench<> {
     return {Vec3::Constant(NAN), Vec3::Zero()};
   };

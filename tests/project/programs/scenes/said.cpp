@@ -189,6 +189,29 @@ TEST_CASE("simulate: advice is such that a scene can follow it") {
   write("wild.json", wild.dump());
   const CommandResult result = scenes("simulate wild.json");
   CHECK(result.status == 2);
-  CHECK(mentions(result.output, "body 1: to follow this motion", "Give a shorter duration"));
+  CHECK(mentions(result.output, "body 1: the angular drag 1e+09 kg m²/s", "give about 1e+04"));
   CHECK_FALSE(mentions(result.output, "by series"));
+}
+
+TEST_CASE("simulate: a force too strong to be followed is named, with one that is not") {
+  const auto said = [](const json& forces) {
+    json scene = spinning({1, 2, 3});
+    scene["bodies"][0]["forces"] = forces;
+    return refusal(scene);
+  };
+  json spring = {{"at", {0, 0, 1}}, {"anchor", {0, 0, 3}}, {"stiffness", 1e60}};
+  CHECK(mentions(said({{{"spring", spring}}}), "body 1: the stiffness 1e+60 N/m", "within",
+                 "give about 1e+09 N/m"));
+  spring["stiffness"] = 1;
+  spring["damping"] = 1e60;
+  CHECK(mentions(said({{{"spring", spring}}}), "body 1: the damping 1e+60 N s/m"));
+  const json push = {{"newton", {0, 1e60, 0}}, {"at", {0, 0, 1}}};
+  CHECK(mentions(said({{{"force", push}}}), "body 1: the force 1e+60 N"));
+  CHECK(mentions(said({{{"force", push}}, {{"spring", spring}}}), "body 1: the damping 1e+60"));
+  json two = spinning({1, 2, 3});
+  two["bodies"].push_back(two["bodies"][0]);
+  two["bodies"][1]["position"] = {1, 0, 0};
+  two["springs"] = {
+      {{"from", {{"body", "body 1"}}}, {"to", {{"body", "body 2"}}}, {"stiffness", 1e60}}};
+  CHECK(mentions(refusal(two), "the bodies that springs join: the stiffness 1e+60 N/m"));
 }
