@@ -15,7 +15,7 @@
 #include "tumble/simulate/growth_of_errors.hpp"
 #include "tumble/simulate/held.hpp"
 #include "tumble/simulate/held_error.hpp"
-#include "tumble/simulate/late_moments.hpp"
+#include "tumble/simulate/late_times.hpp"
 #include "tumble/simulate/motion_difference.hpp"
 #include "tumble/simulate/motion_record.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"

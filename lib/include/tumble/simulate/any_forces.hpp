@@ -16,7 +16,7 @@
 #include "tumble/simulate/computed_trajectory.hpp"
 #include "tumble/simulate/general_trajectory.hpp"
 #include "tumble/simulate/growth_of_errors.hpp"
-#include "tumble/simulate/late_moments.hpp"
+#include "tumble/simulate/late_times.hpp"
 #include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"

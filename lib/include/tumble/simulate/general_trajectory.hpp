@@ -32,7 +32,8 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   /// @throws std::runtime_error if a force is not finite, or no step is short enough
   GeneralTrajectory(const Rhs& rhs, const State& start, double t0, double span,
                     const RunSettings& settings)
-      : Record(rhs, t0, Moments::beside(settings.side, std::max(std::abs(t0), std::abs(t0 + span))),
+      : Record(rhs, t0,
+               AskedTimes::beside(settings.side, std::max(std::abs(t0), std::abs(t0 + span))),
                rhs.numbers(settings.side != Side::none ? beside(start, shift(settings)) : start),
                span, settings.tolerance, settings.breaks, settings.stiff),
         settings_(settings),

@@ -124,15 +124,15 @@ class MotionRecord {
     const auto next = std::upper_bound(breaks_.begin(), breaks_.end() - 1, s);
     constexpr double never = std::numeric_limits<double>::infinity();
     const bool ends = next == breaks_.end() - 1;
-    return {rhs_, t0_ + moments_.late, moments_.coarse,
+    return {rhs_, t0_ + asked_.late, asked_.coarse,
             ends ? never : std::nextafter(t0_ + *next, -never)};
   }
 
-  MotionRecord(const Rhs& rhs, double t0, const Moments& moments, const Numbers& start, double span,
-               double tolerance, const std::vector<double>& breaks, bool stiff)
+  MotionRecord(const Rhs& rhs, double t0, const AskedTimes& asked, const Numbers& start,
+               double span, double tolerance, const std::vector<double>& breaks, bool stiff)
       : rhs_(rhs),
         t0_(t0),
-        moments_(moments),
+        asked_(asked),
         breaks_(breaks),
         stiff_(stiff),
         tolerance_{tolerance, rhs.least_squares(span)},
@@ -143,7 +143,7 @@ class MotionRecord {
 
   Rhs rhs_;
   double t0_;
-  Moments moments_;
+  AskedTimes asked_;
   std::vector<double> breaks_;  ///< the end is the last [s after t0]
   bool stiff_;
   MotionTolerance<Numbers> tolerance_;

@@ -18,14 +18,14 @@ inline constexpr double most_steps = 1e6;
 /// Whether a run's start and times are some roundings beside the given ones, and on which side.
 enum class Side { other = -1, none, one };
 
-/// How the moments at which a run asks the forces differ from the given ones, to see what their
+/// How the times at which a run asks the forces differ from the given ones, to see what their
 /// rounding does.
-struct Moments {
+struct AskedTimes {
   double late = 0;    ///< [s]
   double coarse = 0;  ///< a number so large that a sum with it has the digits that are left [s]
 
   /// @param t the latest in size [s]
-  static Moments beside(Side side, double t) {
+  static AskedTimes beside(Side side, double t) {
     if (side == Side::none) return {};
     // Both sides round otherwise than the given moments do, and than each other.
     const double digits = side == Side::one ? 0x1.8p54 : 0x1.8p53;
