@@ -28,13 +28,21 @@ else()
   set(TUMBLE_LINK_FIRST_COUNTS -Wl,-z,muldefs)
 endif()
 
-# What every student's file includes anyway, compiled once.
+# What the compiler is told besides, where a crash is to be located: line numbers, and checks in what it
+# makes.
+set(TUMBLE_SANITIZER_FLAGS -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+
+# What every student's file includes anyway, compiled once; and once more with sanitizers, for a compiler
+# takes such a header with the same flags only.
 set(TUMBLE_STUDENT_HEADER ${PROJECT_BINARY_DIR}/student/precompiled.hpp)
+set(TUMBLE_SANITIZED_HEADER ${PROJECT_BINARY_DIR}/student/sanitized.hpp)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(TUMBLE_STUDENT_PCH ${TUMBLE_STUDENT_HEADER}.gch)
+  set(precompiled gch)
 else()
-  set(TUMBLE_STUDENT_PCH ${TUMBLE_STUDENT_HEADER}.pch)
+  set(precompiled pch)
 endif()
+set(TUMBLE_STUDENT_PCH ${TUMBLE_STUDENT_HEADER}.${precompiled})
+set(TUMBLE_SANITIZED_PCH ${TUMBLE_SANITIZED_HEADER}.${precompiled})
 
 # The quickest linker that is there.
 include(CheckLinkerFlag)

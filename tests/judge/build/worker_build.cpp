@@ -123,13 +123,12 @@ class Builder {
     for (const fs::path& folder : {exercises / unit_.chapter, exercises})
       flags.insert(flags.end(), {"-I", folder.string()});
     if (sanitized_)
-      flags.insert(flags.end(), {"-g1", "-fsanitize=address,undefined",
-                                 "-fno-sanitize-recover=undefined", "-fno-omit-frame-pointer"});
-    else if (tools_.compiler_id == "GNU")  // finds the .gch beside it
+      flags.insert(flags.end(), tools_.sanitizer_flags.begin(), tools_.sanitizer_flags.end());
+    if (tools_.compiler_id == "GNU")  // finds the .gch beside it
       flags.insert(flags.end(), {"-Winvalid-pch", "-include",
-                                 fs::path(tools_.precompiled).replace_extension().string()});
+                                 fs::path(precompiled()).replace_extension().string()});
     else
-      flags.insert(flags.end(), {"-include-pch", tools_.precompiled.string()});
+      flags.insert(flags.end(), {"-include-pch", precompiled().string()});
     flags.insert(flags.end(), {"-include", course_.contract(unit_).string()});
     return flags;
   }
@@ -158,7 +157,7 @@ class Builder {
       throw std::runtime_error("the compiler wrote no list of what it read (is the disk full?)");
     const AllowedHeaders allowed(fs::path(tools_.precompiled.string() + ".d"), contracts_);
     for (const fs::path& file : included) {
-      if (file == source() || allowed.contains(file) || file == tools_.precompiled) continue;
+      if (file == source() || allowed.contains(file) || file == precompiled()) continue;
       result.outcome = BuildOutcome::forbidden_include;
       result.detail = file.string();
       result.involves_course = true;
@@ -274,6 +273,9 @@ class Builder {
     return program;
   }
 
+  const fs::path& precompiled() const {
+    return sanitized_ ? tools_.precompiled_sanitized : tools_.precompiled;
+  }
   const fs::path& folder() const { return compiler_.folder(); }
   fs::path source() const { return folder() / (unit_.name + ".cpp"); }
   fs::path assembly() const { return folder() / (unit_.name + ".s"); }

@@ -9,8 +9,9 @@ namespace {
 
 std::uint64_t hash_of(const Toolchain& tools) {
   std::uint64_t hash = stable_hash(tools.compiler_id);
-  for (const std::string& flag : tools.flags)  // paths may differ from one checkout to the next
-    if (flag.find('/') == std::string::npos) hash = stable_hash(flag, hash);
+  for (const auto* flags : {&tools.flags, &tools.sanitizer_flags})
+    for (const std::string& flag : *flags)  // paths may differ from one checkout to the next
+      if (flag.find('/') == std::string::npos) hash = stable_hash(flag, hash);
   return hash;
 }
 

@@ -34,10 +34,12 @@ struct Toolchain {
   std::string compiler;
   std::string compiler_id;  ///< CMake's: "GNU", "Clang", "AppleClang"
   std::vector<std::string> flags;
-  fs::path precompiled;                    ///< the header that every student's file starts from
-  std::string linker;                      ///< as in -fuse-ld=, or empty
-  std::vector<std::string> link;           ///< flags of the linker, for every worker
-  std::vector<std::string> link_confined;  ///< and for a worker behind walls
+  std::vector<std::string> sanitizer_flags;  ///< besides, to find where it crashes
+  fs::path precompiled;                      ///< the header that every student's file starts from
+  fs::path precompiled_sanitized;            ///< the same, compiled with those flags
+  std::string linker;                        ///< as in -fuse-ld=, or empty
+  std::vector<std::string> link;             ///< flags of the linker, for every worker
+  std::vector<std::string> link_confined;    ///< and for a worker behind walls
   /// and where the first definition of a function counts; empty if the linker knows no such thing
   std::vector<std::string> link_first_counts;
   fs::path runtime;  ///< static library: the worker's side of the protocol
