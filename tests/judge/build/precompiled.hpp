@@ -14,9 +14,15 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #ifndef __wasm__
+#include "special_functions.hpp"
+
+TUMBLE_SPECIAL_FUNCTIONS(extern template, float)
+TUMBLE_SPECIAL_FUNCTIONS(extern template, long double)
+
 namespace tumble::judge::precompiled {
 
 // Types only: a function that is called here would be compiled again with each file.
@@ -50,9 +56,27 @@ inline constexpr bool products =
                    decltype(a<V>() * a<V>().transpose()), decltype(a<M>().col(0)),
                    decltype(a<M>().row(0)), decltype(a<M>().row(0).transpose())>;
 
+/// What is filled with a number, and what is written out with commas.
+template <class V>
+inline constexpr bool filled = known_to_eigen<decltype(V::Zero()), decltype(V::Constant(1.0))>&&
+    known<decltype(std::declval<V&>() << 1.0)>;
+
+/// Entries by their index: of Eigen's operators with brackets many are templates.
+template <class V, class... Indices>
+inline constexpr bool entries =
+    known<decltype(a<V>()(Indices()...)), decltype(std::declval<V&>()(Indices()...))>;
+
+template <class V>
+inline constexpr bool geometry =
+    known<decltype(a<V>().dot(a<V>())), decltype(a<V>().cross(a<V>())), decltype(a<V>().norm()),
+          decltype(a<V>().squaredNorm()), decltype(a<V>().normalized())>;
+
 static_assert(sums_and_multiples<Vector3d> && sums_and_multiples<Vector4d>);
 static_assert(sums_and_multiples<VectorXd> && sums_and_multiples<Matrix3d>);
-static_assert(products<Matrix3d, Vector3d>);
+static_assert(products<Matrix3d, Vector3d> && geometry<Vector3d>);
+static_assert(filled<Vector3d> && filled<Vector4d> && filled<Matrix3d>);
+static_assert(known_to_eigen<decltype(Matrix3d::Identity())>);
+static_assert(entries<Vector3d, int> && entries<VectorXd, int> && entries<Matrix3d, int, int>);
 static_assert(known<std::vector<double>, std::vector<Vector3d>, std::vector<std::array<int, 3>>,
                     std::function<VectorXd(double, const VectorXd&)>>);
 
