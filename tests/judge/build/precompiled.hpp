@@ -18,11 +18,6 @@
 #include <vector>
 
 #ifndef __wasm__
-#include "special_functions.hpp"
-
-TUMBLE_SPECIAL_FUNCTIONS(extern template, float)
-TUMBLE_SPECIAL_FUNCTIONS(extern template, long double)
-
 namespace tumble::judge::precompiled {
 
 // Types only: a function that is called here would be compiled again with each file.
