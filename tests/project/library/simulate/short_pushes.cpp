@@ -45,7 +45,7 @@ struct Push {
   }
 };
 
-/// @param pushes of as many as that doubles can tell: what is refused is no answer
+/// @param pushes how many have to be answered: where doubles are too far apart, one is refused
 double worst_of(int pushes, bool even) {
   test::Random rng(3);
   const auto between = [&](double low, double high) {
