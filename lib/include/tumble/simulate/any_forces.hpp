@@ -66,10 +66,11 @@ class AnyForces {
       if (is_surprised(fine)) continue;
       TwoRuns both = compared(fine, rough);
       state(both);
-      if (rounding_decides()) state(without_luck(both, fine));
+      if (rounding_decides(both)) state(without_luck(both, fine));
       growth_.learn(both);
       if (report_.reached() || epsilon_ <= lowest_ || unseen_ > task_.tolerance) {
-        if (fine.is_rough()) report_.error_estimate = beside_jumps(report_.error_estimate);
+        if (fine.is_rough())
+          report_.error_estimate = error_beside_jumps(report_.error_estimate, task_.tolerance);
         report_.method = stiff_ ? "Radau IIA 5" : "Dormand–Prince 8(5,3)";
         return trajectory_of(std::move(fine), task_, report_);
       }
@@ -103,16 +104,17 @@ class AnyForces {
 
   void state(const TwoRuns& runs) {
     state_errors<Run>(report_, runs, rhs_.lost_moments(), unseen_);
-    const double rounding = std::sqrt(static_cast<double>(runs.steps)) * unit_roundoff;
     report_.error_estimate =
-        std::max({report_.error_estimate, growth_.of_least(runs.tolerance), rounding});
+        std::max({report_.error_estimate, growth_.of_least(runs.tolerance), rounding_of(runs)});
   }
 
   /// Whether the stated error is no larger than what rounding makes: of the state, where nothing
-  /// finer is left, or of late moments.
-  bool rounding_decides() const {
+  /// finer is left or where errors grow as rougher runs have shown, or of late moments.
+  bool rounding_decides(const TwoRuns& runs) const {
     constexpr double of_late_moments = 1000;  // ten times what forces jump by, see coarse_
+    constexpr double of_a_step = 4;           // it rounds a few times
     return (!report_.reached() && epsilon_ <= lowest_) ||
+           report_.error_estimate < growth_.of_least(of_a_step * rounding_of(runs)) ||
            report_.error_estimate < of_late_moments * coarse_;
   }
 
@@ -174,14 +176,6 @@ class AnyForces {
     for (const auto& surprise : found) breaks_.push_back(surprise.s);
     std::sort(breaks_.begin(), breaks_.end());
     return true;
-  }
-
-  /// What a step makes of a jump depends on where in it the jump is: by luck two runs are now and
-  /// then ten times as close to each other as to the truth. On random scenes four times what they
-  /// differ by is enough in 98 of 100, and the tolerance is kept all the same.
-  double beside_jumps(double error) const {
-    constexpr double luck = 4;
-    return error <= task_.tolerance ? std::min(luck * error, task_.tolerance) : luck * error;
   }
 
   Rhs rhs_;
