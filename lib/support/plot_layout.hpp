@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/label_costs.hpp"
 #include "support/plot_label.hpp"
 
 namespace tumble::support::plot_detail {
@@ -66,7 +67,7 @@ class LabelPlacer {
   double place(std::size_t which, std::size_t known) {
     std::vector<Candidate> list;
     for (const Label& label : candidates(labels_[which].series))
-      list.push_back({label, list.size(), cost_by_itself(label)});
+      list.push_back({label, list.size(), cost_by_itself(label, frame_)});
     std::sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
       return std::pair(a.price, a.number) < std::pair(b.price, b.number);
     });
@@ -113,27 +114,6 @@ class LabelPlacer {
     }
   }
 
-  bool fits(const Box& box) const {
-    constexpr double wide = 1.2;  // some fonts are so much wider than text_width() says
-    return box.x > left + 3 && box.x + wide * box.width < width - 2 && box.y > top - 8 &&
-           box.y + box.height < frame_.floor() + 6;
-  }
-
-  bool stands_on_axis(const Box& box) const {
-    constexpr double near = 2;
-    return box.x < frame_.right_end() && box.y < frame_.floor() + near &&
-           box.y + box.height > frame_.floor() - near;
-  }
-
-  /// In pixels of leader, roughly: what it costs to be far away or outside.
-  double cost_by_itself(const Label& label) const {
-    double cost = distance(label.anchor, label.box.nearest(label.anchor));
-    if (label.has_leader()) cost += 8;
-    if (!fits(label.box)) cost += 1e4;
-    if (stands_on_axis(label.box)) cost += 200;
-    return cost;
-  }
-
   /// The same for being on other names.
   /// @param enough at more than this the candidate is out, and we look no further
   void add_cost_among_names(Candidate& candidate, std::size_t which, std::size_t known,
@@ -161,31 +141,6 @@ class LabelPlacer {
           if (std::abs(p.x - q.x) + std::abs(p.y - q.y) < 4) cost += 8;
       }
     candidate.price += cost;
-  }
-
-  /// What a curve covers beside its points, its markers with it where each point has one.
-  static double half_width(const Series& series) {
-    const bool marked = series.look == Look::dots || series.x.size() <= most_markers;
-    return marked ? 5 : 3;
-  }
-
-  /// Whether the leader of one name runs through the other.
-  static double crossings(const Label& from, const Label& through) {
-    const Pixel a = from.anchor, b = from.box.nearest(a);
-    const Box around{std::min(a.x, b.x), std::min(a.y, b.y), std::abs(a.x - b.x),
-                     std::abs(a.y - b.y)};
-    if (!around.meets(through.box) || !from.has_leader()) return 0;
-    for (const Pixel& p : leader_points(from))
-      if (through.box.holds(p)) return 1;
-    return 0;
-  }
-
-  /// Whether two names are one above the other, and the ends of their curves the other way round.
-  static bool are_swapped(const Label& a, const Label& b) {
-    constexpr double beside = 30;  // pixels between ends that one takes for one above the other
-    const bool stacked = a.box.x < b.box.x + b.box.width && b.box.x < a.box.x + a.box.width;
-    const bool near = std::abs(a.anchor.x - b.anchor.x) < beside;
-    return stacked && near && (a.anchor.y - b.anchor.y) * (a.box.y - b.box.y) < 0;
   }
 
   const Plot& plot_;

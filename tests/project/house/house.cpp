@@ -7,7 +7,7 @@
 #include "project/harness/command.hpp"
 #include "project/harness/skip.hpp"
 #include "project/harness/temporary_folder.hpp"
-#include "project/house/includes.hpp"
+#include "project/house/law.hpp"
 
 using namespace tumble;
 namespace fs = std::filesystem;

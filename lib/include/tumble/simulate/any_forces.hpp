@@ -26,6 +26,9 @@ namespace tumble::detail {
 /// The breaks inside the span, ascending [s after t0].
 std::vector<double> breaks_within(const SimulationTask& task);
 
+/// @throws std::invalid_argument if the longest step that is allowed makes too many of them
+void require_longest_step(const SimulationTask& task);
+
 /// Runs under any forces, rougher and finer.
 /// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
 template <class Rhs>
@@ -39,11 +42,7 @@ class AnyForces {
         task_(task),
         span_(task.t1 - task.t0),
         breaks_(breaks_within(task)) {
-    const double steps = span_ / task.longest_step;
-    require(steps <= most_steps, "simulate: longest_step = ", task.longest_step,
-            " s needs at least ", steps, " steps from t0 = ", task.t0, " to t1 = ", task.t1,
-            ", and at most ", most_steps, " are taken: give longest_step = ", span_ / most_steps,
-            " s or more; or say in breaks when forces begin, end or jump");
+    require_longest_step(task);
     const double jumps = jumps_by_rounding(rhs, rhs.numbers(start), task, breaks_);
     require_moments(jumps, std::max(std::abs(task.t0), std::abs(task.t1)));
     constexpr double of_jumps = 0.01;
@@ -111,8 +110,7 @@ class AnyForces {
   /// Whether the stated error is no larger than what rounding makes: of the state, where nothing
   /// finer is left or where errors grow as rougher runs have shown, or of late moments.
   bool rounding_decides(const TwoRuns& runs) const {
-    constexpr double of_late_moments = 1000;  // ten times what forces jump by, see coarse_
-    constexpr double of_a_step = 4;           // it rounds a few times
+    constexpr double of_a_step = 4, of_late_moments = 1000;  // ten times what forces jump by
     return (!report_.reached() && epsilon_ <= lowest_) ||
            report_.error_estimate < growth_.of_least(of_a_step * rounding_of(runs)) ||
            report_.error_estimate < of_late_moments * coarse_;
@@ -164,11 +162,10 @@ class AnyForces {
   /// been tried often enough, what they do is a part of the error.
   bool is_surprised(const Run& run) {
     constexpr int enough = 8;
-    constexpr double least = 1e-11;  // below it, rounding surprises
-    constexpr double above_jumps = 10;
+    constexpr double least = 1e-11;                // below it, rounding surprises
+    constexpr double above_jumps = 10, doubt = 4;  // it is a sum of samples
     const double part = std::max({task_.tolerance, least, above_jumps * coarse_});
     const auto found = run.surprises(part, looks(run));
-    constexpr double doubt = 4;  // a sum of samples
     unseen_ = 0;
     for (const auto& surprise : found) unseen_ += doubt * surprise.effect;
     if (found.empty() || rounds_ == enough) return false;

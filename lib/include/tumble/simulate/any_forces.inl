@@ -13,4 +13,12 @@ TUMBLE_BODY std::vector<double> breaks_within(const SimulationTask& task) {
   return inside;
 }
 
+TUMBLE_BODY void require_longest_step(const SimulationTask& task) {
+  const double span = task.t1 - task.t0, steps = span / task.longest_step;
+  require(steps <= most_steps, "simulate: longest_step = ", task.longest_step, " s needs at least ",
+          steps, " steps from t0 = ", task.t0, " to t1 = ", task.t1, ", and at most ", most_steps,
+          " are taken: give longest_step = ", span / most_steps,
+          " s or more; or say in breaks when forces begin, end or jump");
+}
+
 }  // namespace tumble::detail

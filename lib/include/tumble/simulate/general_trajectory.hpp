@@ -14,6 +14,7 @@
 #include "tumble/simulate/motion_record.hpp"
 #include "tumble/simulate/no_end.hpp"
 #include "tumble/simulate/stated_error.hpp"
+#include "tumble/simulate/stiffness_watch.hpp"
 #include "tumble/simulate/trajectory.hpp"
 
 namespace tumble::detail {
@@ -152,8 +153,10 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
                double h) {
     if constexpr (requires { stepper.stages_of_step(); }) {
       remember_way(f, s, y, y1, h, stepper.stages_of_step());
-      if (settings_.watched && this->steps() > 100 && this->steps() % 4 == 0)
-        watch(stepper, y, y1, h);
+      constexpr double worth_it = 5000;  // steps
+      if (settings_.watched && watch_.looks_at(this->steps()) &&
+          watch_.is_stiff(stepper.stiffness(y, y1, h)) && budget_.predicted() > worth_it)
+        end_ = RunEnd::stiff;
     }
   }
 
@@ -163,18 +166,6 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
                     const Stages& stages) {
     if (dense_.size() < max_dense && settings_.side == Side::none)
       dense_.emplace_back(f, s, y, y1, h, stages);
-  }
-
-  /// Source: Hairer & Wanner, "Solving Ordinary Differential Equations II", IV.2; the numbers are
-  /// those of Hairer's program dop853.
-  template <class Stepper>
-  void watch(const Stepper& stepper, const Numbers& y, const Numbers& y1, double h) {
-    constexpr double limit_of_stability = 6.1, worth_it = 5000;
-    if (stepper.stiffness(y, y1, h) > limit_of_stability) {
-      if (++stiff_steps_ >= 15 && budget_.predicted() > worth_it) end_ = RunEnd::stiff;
-    } else if (stiff_steps_ > 0) {
-      --stiff_steps_;
-    }
   }
 
   void count_step(double s) {
@@ -198,8 +189,9 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   RunSettings settings_;
   StepGuide guide_;
   StepBudget budget_;
+  StiffnessWatch watch_;
   double radians_ = 0;
-  int rejected_ = 0, evaluations_ = 0, stiff_steps_ = 0;
+  int rejected_ = 0, evaluations_ = 0;
   bool rough_ = false;
   int after_jump_ = -1;  ///< how many steps there were behind the last jump
   RunEnd end_ = RunEnd::complete;
