@@ -31,6 +31,7 @@
 #include "tumble/simulate/simulation_task.hpp"
 #include "tumble/simulate/stated_error.hpp"
 #include "tumble/simulate/steady_trajectory.hpp"
+#include "tumble/simulate/stiff_step.hpp"
 #include "tumble/simulate/stiffness_watch.hpp"
 #include "tumble/simulate/trajectory.hpp"
 #include "tumble/simulate/turning_trajectory.hpp"

@@ -14,6 +14,7 @@
 
 #include "tumble/core/require.hpp"
 #include "tumble/ode/rhs.hpp"
+#include "tumble/ode/tolerances.hpp"
 
 namespace tumble {
 
@@ -64,22 +65,30 @@ detail::RhsWithJacobian<F, Jacobian> with_jacobian(F f, Jacobian jacobian) {
 
 namespace detail {
 
+/// What is small for each component, where it is at rest at zero: √ε of the largest. Solvers find
+/// others of this name beside tolerances that know more of sizes.
+/// @param root √ε
+template <OdeState State>
+State small_sizes(const State& size, ScalarOf<State> root, const Tolerances&) {
+  return State::Constant(size.size(), root * size.template lpNorm<Eigen::Infinity>());
+}
+
 /// ∂f/∂y by one-sided differences: one evaluation of f for each component of y.
 /// @param dydt f(t, y)
 /// @param h    the step that it is for
-template <OdeState State, OdeRhs<State> F>
+template <OdeState State, OdeRhs<State> F, class Tolerance = Tolerances>
 JacobianOf<State> finite_difference_jacobian(F&& f, ScalarOf<State> t, const State& y,
-                                             const State& dydt, ScalarOf<State> h) {
+                                             const State& dydt, ScalarOf<State> h,
+                                             const Tolerance& tolerance = {}) {
   using std::max, std::sqrt;
   using Scalar = ScalarOf<State>;
   const Scalar root = sqrt(std::numeric_limits<Scalar>::epsilon());
   const State size = y.cwiseAbs().cwiseMax(State(h * dydt).cwiseAbs());
-  // A component that is at rest at zero is shifted by what is small against the others.
-  const Scalar least = root * size.template lpNorm<Eigen::Infinity>();
+  const State least = small_sizes(size, root, tolerance);
   JacobianOf<State> J(y.size(), y.size());
   State shifted = y;
   for (Eigen::Index j = 0; j < y.size(); ++j) {
-    shifted[j] = y[j] + root * (least > 0 ? max(size[j], least) : Scalar(1));
+    shifted[j] = y[j] + root * (least[j] > 0 ? max(size[j], least[j]) : Scalar(1));
     const Scalar delta = shifted[j] - y[j];  // what was really added
     const State slope = f(t, shifted);
     J.col(j) = (slope - dydt) / delta;
@@ -92,16 +101,16 @@ JacobianOf<State> finite_difference_jacobian(F&& f, ScalarOf<State> t, const Sta
 /// @param dydt f(t, y)
 /// @param h    the step that it is for
 /// @throws std::invalid_argument if f.jacobian gives a matrix of another size
-template <OdeState State, OdeRhs<State> F>
+template <OdeState State, OdeRhs<State> F, class Tolerance = Tolerances>
 JacobianOf<State> jacobian(F&& f, ScalarOf<State> t, const State& y, const State& dydt,
-                           ScalarOf<State> h) {
+                           ScalarOf<State> h, const Tolerance& tolerance = {}) {
   if constexpr (KnowsJacobian<F, State>) {
     const JacobianOf<State> J = f.jacobian(t, y);
     require(J.rows() == y.size() && J.cols() == y.size(), "jacobian: ", J.rows(), " x ", J.cols(),
             ", but the state has ", y.size(), " components");
     return J;
   } else {
-    return finite_difference_jacobian(f, t, y, dydt, h);
+    return finite_difference_jacobian(f, t, y, dydt, h, tolerance);
   }
 }
 

@@ -60,7 +60,7 @@ class Radau5::Stepper {
     const Scalar next_h = next_step(h, error, newton);
     if (error <= 1) keep(dydt1, h, error, newton);
     is_doubtful_ = !(error <= 1);
-    return {y1, error, next_h};
+    return {y1, error, std::copysign(std::min(std::abs(next_h), longest_), h)};
   }
 
   Tolerance& tolerances() { return tolerances_; }
@@ -70,7 +70,7 @@ class Radau5::Stepper {
 
   template <class F>
   void update_jacobian(F&& f, Scalar t, const State& y, Scalar h) {
-    J_ = detail::jacobian(f, t, y, dydt_, h);
+    J_ = detail::jacobian(f, t, y, dydt_, h, tolerances_);
     jacobian_is_needed_ = false;
     jacobian_is_fresh_ = true;
     factorised_h_ = 0;
@@ -89,8 +89,8 @@ class Radau5::Stepper {
     constexpr auto epsilon = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     const double tolerance = std::max(10 * epsilon / tolerances_.relative,
                                       std::min(0.03, std::sqrt(tolerances_.relative)));
-    return detail::solve_radau5(f, t, y, h, starting_values(y, h), matrices_, norm,
-                                detail::NewtonLimits{tolerance, max_iterations, last_eta_});
+    return detail::solve_radau5(f, t, y, h, detail::continued(last_Z_, last_h_, y, h), matrices_,
+                                norm, detail::NewtonLimits{tolerance, max_iterations, last_eta_});
   }
 
   /// The matrices of a step as long as this one, but for the rounding of the time, serve again.
@@ -102,22 +102,13 @@ class Radau5::Stepper {
     factorised_h_ = h;
   }
 
-  /// The collocation polynomial of the last step, continued into this one.
-  detail::Radau5Stages<State> starting_values(const State& y, Scalar h) const {
-    using C = detail::Radau5Coefficients<Scalar>;
-    detail::Radau5Stages<State> guess = detail::Radau5Stages<State>::Zero(y.size(), 3);
-    if (last_h_ == 0) return guess;
-    for (int i = 0; i < 3; ++i) {
-      const Vector3<Scalar> weights = C::interpolation_weights(1 + C::c()[i] * h / last_h_);
-      guess.col(i) = last_Z_.lazyProduct(weights) - last_Z_.col(2);
-    }
-    return guess;
-  }
-
-  /// Newton's method has failed although the Jacobian is of here and now: half the step.
+  /// Newton's method has failed although the Jacobian is of here and now: half the step, and for a
+  /// while no more than most of it.
   runge_kutta::Attempt<State> no_solution(const State& y, Scalar h,
                                           const detail::NewtonResult<State>& newton) {
+    constexpr auto most = Scalar(0.8);
     is_doubtful_ = true;
+    longest_ = most * std::abs(h);
     const Scalar error = newton.finite ? std::numeric_limits<Scalar>::infinity()
                                        : std::numeric_limits<Scalar>::quiet_NaN();
     return {y, error, h / 2};
@@ -159,6 +150,8 @@ class Radau5::Stepper {
     last_eta_ = newton.eta;
     jacobian_is_needed_ = newton.rate > slow_rate;
     jacobian_is_fresh_ = false;
+    constexpr auto forget = Scalar(1.02);
+    longest_ *= forget;
   }
 
   static constexpr double slow_rate = 1e-3;  // of convergence, above which J is computed anew
@@ -169,6 +162,8 @@ class Radau5::Stepper {
   detail::Radau5Matrices<State> matrices_;
   detail::Radau5Stages<State> last_Z_;
   Scalar factorised_h_ = 0, last_h_ = 0, last_error_ = 1;
+  Scalar longest_ =
+      std::numeric_limits<Scalar>::infinity();  ///< that Newton's method seems to bear
   double last_eta_ = 1;
   bool jacobian_is_needed_ = true, jacobian_is_fresh_ = false;
   bool is_doubtful_ = true;  // the first step, or after a rejection

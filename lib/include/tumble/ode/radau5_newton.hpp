@@ -22,6 +22,22 @@ namespace tumble::detail {
 template <OdeState State>
 using Radau5Stages = Eigen::Matrix<ScalarOf<State>, State::RowsAtCompileTime, 3>;
 
+/// Where the iteration starts: the collocation polynomial of the last step, continued into this
+/// one.
+/// @param last_Z, last_h of the last step; last_h = 0 if there is none
+template <OdeState State>
+Radau5Stages<State> continued(const Radau5Stages<State>& last_Z, ScalarOf<State> last_h,
+                              const State& y, ScalarOf<State> h) {
+  using C = Radau5Coefficients<ScalarOf<State>>;
+  Radau5Stages<State> guess = Radau5Stages<State>::Zero(y.size(), 3);
+  if (last_h == 0) return guess;
+  for (int i = 0; i < 3; ++i) {
+    const Vector3<ScalarOf<State>> weights = C::interpolation_weights(1 + C::c()[i] * h / last_h);
+    guess.col(i) = last_Z.lazyProduct(weights) - last_Z.col(2);
+  }
+  return guess;
+}
+
 /// The matrices of Newton's method, factorised for one h and one Jacobian.
 template <OdeState State>
 class Radau5Matrices {

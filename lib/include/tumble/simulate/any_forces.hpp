@@ -3,11 +3,11 @@
 /// A body, or several, under any forces, to an error over the whole span: two runs and more, see
 /// stated_error.hpp, and a witness.
 ///
-/// What acts for a short time only may lie between all moments at which a run looks at it. So no
-/// step is longer than a part of the span, or of a piece between breaks, another one for each of
-/// the two runs, and none is much longer than those of the run before; and between the moments of
-/// the better run a witness compares the forces with what the run thinks they are. What it finds is
-/// a break for new runs.
+/// What acts for a short time may lie between all moments at which a run looks at it. So no step is
+/// longer than a part of the span, or of a piece between breaks, another one for each of the two
+/// runs, and none is much longer than those of the run before; and between the moments of the
+/// better run a witness compares the forces with what it thinks they are. What that finds is a
+/// break for new runs.
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +67,7 @@ class AnyForces {
       state(both);
       if (rounding_decides(both)) state(without_luck(both, fine));
       growth_.learn(both);
+      stiff_works_ = stiff_;
       if (report_.reached() || epsilon_ <= lowest_ || unseen_ > task_.tolerance) {
         if (fine.is_rough())
           report_.error_estimate = error_beside_jumps(report_.error_estimate, task_.tolerance);
@@ -128,7 +129,7 @@ class AnyForces {
     return runs;
   }
 
-  /// Whether a run ended before the span did; then the next goes another way.
+  /// Whether a run ended early; then the next goes another way.
   bool ends_early(const Run& run) {
     if (run.end() == RunEnd::complete) return false;
     run.account(report_);
@@ -136,7 +137,7 @@ class AnyForces {
     if (run.end() == RunEnd::stiff) {
       stiff_ = true;
       explicit_steps_ = run.predicted_steps();
-    } else if (stiff_) {
+    } else if (stiff_ && !stiff_works_) {
       stiff_ = false;
       stiff_in_vain_ = true;
     } else {
@@ -154,8 +155,7 @@ class AnyForces {
 
   /// After a surprise we look closer: what comes and goes once may do so again.
   double looks(const Run& run) const {
-    constexpr double at_first = 2048, closer = 8, most = 0x1p20;
-    return std::min(most, at_first * std::pow(closer, rounds_ + run.has_jumped()));
+    return std::min(0x1p20, 2048 * std::pow(8, rounds_ + run.has_jumped()));
   }
 
   /// Whether there are forces that the run has not seen. Their moments become breaks; when that has
@@ -180,10 +180,10 @@ class AnyForces {
   SimulationTask task_;
   double span_;
   std::vector<double> breaks_, guide_;
-  bool stiff_ = false, stiff_in_vain_ = false;
+  bool stiff_ = false, stiff_works_ = false, stiff_in_vain_ = false;
   double explicit_steps_ = 0;
-  // Measured on random scenes: seldom is ε to be made smaller, and the error that is left is about
-  // a thirtieth of what was asked.
+  // On random scenes ε is seldom made smaller, and the error is about a thirtieth of what was
+  // asked.
   double lowest_ = 2e-15, coarse_ = 0;
   double epsilon_ = std::clamp(1e-2 * task_.tolerance, lowest_, 1e-3);
   int rounds_ = 0;

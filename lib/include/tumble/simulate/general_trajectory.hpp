@@ -55,7 +55,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
   /// @throws std::runtime_error that says how many steps it would take
   [[noreturn]] void refuse() const {
     refuse_hopeless("simulate", budget_, settings_.max_steps, t0_ + steps_.back().s,
-                    why_so_many(breaks_.size(), budget_, t0_, steps_.back().s));
+                    why_so_many(breaks_.size(), budget_, t0_, steps_.back().s, !settings_.watched));
   }
 
   void account(SimulationReport& report) const {
@@ -173,7 +173,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
     // The first steps of a stiff scene are far shorter than the others: they foretell nothing.
     const bool hopeless =
         settings_.stiff ? budget_.steps() >= settings_.max_steps : budget_.hopeless();
-    if (hopeless) end_ = RunEnd::too_many_steps;
+    if (hopeless) end_ = watch_.has_doubts() ? RunEnd::stiff : RunEnd::too_many_steps;
   }
 
   [[noreturn]] void stop(const char* why, double s, double h) const {

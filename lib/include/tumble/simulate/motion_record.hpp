@@ -12,10 +12,10 @@
 #include "tumble/core/largest.hpp"
 #include "tumble/core/step_at.hpp"
 #include "tumble/ode/dop853_dense.hpp"
-#include "tumble/ode/radau5.hpp"
 #include "tumble/simulate/motion_difference.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"
 #include "tumble/simulate/run_settings.hpp"
+#include "tumble/simulate/stiff_step.hpp"
 
 namespace tumble::detail {
 
@@ -95,7 +95,7 @@ class MotionRecord {
         const bool in_turn = !stiff_ && all % now_and_then == 0;
         if (!in_turn && rhs_.net(f.time(s), there) == then) continue;
         const Numbers gap = stiff_
-                                ? Numbers(h * unexpected(f, i, theta))
+                                ? Numbers(h * unexpected(f, begin, steps_[i].y, h, theta))
                                 : Numbers(h * f(s, dense_[i].at(theta)) - dense_[i].slope(theta));
         const double size = MotionTolerance<Numbers>::part(gap, tolerance_.squares);
         if (!(size <= part)) found.push_back({s, size / count});
@@ -166,23 +166,6 @@ class MotionRecord {
     return x - std::floor(x);
   }
 
-  /// What f is in a step of Radau5's, on the state at its begin, less what it is there at the
-  /// moments at which the method has looked, and between them a polynomial.
-  Numbers unexpected(const Timed& f, std::size_t i, double theta) const {
-    const auto c = Radau5Coefficients<double>::c();
-    const double nodes[] = {0, c[0], c[1], c[2]};
-    const Step& step = steps_[i];
-    const double h = steps_[i + 1].s - step.s;
-    Numbers rest = f(step.s + theta * h, step.y);
-    for (const double node : nodes) {
-      double weight = 1;
-      for (const double other : nodes)
-        if (other != node) weight *= (theta - other) / (node - other);
-      rest -= weight * f(step.s + node * h, step.y);
-    }
-    return rest;
-  }
-
   Numbers numbers_at(double s) const {
     if (s >= steps_.back().s) return steps_.back().y;
     const std::size_t i = step_at(steps_, s, [](const Step& step) { return step.s; });
@@ -191,7 +174,7 @@ class MotionRecord {
     if (s == step.s) return step.y;
     if (i < dense_.size()) return dense_[i].at((s - step.s) / h);
     const Timed f = timed(step.s);
-    return stiff_ ? Radau5::step(f, step.s, step.y, s - step.s)
+    return stiff_ ? inside_stiff_step(f, step.s, step.y, s, tolerance_)
                   : Dop853::step(f, step.s, step.y, s - step.s);
   }
 };

@@ -72,6 +72,19 @@ double error_norm(const Numbers& error, const Numbers&, const Numbers& y1,
          tolerance.relative;
 }
 
+/// The same: x, q, P and L have units of their own, and so no size in common.
+template <class Numbers>
+Numbers small_sizes(const Numbers& size, double root, const MotionTolerance<Numbers>& tolerance) {
+  Numbers small(size.size());
+  for (Eigen::Index b = 0; b < size.size() / rigid_body_state_size; ++b) {
+    const Eigen::Vector4d sizes = root * tolerance.squares.template segment<4>(4 * b).cwiseSqrt();
+    small.template segment<rigid_body_state_size>(rigid_body_state_size * b)
+        << Vec3::Constant(sizes[0]),
+        Eigen::Vector4d::Constant(sizes[1]), Vec3::Constant(sizes[2]), Vec3::Constant(sizes[3]);
+  }
+  return small;
+}
+
 }  // namespace tumble::detail
 
 #ifndef TUMBLE_COMPILED

@@ -18,7 +18,9 @@ inline double rounding_at(double t) { return std::nextafter(t, 2 * t + 1) - t; }
 /// What makes the steps so short, as far as they show it, and what to do.
 /// @param breaks at which steps begin anew
 /// @param s      where the run is [s after t0]
-std::string why_so_many(std::size_t breaks, const StepBudget& budget, double t0, double s);
+/// @param stiff  whether a solver for stiff scenes has been tried
+std::string why_so_many(std::size_t breaks, const StepBudget& budget, double t0, double s,
+                        bool stiff);
 
 /// @param jumps by what part forces change where the time t is rounded
 /// @throws std::runtime_error if they are unknown because of that

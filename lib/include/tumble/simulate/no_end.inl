@@ -12,7 +12,7 @@
 namespace tumble::detail {
 
 TUMBLE_BODY std::string why_so_many(std::size_t breaks, const StepBudget& budget, double t0,
-                                    double s) {
+                                    double s, bool stiff) {
   constexpr double steps_a_break = 100, roundings_a_step = 1e4;
   const double steps = std::max<double>(budget.steps(), budget.predicted());
   const double rounding = rounding_at(std::abs(t0 + s));
@@ -24,6 +24,9 @@ TUMBLE_BODY std::string why_so_many(std::size_t breaks, const StepBudget& budget
     why << "doubles near this time lie " << rounding
         << " s apart, and forces that depend on the time jump as often; count the time from a "
            "moment near t0";
+  else if (stiff)
+    why << "a force is so stiff that the steps are " << budget.pace()
+        << " s long; give a smaller stiffness or damping, a larger tolerance, or a shorter time";
   else
     why << "the body turns or swings too often, or its forces switch to and fro, as dry friction "
            "does; ask for a shorter time";

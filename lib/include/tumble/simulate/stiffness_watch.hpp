@@ -23,6 +23,9 @@ class StiffnessWatch {
     return false;
   }
 
+  /// Whether the last steps it has seen were such, be it a few.
+  bool has_doubts() const { return stiff_steps_ > 0; }
+
  private:
   int stiff_steps_ = 0;
 };

@@ -273,9 +273,10 @@ TEST_CASE("hard scenes: a refusal names what takes so many steps") {
   CHECK(test::mentions(refusal({0, 1000, 1e-6}, centre_spring(-1)), "the motion grows", "1e150"));
   detail::StepBudget budget(0, 100, 1e6);
   for (int i = 0; i < 1024; ++i) budget.count(0.01 * i);
-  CHECK(test::mentions(detail::why_so_many(1, budget, 1e15, 10), "0.125 s apart"));
-  CHECK(test::mentions(detail::why_so_many(100'000, budget, 0, 10), "100000 times"));
-  CHECK(test::mentions(detail::why_so_many(1, budget, 0, 10), "dry friction"));
+  CHECK(test::mentions(detail::why_so_many(1, budget, 1e15, 10, false), "0.125 s apart"));
+  CHECK(test::mentions(detail::why_so_many(100'000, budget, 0, 10, false), "100000 times"));
+  CHECK(test::mentions(detail::why_so_many(1, budget, 0, 10, false), "dry friction"));
+  CHECK(test::mentions(detail::why_so_many(1, budget, 0, 10, true), "so stiff that"));
 }
 
 TEST_CASE("hard scenes: so late that the time is rounded coarsely, and the error says so, soon") {
