@@ -10,6 +10,7 @@
 #include "tumble/contact/contact_matrix.hpp"
 #include "tumble/contact/contact_run.hpp"
 #include "tumble/contact/contact_simulation.hpp"
+#include "tumble/contact/event_queue.hpp"
 #include "tumble/contact/flight.hpp"
 #include "tumble/contact/friction_cone.hpp"
 #include "tumble/contact/friction_impulse.hpp"

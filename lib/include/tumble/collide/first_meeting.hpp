@@ -63,6 +63,40 @@ bool stay_in_touch(int looks, double parting, double speed);
 /// After so many looks, planes that turn are tried, too.
 inline constexpr int many_looks = 100;
 
+/// How a search stands that has been left, beside the meeting as far as it is known: before its
+/// time they do not meet.
+struct SearchState {
+  int touching = 0;  ///< looks in turn at bodies that touch
+  bool is_over = false;
+};
+
+/// One look at two bodies, or a body and a wall, and how far it tells the future.
+template <class Things>
+void look_once(Things& things, double t1, double tolerance, Meeting& meeting, SearchState& search) {
+  meeting.distance = things.look(meeting.t);
+  ++meeting.queries;
+  const Vec3& n = meeting.distance.normal;
+  search.touching = meeting.distance.gap <= tolerance ? search.touching + 1 : 0;
+  if (search.touching > 0) {
+    meeting.points = things.touching(meeting.distance, tolerance);
+    double parting = std::numeric_limits<double>::infinity();  // of the slowest point
+    for (const Vec3& arm : meeting.points) parting = std::fmin(parting, n.dot(things.parting(arm)));
+    meeting.found =
+        parting < 0 || stay_in_touch(search.touching, parting, things.speed(t1 - meeting.t));
+    if (!meeting.found) meeting.points.clear();
+  }
+  search.is_over = meeting.found || meeting.t >= t1;
+  if (search.is_over) return;
+  // In this time nothing moves by more than a quarter of the tolerance.
+  const double left = t1 - meeting.t, still = tolerance / (4 * things.speed(left));
+  double apart = std::fmax(time_balls_apart(things, n), time_apart(things, n, left));
+  if constexpr (requires { things.turning_planes(n); })
+    if (meeting.queries >= many_looks)
+      apart = std::fmax(apart, time_apart(things.turning_planes(n), n, left));
+  meeting.t =
+      std::fmin(t1, std::fmax(meeting.t + std::fmax(still, apart), std::nextafter(meeting.t, t1)));
+}
+
 /// The search, for two bodies or a body and a wall.
 template <class Things>
 Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) {
@@ -71,30 +105,8 @@ Meeting first_meeting_of(Things things, double t0, double t1, double tolerance) 
           " is not a span of time: t1 must be finite, and not before t0");
   Meeting meeting;
   meeting.t = t0;
-  for (int touching = 0;;) {  // looks in turn at bodies that touch
-    meeting.distance = things.look(meeting.t);
-    ++meeting.queries;
-    const Vec3& n = meeting.distance.normal;
-    touching = meeting.distance.gap <= tolerance ? touching + 1 : 0;
-    if (touching > 0) {
-      meeting.points = things.touching(meeting.distance, tolerance);
-      double parting = std::numeric_limits<double>::infinity();  // of the slowest point
-      for (const Vec3& arm : meeting.points)
-        parting = std::fmin(parting, n.dot(things.parting(arm)));
-      meeting.found = parting < 0 || stay_in_touch(touching, parting, things.speed(t1 - meeting.t));
-      if (meeting.found) return meeting;
-      meeting.points.clear();
-    }
-    if (meeting.t >= t1) return meeting;
-    // In this time nothing moves by more than a quarter of the tolerance.
-    const double left = t1 - meeting.t, still = tolerance / (4 * things.speed(left));
-    double apart = std::fmax(time_balls_apart(things, n), time_apart(things, n, left));
-    if constexpr (requires { things.turning_planes(n); })
-      if (meeting.queries >= many_looks)
-        apart = std::fmax(apart, time_apart(things.turning_planes(n), n, left));
-    meeting.t = std::fmin(
-        t1, std::fmax(meeting.t + std::fmax(still, apart), std::nextafter(meeting.t, t1)));
-  }
+  for (SearchState search; !search.is_over;) look_once(things, t1, tolerance, meeting, search);
+  return meeting;
 }
 
 }  // namespace tumble::collide::detail

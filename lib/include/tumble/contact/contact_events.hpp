@@ -1,35 +1,17 @@
 #pragma once
 /// @file
-/// Which impact comes next: all that the flights as they are would lead to, in a queue. What a body
-/// was predicted to meet before it was pushed is passed over.
+/// Which impact comes next: all that the flights as they are may lead to, in a queue. What a body
+/// may have met before it was pushed is passed over.
 ///
 /// With many bodies only a window of time is looked at, in which a body gets about as far as its
 /// size, so that few bounds overlap. Source: Lubachevsky, "How to simulate billiards and similar
 /// systems", J. Computational Physics 94 (1991).
 
-#include <optional>
-#include <queue>
-
 #include "tumble/collide/bounds_grid.hpp"
-#include "tumble/collide/first_meeting.hpp"
 #include "tumble/contact/contact_run.hpp"
+#include "tumble/contact/event_queue.hpp"
 
 namespace tumble::contact::detail {
-
-/// Two bodies, or a body and a wall, that will meet; or a body that will have slid to its end.
-struct ContactEvent {
-  int body, other, wall;     ///< other is -1 for a wall, wall is -1 for a body; for an end both are
-  int flight, other_flight;  ///< how many flights they had begun when this was predicted
-  collide::Meeting meeting;
-
-  double t() const { return meeting.t; }
-  bool is_end_of_slide() const { return other < 0 && wall < 0; }
-  /// Later events have lower priority; of those at one time, that of the smallest numbers is first.
-  friend bool operator<(const ContactEvent& a, const ContactEvent& b) {
-    return std::tuple(-a.t(), -a.body, -a.other, -a.wall) <
-           std::tuple(-b.t(), -b.body, -b.other, -b.wall);
-  }
-};
 
 /// The flights of all bodies, and what they lead to.
 class ContactEvents {
@@ -71,7 +53,7 @@ class ContactEvents {
   void begin_window(double begin, double end) {
     begin_ = begin;
     end_ = end;
-    queue_ = {};
+    queue_.clear();
     std::vector<collide::Bounds> swept;
     swept.reserve(flights_.size());
     for (int i = 0; i < size(); ++i) swept.push_back(swept_by(i, begin));
@@ -86,13 +68,14 @@ class ContactEvents {
 
   /// Takes the next event, if there is one in this window.
   bool next() {
-    for (; !queue_.empty(); queue_.pop()) {
-      const ContactEvent& event = queue_.top();
-      if (event.flight != of(event.body).number) continue;
-      if (event.other >= 0 && event.other_flight != of(event.other).number) continue;
-      event_ = event;
-      queue_.pop();
-      return true;
+    while (!queue_.empty()) {
+      Awaited first = queue_.pop();
+      if (is_old(first.event)) continue;
+      if (first.search.is_over) {
+        event_ = std::move(first.event);
+        return true;
+      }
+      go_on(std::move(first));
     }
     return false;
   }
@@ -136,14 +119,22 @@ class ContactEvents {
     of(i) = {Flight(scene_.body(i).body, flows_[k], axes_[k], state, gravity, t), of(i).number + 1,
              on_wall, stops};
     grid_.put(i, swept_by(i, t));
+    queue_.tidy([this](const ContactEvent& event) { return is_old(event); });
     predict_own(i, t);
     predict_pairs(i, t);
+  }
+
+  /// Whether one of its bodies flies otherwise by now.
+  bool is_old(const ContactEvent& event) const {
+    return event.flight != of(event.body).number ||
+           (event.other >= 0 && event.other_flight != of(event.other).number);
   }
 
   /// What happens to a body by itself.
   void predict_own(int i, double t) {
     predict_walls(i, t);
-    if (of(i).stops <= end_) queue_.push({i, -1, -1, of(i).number, 0, {true, of(i).stops}});
+    if (of(i).stops <= end_)
+      queue_.push({{i, -1, -1, of(i).number, 0, {true, of(i).stops}}, {0, true}});
   }
 
   /// What a body passes from t to the end of this window.
@@ -159,9 +150,7 @@ class ContactEvents {
       const Vec3 half = grid_[i].sizes() / 2;
       const double above =
           wall.normal.dot(grid_[i].center() - wall.point) - wall.normal.cwiseAbs().dot(half);
-      if (above <= 0)
-        add({i, -1, w, of(i).number, 0,
-             collide::first_meeting(moving(i), wall, t, end_, tolerance(i))});
+      if (above <= 0) queue_.push({{i, -1, w, of(i).number, 0, {false, t}}, {}});
     }
   }
 
@@ -171,14 +160,29 @@ class ContactEvents {
 
   void predict_pair(int i, int j, double t) {
     if (rests(of(i)) && rests(of(j))) return;
-    add({i, j, -1, of(i).number, of(j).number,
-         collide::first_meeting(moving(i), moving(j), t, end_,
-                                std::max(tolerance(i), tolerance(j)))});
+    queue_.push({{i, j, -1, of(i).number, of(j).number, {false, t}}, {}});
   }
 
-  void add(const ContactEvent& event) {
-    queries_ += event.meeting.queries;
-    if (event.meeting.found) queue_.push(event);
+  /// Takes a search up again, until something else comes first.
+  void go_on(Awaited awaited) {
+    const ContactEvent& event = awaited.event;
+    const collide::Moving<Flight> body = moving(event.body);
+    if (event.other < 0)
+      look(collide::detail::BodyAndWall(body, scene_.wall(event.wall)), tolerance(event.body),
+           awaited);
+    else
+      look(collide::detail::TwoBodies(body, moving(event.other)),
+           std::max(tolerance(event.body), tolerance(event.other)), awaited);
+    if (!awaited.search.is_over || event.meeting.found) queue_.push(std::move(awaited));
+  }
+
+  template <class Things>
+  void look(Things things, double tolerance, Awaited& awaited) {
+    collide::Meeting& meeting = awaited.event.meeting;
+    do {
+      collide::detail::look_once(things, end_, tolerance, meeting, awaited.search);
+      ++queries_;
+    } while (!awaited.search.is_over && (queue_.empty() || meeting.t <= queue_.t()));
   }
 
   const ContactScene& scene_;
@@ -187,7 +191,7 @@ class ContactEvents {
   std::vector<PrincipalAxes> axes_;
   std::vector<Leg> flights_;
   collide::BoundsGrid grid_{0, 1};  ///< what each body passes in this window
-  std::priority_queue<ContactEvent> queue_;
+  EventQueue queue_;
   ContactEvent event_{};
   std::int64_t queries_ = 0;
 };
