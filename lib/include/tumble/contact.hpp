@@ -23,6 +23,7 @@
 #include "tumble/contact/simulate_contacts.hpp"
 #include "tumble/contact/slide.hpp"
 #include "tumble/contact/sliding.hpp"
+#include "tumble/contact/thresholds.hpp"
 
 /// What a hit leaves: impulses, with and without friction, that never create energy; and bodies
 /// that fly from hit to hit.

@@ -7,6 +7,7 @@
 #include "tumble/contact/rest.hpp"
 #include "tumble/contact/run_recorder.hpp"
 #include "tumble/contact/slide.hpp"
+#include "tumble/contact/thresholds.hpp"
 
 namespace tumble::contact::detail {
 
@@ -18,6 +19,7 @@ class ContactSimulation {
   ContactSimulation(const ContactScene& scene, const ContactSettings& settings)
       : scene_(scene),
         settings_(settings),
+        thresholds_(scene, settings),
         events_(scene, settings.tolerance),
         recorder_(scene),
         landings_(scene.bodies.size()) {}
@@ -63,9 +65,9 @@ class ContactSimulation {
     const double e = raised ? std::min(1., lowest / coming) : scene_.e;
     for (const PointImpulse& impulse : collide_at_points(a, second, points, {normal, e, scene_.mu}))
       recorder_.impact(event, impulse, normal, a.state.x);
-    count(event.body, a.state, coming);
+    count(event.body, a.state, coming, event.wall >= 0);
     if (b) {
-      count(event.other, b->state, coming);
+      count(event.other, b->state, coming, false);
       fly_on(event.other, b->state, false);
     }
     const double parting = raised ? 0 : least_parting(a, second, points, normal);
@@ -73,12 +75,17 @@ class ContactSimulation {
     const bool lifted = may_hop(event, normal) && lift_to_hop(a, points, normal, lowest);
     fly_on(event.body, a.state, raised || lifted);
     // It neither hops nor lies; or between several others it is hit ever faster.
-    if (run_.ending == Ending::time && landings(event.body).are_endless(scene_.e, raised))
-      recorder_.end_undecided(event.body);
+    const bool is_endless = landings(event.body).are_endless(scene_.e, raised) ||
+                            landings(event.body).stay_close(scene_.e) ||
+                            (b && landings(event.other).stay_close(scene_.e));
+    if (is_endless && run_.ending == Ending::time) recorder_.end_undecided(event.body);
   }
 
-  void count(int i, const RigidBodyState<>& state, double coming) {
+  /// Off a wall bounces die away to rest, a slide or hops; with e = 1, if friction slows them.
+  void count(int i, const RigidBodyState<>& state, double coming, bool on_wall) {
     recorder_.rest_since(i) = std::numeric_limits<double>::infinity();
+    if (!on_wall || scene_.e == 1)
+      landings(i).count_close(coming <= (on_wall ? slow(i) : fall_in_touch(i)));
     landings(i).count(coming, lowest_hop(i, -scene_.gravity.normalized()),
                       kinetic_energy(scene_.body(i).body, state));
   }
@@ -88,21 +95,11 @@ class ContactSimulation {
     events_.fly(i, state, run_.t);
   }
 
-  double pull(const Vec3& normal) const { return -normal.dot(scene_.gravity); }
-
-  /// The speed of the lowest hops of a body.
-  double lowest_hop(int i, const Vec3& normal) const {
-    return hop_speed(std::max(0., pull(normal)), settings_.hop * scene_.body(i).shape.reach());
-  }
-
-  /// What lies has energy for some hops, or, where bounces never die away, for as far as bodies
-  /// touch. On a line of what is round nothing tips: its neighbours are nearly as low.
-  Stillness stillness(int i) {
-    const double touching = events_.tolerance(i);
-    const double lift = scene_.e < 1 ? 10 * settings_.hop : touching / scene_.body(i).shape.reach();
-    return {lift, std::max(1e-9 * landings(i).fastest, touching / settings_.until),
-            landings(i).have_ended() ? 2e-3 : 1e-4};
-  }
+  double pull(const Vec3& normal) const { return thresholds_.pull(normal); }
+  double lowest_hop(int i, const Vec3& normal) const { return thresholds_.lowest_hop(i, normal); }
+  double fall_in_touch(int i) const { return thresholds_.fall(events_.tolerance(i)); }
+  double slow(int i) const { return 1e-3 * fall_in_touch(i); }
+  Stillness stillness(int i) { return thresholds_.stillness(i, events_.tolerance(i), landings(i)); }
 
   /// Whether this body's contact with this wall is a train of hops where it lasts.
   bool may_hop(const ContactEvent& event, const Vec3& normal) {
@@ -117,8 +114,7 @@ class ContactSimulation {
       return events_.is_ball(event.body) ? ball_settles(event, a, after)
                                          : lies_on(event, a, normal, after.parting);
     // What falls so slowly has not fallen farther than bodies touch: one lies on the other.
-    const double slow = 1e-3 * hop_speed(scene_.gravity.norm(), events_.tolerance(event.body));
-    if (!stays(after) && (event.wall >= 0 || after.coming > slow)) return false;
+    if (!stays(after) && (event.wall >= 0 || after.coming > slow(event.body))) return false;
     fly_on(event.body, a.state, false);
     recorder_.end_undecided(event.body);
     return true;
@@ -181,13 +177,14 @@ class ContactSimulation {
                const Vec3& acceleration = Vec3::Zero(),
                double stops = std::numeric_limits<double>::infinity()) {
     recorder_.forget(a, state);
-    landings(event.body) = {};
+    landings(event.body) = {.close = landings(event.body).close};
     recorder_.go_on(event.body, {run_.t, state, event.wall, acceleration});
     events_.support(event.body, state, run_.t, event.wall, acceleration, stops);
   }
 
   const ContactScene& scene_;
   ContactSettings settings_;
+  Thresholds thresholds_;
   Events events_;
   RunRecorder recorder_;
   ContactRun& run_ = recorder_.run();

@@ -21,6 +21,7 @@ struct Landings {
   int faint = 0;       ///< how many in turn had next to no speed, while the body gained no energy
   double energy = 0;   ///< the largest after one of these [J]
   bool skids = false;  ///< of a ball: whether its bounces have ended, and it slides on in hops
+  int close = 0;       ///< how many in turn, where nothing carries it, were too slow to leave
 
   /// Counts a landing. What begins to slide or to tip gains energy from one to the next.
   /// @param lowest speed of a hop [m/s]
@@ -38,6 +39,11 @@ struct Landings {
   bool are_endless(double e, bool hops) const {
     return faint >= (hops ? 1000 : 1000 / (1 - std::min(e, 0.999999)));
   }
+  /// Counts a landing on what may not carry it.
+  void count_close(bool is_close) { close = is_close ? close + 1 : 0; }
+  /// Whether it stays in touch there, even if it gains speed elsewhere: bounces have lost thirteen
+  /// digits, or a thousand have been too low to leave.
+  bool stay_close(double e) const { return close >= 30 / std::max(1 - e, 0.03); }
 };
 
 /// How fast a body leaves the ground for a hop of some height.

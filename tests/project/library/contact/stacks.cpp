@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "project/harness/inputs.hpp"
 #include "project/library/contact/contact_scenes.hpp"
 
 using namespace tumble;
@@ -38,4 +39,35 @@ TEST_CASE("stacks: an impact costs the same, however long the run goes on") {
   };
   MESSAGE(queries(2) << " distances of a run of 2 s, " << queries(2000) << " of one of 2000 s");
   CHECK(queries(2000) < 5 * queries(2) / 4);
+}
+
+TEST_CASE("stacks: one box that slides under another one ends in contact that lasts, and soon") {
+  test::Random rng(2);  // two of these ran into any limit of impacts
+  const auto still = [](const char* name, const Vec3& size, const Vec3& x) {
+    return box(name, size, x, Quat::Identity(), Vec3::Zero(), Vec3::Zero());
+  };
+  for (int i = 0; i < 10; ++i) {
+    CAPTURE(i);
+    const Vec3 lower = Vec3(0.263, 0.937, 0.909) + rng.vector(0, 1e-3);
+    const Vec3 upper = Vec3(0.39, 0.312, 0.914) + rng.vector(0, 1e-3);
+    const Vec3 x(-0.012, 0.003, 0.001 + lower.z() / 2);
+    const Vec3 above(0.0033, 0.0043, 0.001 + (lower.z() + upper.z()) / 2);
+    const ContactScene scene{{still("lower", lower, x), still("upper", upper, x + above)},
+                             {collide::HalfSpace{}},
+                             down,
+                             0.9,
+                             0.1};
+    const ContactRun run = simulate_contacts(scene, {.until = 3, .max_impacts = 1500});
+    CHECK(run.ending == Ending::lasting_contact);
+  }
+}
+
+TEST_CASE("stacks: bounces with e = 1 that friction takes away end in contact that lasts") {
+  const Vec3 size(0.41, 0.99, 0.82), above(0, 0, 2e-6 + size.z() / 2);
+  const auto scene = test::over_floor(box("box", size, above, from_axis_angle(Vec3::UnitX(), 1e-6),
+                                          Vec3(0.73, 0, 0), Vec3(0, 0, 0.334)),
+                                      1, 0.5);
+  const ContactRun run =
+      simulate_contacts(scene, {.until = 1, .tolerance = 1e-6, .max_impacts = 4000});
+  CHECK(run.ending == Ending::lasting_contact);
 }
