@@ -8,6 +8,7 @@
 
 #include "support/shortest.hpp"
 #include "tumble/mass/mass_properties.hpp"
+#include "tumble/mass/validity.hpp"
 
 namespace tumble::scenes {
 
@@ -17,12 +18,23 @@ inline std::string shortest(const Vec3& v) {
   return shortest(v.x()) + " " + shortest(v.y()) + " " + shortest(v.z());
 }
 
-/// Why there is no block: other programs read no number that is not finite. Empty if there is one.
+/// Why there is no block: other programs read the numbers of bodies that there can be. Empty if
+/// there is one.
 inline std::string block_defect(const MassProperties& body) {
   if (body.mass == 0 && !body.centre.allFinite())
     return "the mesh encloses no volume, so there is no mass and no centre of mass to write down";
-  if (std::isfinite(body.mass) && body.centre.allFinite() && body.inertia.allFinite()) return {};
-  return "the mass, the centre of mass or the inertia is no finite number";
+  if (!std::isfinite(body.mass) || !body.centre.allFinite() || !body.inertia.allFinite())
+    return "the mass, the centre of mass or the inertia is no finite number";
+  if (body.mass < 0) return "the mass is negative: the faces are inside out";
+  const std::string defect = detail::inertia_defect(body.inertia);
+  return defect.empty() ? defect : "the inertia tensor " + defect;
+}
+
+/// A line that such a file's readers pass over: two hyphens would end it.
+inline std::string comment(std::string text) {
+  for (auto at = text.find("--"); at != std::string::npos; at = text.find("--", at))
+    text.insert(at + 1, " ");
+  return "<!-- " + text + " -->\n";
 }
 
 /// Source: the URDF XML specification, `link`: the origin is the centre of mass in the link's

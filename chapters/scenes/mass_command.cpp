@@ -11,6 +11,13 @@
 namespace tumble::scenes {
 namespace {
 
+/// What was found goes with the numbers: who reads the file later has not seen our messages.
+void print_block(const MassAnswer& found, const MassCommand& command) {
+  if (!found.findings.empty())
+    for (const std::string& sentence : sentences(found)) std::cout << comment(sentence);
+  std::cout << inertial_block(command.block, found.body);
+}
+
 void print_all(const std::vector<MassAnswer>& all, const MassCommand& command) {
   if (command.json) {
     Json list = Json::array();
@@ -19,8 +26,8 @@ void print_all(const std::vector<MassAnswer>& all, const MassCommand& command) {
   } else if (!command.block.empty()) {
     for (const MassAnswer& found : all) {
       for (const std::string& sentence : sentences(found)) std::cerr << sentence << '\n';
-      if (all.size() > 1) std::cout << "<!-- " << support::escaped(found.file) << " -->\n";
-      if (found.usable) std::cout << inertial_block(command.block, found.body);
+      if (all.size() > 1) std::cout << comment(support::escaped(found.file));
+      if (found.usable) print_block(found, command);
     }
   } else if (all.size() > 1) {
     print_table(all);
@@ -38,8 +45,8 @@ void require_one_if_needed(const std::vector<std::string>& files, const MassComm
           " files has no room for it: ask for --json, or about one file");
 }
 
-/// Notes where there are no numbers for a block.
-void require_finite_blocks(std::vector<MassAnswer>& all) {
+/// Notes which files' numbers no block can have.
+void require_blocks(std::vector<MassAnswer>& all) {
   for (MassAnswer& found : all)
     if (found.usable && !(found.no_block = block_defect(found.body)).empty()) found.usable = false;
 }
@@ -71,7 +78,7 @@ int run(const MassCommand& command) {
   for (const std::string& file : files)
     all.push_back(files.size() == 1 ? mass_answer(command, file)
                                     : answer_or_refusal(command, file));
-  if (!command.block.empty()) require_finite_blocks(all);
+  if (!command.block.empty()) require_blocks(all);
   print_all(all, command);
   int status = support::exit_status::achieved;
   for (const MassAnswer& found : all)

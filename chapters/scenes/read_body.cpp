@@ -50,6 +50,8 @@ MassProperties mass_of(const Place& body, const std::optional<ReadShape>& shape)
   if (!shape) {
     require(!body.has("density"), body.name(),
             " has a density, but no shape: give it a shape, or a mass and an inertia");
+    require(body.has("mass") && body.has("inertia"), body.name(),
+            " has no shape, so it needs a mass and an inertia: give it both, or a shape");
     return {body["mass"].positive_number(), Vec3::Zero(), tensor(body["inertia"])};
   }
   require(!body.has("inertia"), body.name(), " has a shape and an inertia: give one of them");
@@ -65,39 +67,40 @@ Quat orientation_of(const Place& body) {
   const Place place = body["orientation"];
   if (!place.is_object()) {
     const Eigen::Vector4d q = place.numbers<4>();
-    require(q.norm() > 0, place.name(), " is zero");
-    return from_coefficients<double>(q.normalized());
+    require(!q.isZero(0), place.name(), " is zero");
+    return from_coefficients<double>(q.stableNormalized());
   }
-  place.require_only({"axis", "angle"});
+  place.require_some({"axis", "angle"});
   const Vec3 axis = place["axis"].vector();
-  require(axis.norm() > 0, place.name(), ".axis is zero");
+  require(!axis.isZero(0), place.name(), ".axis is zero");
   const Place angle = place["angle"];
   constexpr double turn = 2 * std::numbers::pi;
   if (std::abs(angle.number()) > turn)
     std::cerr << "tumble: note: " << angle.name() << " is " << angle.number() << " rad, "
               << angle.number() / turn << " turns. " << angle.number() << " degrees would be "
               << angle.number() * turn / 360 << " rad.\n";
-  return exp_quaternion<double>(angle.number() * axis.normalized());
+  return exp_quaternion<double>(angle.number() * axis.stableNormalized());
 }
 
 /// Adds a force to a body. Points count from the origin of the shape, forces from the centre.
 void add_force(const Place& force, const Vec3& centre, SceneBody& body) {
-  const std::string kind = force.only_key({"force", "drag", "spring"});
+  const std::string kind =
+      force.only_key({"force", "drag", "spring"}, "give one of them here, and the other by itself");
   const auto point = [&](const Place& at) -> Vec3 { return at.vector() - centre; };
   if (kind == "force") {
     const Place f = force["force"];
-    f.require_only({"newton", "at"});
+    f.require_some({"newton", "at"});
     const ForceAtBodyPoint push{f["newton"].vector(), f.has("at") ? point(f["at"]) : Vec3(0, 0, 0)};
     body.steady = body.steady + push.steady(body.body);
   } else if (kind == "drag") {
     const Place d = force["drag"];
-    d.require_only({"linear", "angular"});
+    d.require_some({"linear", "angular"});
     const BodyDrag drag{d.number_or("linear", 0), d.number_or("angular", 0)};
     d.refused_here([&] { drag.require_valid(); });
     body.steady = body.steady + drag.steady(body.body);
   } else {
     const Place s = force["spring"];
-    s.require_only({"at", "anchor", "stiffness", "length", "damping"});
+    s.require_some({"at", "anchor", "stiffness", "length", "damping"});
     const SpringToWorld spring{point(s["at"]), s["anchor"].vector(), s["stiffness"].number(),
                                s.number_or("length", 0), s.number_or("damping", 0)};
     s.refused_here([&] { spring.require_valid(); });
@@ -132,7 +135,7 @@ void require_only_gravity(const Place& body) {
 }  // namespace
 
 SceneBody read_body(const Place& place, std::size_t index, const Surroundings& around) {
-  place.require_only({"name", "shape", "density", "mass", "inertia", "position", "orientation",
+  place.require_some({"name", "shape", "density", "mass", "inertia", "position", "orientation",
                       "velocity", "omega", "held_at", "forces"});
   if (around.contact) require_only_gravity(place);
   std::optional<ReadShape> shape;

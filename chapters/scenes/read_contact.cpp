@@ -11,10 +11,10 @@ using support::Place;
 
 /// The normal may have any length.
 collide::HalfSpace half_space(const Place& place, std::initializer_list<const char*> keys) {
-  place.require_only(keys);
+  place.require_some(keys);
   const Vec3 normal = place["normal"].vector();
-  require(normal.norm() > 0, place.name(), ".normal is zero: give it the direction to the bodies");
-  return {place["point"].vector(), normal.normalized()};
+  require(!normal.isZero(0), place.name(), ".normal is zero: give it the direction to the bodies");
+  return {place["point"].vector(), normal.stableNormalized()};
 }
 
 SceneWall read_floor(const Place& place) {

@@ -17,7 +17,7 @@ namespace {
 using support::Place;
 
 StopWhen read_stop(const Place& place, const std::vector<SceneBody>& bodies) {
-  place.require_only({"body", "coordinate", "passes"});
+  place.require_some({"body", "coordinate", "passes"});
   const std::size_t body = place.has("body") ? find_body(place["body"], bodies) : 0;
   const std::string coordinate = place["coordinate"].text();
   const std::size_t axis = std::string("xyz").find(coordinate);
@@ -72,7 +72,7 @@ void read_times(const Place& root, Scene& scene) {
 }
 
 Scene interpret(const Place& root, const std::filesystem::path& folder) {
-  root.require_only({"bodies", "springs", "gravity", "from", "duration", "tolerance",
+  root.require_some({"bodies", "springs", "gravity", "from", "duration", "tolerance",
                      "record_every", "stop_when", "floor", "walls", "restitution", "friction"});
   Scene scene;
   scene.gravity = root.vector_or("gravity", Vec3::Zero());

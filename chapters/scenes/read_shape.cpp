@@ -24,7 +24,7 @@ ReadShape closed_form(const S& solid) {
 }
 
 ReadShape round_shape(const std::string& kind, const Place& place) {
-  place.require_only({"radius", "height"});
+  place.require_some({"radius", "height"});
   const double radius = place["radius"].number(), height = place["height"].number();
   if (kind == "cylinder") return closed_form(Cylinder{radius, height});
   if (kind == "cone") return closed_form(Cone{radius, height});
@@ -109,8 +109,8 @@ std::filesystem::path mesh_path(const Place& mesh, const std::filesystem::path& 
 
 ReadShape read_shape(const Place& shape, const std::filesystem::path& folder,
                      const parts::Densities& densities) {
-  const std::string kind =
-      shape.only_key({"ball", "box", "cylinder", "cone", "capsule", "ellipsoid", "mesh"});
+  const std::string kind = shape.only_key(
+      {"ball", "box", "cylinder", "cone", "capsule", "ellipsoid", "mesh"}, "a body has one shape");
   const Place place = shape[kind.c_str()];
   return place.refused_here([&]() -> ReadShape {
     if (kind == "mesh") return mesh_shape(place, folder, densities);

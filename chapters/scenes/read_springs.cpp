@@ -14,7 +14,7 @@ struct End {
 };
 
 End read_end(const Place& place, const std::vector<SceneBody>& bodies) {
-  place.require_only({"body", "at"});
+  place.require_some({"body", "at"});
   const std::size_t body = find_body(place["body"], bodies);
   require(!bodies[body].held, place.name(), ".body: ", support::escaped(bodies[body].name),
           " is held at a point. Give it a spring to the world, or let it go");
@@ -23,7 +23,7 @@ End read_end(const Place& place, const std::vector<SceneBody>& bodies) {
 }
 
 SpringBetween read_spring(const Place& place, const std::vector<SceneBody>& bodies) {
-  place.require_only({"from", "to", "stiffness", "length", "damping"});
+  place.require_some({"from", "to", "stiffness", "length", "damping"});
   const End from = read_end(place["from"], bodies), to = read_end(place["to"], bodies);
   require(from.body != to.body, place.name(), " joins ", support::escaped(bodies[from.body].name),
           " to itself");

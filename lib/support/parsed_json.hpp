@@ -27,7 +27,10 @@ inline std::string line_and_column(const std::string& text, std::size_t byte) {
 
 /// What the parser expected, without its own names for things.
 inline std::string what_was_expected(const std::string& what) {
-  constexpr std::array<std::array<std::string_view, 2>, 6> plain{{
+  constexpr std::array<std::array<std::string_view, 2>, 7> plain{{
+      {"invalid literal",
+       "JSON has no such word: it knows true, false, null and numbers, and a text has quotation "
+       "marks"},
       {"control character",
        "a text holds a raw control character: write \\t for a tab, and \\n "
        "where a line ends"},
@@ -48,26 +51,38 @@ inline std::string what_was_expected(const std::string& what) {
   return bracket != std::string::npos ? what.substr(bracket + 2) : what;
 }
 
+/// A { … } or a [ … ] that has not ended yet.
+struct OpenPlace {
+  std::string name;
+  bool is_list;
+  std::set<std::string> keys = {};
+  std::string last = {};  ///< key
+  int count = 0;          ///< of the elements that have begun
+
+  /// Of what begins inside.
+  std::string name_of_next() {
+    return name + (is_list ? "[" + std::to_string(count++) + "]" : "." + last);
+  }
+};
+
 /// The value of a document in which no { … } has a key twice: all but the last would be lost.
 /// @param name of the file, for messages
 /// @throws std::invalid_argument if it is none, and where; and if it is nested too deep: a walk
 ///         through it would run out of stack
 inline nlohmann::json parsed_json(const std::string& text, const std::string& name) {
   using Json = nlohmann::json;
-  struct Open {  // { … } that has not ended yet
-    std::string name;
-    std::set<std::string> keys;
-    std::string last;
-  };
-  std::vector<Open> all;
+  std::vector<OpenPlace> all;
   constexpr int deepest = 64;  // nobody writes more by hand
   const auto each_key_once = [&](int depth, Json::parse_event_t event, Json& value) {
     require(depth < deepest, name, " is nested deeper than ", deepest,
             ": it has too many [ or { in each other");
-    if (event == Json::parse_event_t::object_start)
-      all.push_back({all.empty() ? name : all.back().name + "." + all.back().last, {}, {}});
-    if (event == Json::parse_event_t::object_end) all.pop_back();
-    if (event != Json::parse_event_t::key) return true;
+    using Event = Json::parse_event_t;
+    const bool is_list = event == Event::array_start;
+    if (is_list || event == Event::object_start)
+      all.push_back({all.empty() ? name : all.back().name_of_next(), is_list});
+    if (event == Event::array_end || event == Event::object_end) all.pop_back();
+    if (event == Event::value && !all.empty()) all.back().name_of_next();
+    if (event != Event::key) return true;
     all.back().last = value.get<std::string>();
     require(all.back().keys.insert(all.back().last).second, all.back().name, " has ", value.dump(),
             " twice: which one counts?");

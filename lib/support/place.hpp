@@ -98,14 +98,20 @@ class Place {
     }
   }
 
+  /// The same where { } means nothing: it is asked by those who do not know what there is.
+  void require_some(std::initializer_list<const char*> known) const {
+    require_only(known);
+    require(!value_.empty(), name_, " is empty; there are: ", listed(known));
+  }
+
   /// The one key of { … } that says which kind of thing this is.
+  /// @param advice where there are two
   /// @throws std::invalid_argument unless there is exactly one, and it is known
-  std::string only_key(std::initializer_list<const char*> known) const {
+  std::string only_key(std::initializer_list<const char*> known, const std::string& advice) const {
     require_only(known);
     require(!value_.empty(), name_, " is empty: give one of ", listed(known));
     const std::string first = value_.begin().key(), last = std::prev(value_.end()).key();
-    require(value_.size() == 1, name_, " has \"", first, "\" and \"", last,
-            "\": give one of them here, and the other by itself");
+    require(value_.size() == 1, name_, " has \"", first, "\" and \"", last, "\": ", advice);
     return first;
   }
 

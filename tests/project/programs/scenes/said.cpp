@@ -80,6 +80,20 @@ TEST_CASE("mass: no block without finite numbers") {
   }
 }
 
+TEST_CASE("mass: no block of a body that cannot be, and what was found stands beside the numbers") {
+  write("inside_out.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+  write("open--.obj", tetrahedron.substr(0, tetrahedron.rfind("f ")));
+  for (const std::string block : {"--urdf", "--sdf", "--mjcf"}) {
+    const CommandResult turned = scenes("mass inside_out.obj --accept " + block);
+    CHECK(turned.status == 1);
+    CHECK(mentions(turned.output, "the mass is negative: the faces are inside out", "no " + block));
+    CHECK_FALSE(mentions(turned.output, "inertial>"));
+    const CommandResult open = scenes("mass open--.obj open--.obj --accept " + block);
+    CHECK(mentions(open.output, "<!-- open- -.obj -->", "<!-- open_edge: the edge", "<inertial"));
+  }
+}
+
 TEST_CASE("mass: blocks have as few digits as give the same doubles back") {
   write("tetrahedron.obj", tetrahedron);
   const std::string block = scenes("mass tetrahedron.obj --density 6 --urdf").output;
@@ -147,6 +161,7 @@ TEST_CASE("simulate: what a file's text has wrong is said in plain words, with t
   plain("\xff", "not UTF-8");
   plain("\\x", "a \\ before a character that needs none");
   plain("\\u12", "without four hexadecimal digits");
+  plain("\", \"tolerance\": NaN, \"", "JSON has no such word");
 }
 
 TEST_CASE("simulate: a file nested so deep that no program should follow it is refused") {

@@ -136,7 +136,7 @@ TEST_CASE("simulate: one thing twice, nothing at all, and numbers of no world ar
       mentions(with_force(json::object()), "forces[0] is empty: give one of force, drag, spring"));
   scene = thrown_ball();
   scene["bodies"][0]["shape"] = {{"ball", 1}, {"box", {1, 1, 1}}};
-  CHECK(mentions(refusal(scene), "shape has \"ball\" and \"box\""));
+  CHECK(mentions(refusal(scene), "shape has \"ball\" and \"box\": a body has one shape"));
   scene["bodies"][0]["shape"] = json::object();
   CHECK(mentions(refusal(scene), "shape is empty: give one of ball, box"));
   scene = thrown_ball();
@@ -148,8 +148,39 @@ TEST_CASE("simulate: one thing twice, nothing at all, and numbers of no world ar
   CHECK(mentions(refusal(scene), "bodies[0].velocity[1] is -1e+300"));
   write("scene.json", "{\"duration\": 1,\n \"duration\": 2}");
   CHECK(mentions(scenes("simulate scene.json").output, "scene.json has \"duration\" twice"));
+  write("scene.json",
+        R"({"bodies": [1, {}, {"forces": [{}, {"drag": {"linear": 1, "linear": 2}}]}]})");
+  CHECK(mentions(scenes("simulate scene.json").output,
+                 "scene.json.bodies[2].forces[1].drag has \"linear\" twice"));
   write("scene.json", "{\"duration\": 1e999}");
   CHECK(mentions(scenes("simulate scene.json").output, "scene.json", "1e999"));
+}
+
+TEST_CASE("simulate: an empty { } is told what there is, and a body what it lacks") {
+  json scene = thrown_ball();
+  scene["stop_when"] = json::object();
+  CHECK(mentions(refusal(scene), "stop_when is empty; there are: body, coordinate, passes"));
+  scene = thrown_ball();
+  scene["bodies"][0]["orientation"] = json::object();
+  CHECK(mentions(refusal(scene), "orientation is empty; there are: axis, angle"));
+  scene = thrown_ball();
+  scene["bodies"][0]["forces"] = {{{"spring", json::object()}}};
+  CHECK(mentions(refusal(scene), "forces[0].spring is empty; there are: at, anchor, stiffness"));
+  scene["bodies"][0] = json::object();
+  CHECK(mentions(refusal(scene), "bodies[0] is empty; there are: name, shape"));
+  CHECK(mentions(refusal(json::object()), "scene.json is empty; there are: bodies"));
+  scene["bodies"][0] = {{"mass", 1}};
+  CHECK(mentions(refusal(scene), "bodies[0] has no shape, so it needs a mass and an inertia"));
+}
+
+TEST_CASE("simulate: a direction and an orientation may have any length") {
+  json scene = thrown_ball();
+  scene["bodies"][0]["omega"] = {0, 0, 1};
+  const json usual = simulated(scene)["end"];
+  scene["bodies"][0]["orientation"] = {1e-200, 0, 0, 0};
+  CHECK(simulated(scene)["end"] == usual);
+  scene["bodies"][0]["orientation"] = {{"axis", {0, 0, 1e-200}}, {"angle", 0}};
+  CHECK(simulated(scene)["end"] == usual);
 }
 
 TEST_CASE("simulate: messages name the place once, and speak no library's language") {
