@@ -48,7 +48,7 @@ struct Springs {
   std::vector<particles::Spring> list;
 
   void operator()(double t, const particles::ParticlesView<double>& particles,
-                  const particles::Push<double>& push) const {
+                  const particles::ForceSums<double>& push) const {
     for (const particles::Spring& spring : list) spring(t, particles, push);
   }
 };

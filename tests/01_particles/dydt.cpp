@@ -31,7 +31,7 @@ VectorXd reference(const System& system, double t, const VectorXd& y) {
   for (int n = 0; n < count_of(system); ++n)
     list.push_back({mass_of(system, n), x_of(y, n), v_of(y, n)});
   const auto springs = [&](double, const tumble::particles::ParticlesView<double>& view,
-                           const tumble::particles::Push<double>& push) {
+                           const tumble::particles::ForceSums<double>& push) {
     for (const auto& [i, j, stiffness, damping, rest_length] : system.springs)
       tumble::particles::Spring{i, j, stiffness, damping, rest_length}(t, view, push);
   };

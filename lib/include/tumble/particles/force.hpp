@@ -41,10 +41,10 @@ class ParticlesView {
 
 /// Where the forces on each particle are summed up.
 template <class T>
-class Push {
+class ForceSums {
  public:
   /// @param sums six numbers a particle, the last three of them for the sum of its forces
-  explicit Push(T sums[]) : sums_(sums) {}
+  explicit ForceSums(T sums[]) : sums_(sums) {}
 
   /// Adds the force F [N] on particle i.
   void operator()(int i, const Vector3<T>& F) const {
@@ -64,7 +64,7 @@ concept ParticleForce = requires(const F& force, T t, const Particle<T>& particl
 /// A force that looks at all particles and pushes some.
 template <class F, class T>
 concept SystemForce = requires(const F& force, T t, const ParticlesView<T>& particles,
-                               const Push<T>& push) {
+                               const ForceSums<T>& push) {
   force(t, particles, push);
 };
 

@@ -68,7 +68,7 @@ class ParticleSystem {
       }
     }
     const ParticlesView<T> particles(y, masses_.data(), size());
-    const Push<T> push(ydot);
+    const ForceSums<T> push(ydot);
     std::apply([&](const auto&... force) { (apply(force, t, particles, push), ...); }, forces_);
     for (int i = 0; i < size(); ++i)
       for (int k = 6 * i + 3; k < 6 * i + 6; ++k) ydot[k] /= masses_[i];
@@ -83,7 +83,7 @@ class ParticleSystem {
 
   template <class AForce>
   static void apply(const AForce& force, T t, const ParticlesView<T>& particles,
-                    const Push<T>& push) {
+                    const ForceSums<T>& push) {
     if constexpr (ParticleForce<AForce, T>) {
       for (int i = 0; i < particles.size(); ++i) push(i, force(t, particles[i]));
     } else {

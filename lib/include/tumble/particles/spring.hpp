@@ -27,7 +27,7 @@ struct Spring {
 
   /// Pushes both ends.
   template <class T>
-  void operator()(T, const ParticlesView<T>& particles, const Push<T>& push) const {
+  void operator()(T, const ParticlesView<T>& particles, const ForceSums<T>& push) const {
     const Vector3<T> l = particles.x(i) - particles.x(j);
     const T length = l.norm();
     if (length == 0) return;

@@ -93,7 +93,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
         own_part() * initial_step_size(f, s, y, dydt, end - s, Method::error_order, tolerance_);
     int in_vain = 0;  // attempts in turn
     while (s != end && end_ == RunEnd::complete) {
-      const double shortest = 8 * 0x1p-52 * std::max(s, 0.01 * breaks_.back());
+      const double shortest = 16 * unit_roundoff * std::max(s, 0.01 * breaks_.back());
       const double wanted = std::max(guide_.longest(s, std::min(h, longest)), shortest);
       const double next = end - s <= 1.01 * wanted ? end : s + wanted;
       h = next - s;  // as far as the rounded time leads

@@ -26,7 +26,7 @@ std::array<Vec3, 2> forces_of(const particles::Spring& spring,
   const std::array<double, 2> masses{ends[0].mass, ends[1].mass};
   std::array<double, 12> sums{};
   spring(0.0, particles::ParticlesView<double>(y.data(), masses.data(), 2),
-         particles::Push<double>(sums.data()));
+         particles::ForceSums<double>(sums.data()));
   return {Vec3(sums[3], sums[4], sums[5]), Vec3(sums[9], sums[10], sums[11])};
 }
 
