@@ -3,6 +3,7 @@
 /// A tennis racket as a drawing in lines.
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "objects/tennis_racket.hpp"
@@ -15,7 +16,7 @@ struct RacketLines {
 };
 
 inline RacketLines racket_lines() {
-  constexpr double degree = pi / 180;
+  constexpr double degree = std::numbers::pi / 180;
   RacketLines lines;
   lines.frame.emplace_back();
   for (int i = 0; i <= 36; ++i)

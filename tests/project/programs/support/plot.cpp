@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "project/harness/refusal.hpp"
+#include "support/plot_layout.hpp"
 #include "support/table.hpp"
 #include "support/view.hpp"
 
