@@ -106,9 +106,9 @@ class Radau5::Stepper {
   /// while no more than most of it.
   runge_kutta::Attempt<State> no_solution(const State& y, Scalar h,
                                           const detail::NewtonResult<State>& newton) {
-    constexpr auto most = Scalar(0.8);
     is_doubtful_ = true;
-    longest_ = most * std::abs(h);
+    longest_ = Scalar(0.8) * std::abs(h);
+    forget_ = Scalar(1.02);
     const Scalar error = newton.finite ? std::numeric_limits<Scalar>::infinity()
                                        : std::numeric_limits<Scalar>::quiet_NaN();
     return {y, error, h / 2};
@@ -150,8 +150,8 @@ class Radau5::Stepper {
     last_eta_ = newton.eta;
     jacobian_is_needed_ = newton.rate > slow_rate;
     jacobian_is_fresh_ = false;
-    constexpr auto forget = Scalar(1.02);
-    longest_ *= forget;
+    longest_ *= forget_;
+    forget_ *= forget_;
   }
 
   static constexpr double slow_rate = 1e-3;  // of convergence, above which J is computed anew
@@ -162,8 +162,8 @@ class Radau5::Stepper {
   detail::Radau5Matrices<State> matrices_;
   detail::Radau5Stages<State> last_Z_;
   Scalar factorised_h_ = 0, last_h_ = 0, last_error_ = 1;
-  Scalar longest_ =
-      std::numeric_limits<Scalar>::infinity();  ///< that Newton's method seems to bear
+  /// The longest step that Newton's method seems to bear, and how fast that is forgotten.
+  Scalar longest_ = std::numeric_limits<Scalar>::infinity(), forget_ = 1;
   double last_eta_ = 1;
   bool jacobian_is_needed_ = true, jacobian_is_fresh_ = false;
   bool is_doubtful_ = true;  // the first step, or after a rejection
