@@ -11,7 +11,7 @@ using namespace tumble;
 
 namespace {
 
-struct Scene {
+struct DampedScene {
   double mass, damping, stiffness, rest_length, span, tolerance;
 
   Trajectory simulated(double part_of_tolerance) const {
@@ -27,7 +27,7 @@ struct Scene {
 };
 
 /// The largest difference of x, P, L and of the orientation.
-double difference(const Trajectory& a, const Trajectory& b, double span) {
+double difference_of(const Trajectory& a, const Trajectory& b, double span) {
   double most = 0, x = 0, P = 0, L = 0;
   constexpr int moments = 97;  // most of them inside steps
   for (int i = 0; i <= moments; ++i) {
@@ -49,14 +49,15 @@ double difference(const Trajectory& a, const Trajectory& b, double span) {
 // x in metres, and P in what the force could make of it, once had one size in common: the Jacobian
 // was one of other places, and Newton's method did not converge.
 TEST_CASE("stiff scenes: a strong damper, at every moment") {
-  for (const Scene& scene : {Scene{1, 2e5, 11382, 0, 3, 2e-5}, Scene{3, 2e5, 615'038, 0.5, 9, 1e-3},
-                             Scene{0.5, 614'198, 1.5, 0.5, 0.52, 1e-4},
-                             Scene{1, 8e6, 173, 0, 3, 1e-4}, Scene{2, 6e7, 28'000, 0.5, 1, 1e-3}}) {
+  for (const DampedScene& scene :
+       {DampedScene{1, 2e5, 11382, 0, 3, 2e-5}, DampedScene{3, 2e5, 615'038, 0.5, 9, 1e-3},
+        DampedScene{0.5, 614'198, 1.5, 0.5, 0.52, 1e-4}, DampedScene{1, 8e6, 173, 0, 3, 1e-4},
+        DampedScene{2, 6e7, 28'000, 0.5, 1, 1e-3}}) {
     CAPTURE(scene.damping);
     const Trajectory motion = scene.simulated(1), finer = scene.simulated(1e-3);
     CHECK(motion.report().method == "Radau IIA 5");
     CHECK(motion.report().reached());
-    CHECK(difference(motion, finer, scene.span) <=
+    CHECK(difference_of(motion, finer, scene.span) <=
           3 * (motion.report().error_estimate + finer.report().error_estimate));
   }
 }
