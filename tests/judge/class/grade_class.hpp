@@ -36,6 +36,9 @@ struct GradesFolder {
   std::filesystem::path lock() const { return path / "lock"; }
   /// The settings that were graded with.
   std::filesystem::path settings() const { return path / "course.json"; }
+  std::filesystem::path roster() const { return path / "roster.csv"; }
+  /// Where the submissions were.
+  std::filesystem::path submissions() const { return path / "submissions.json"; }
   std::filesystem::path csv() const { return path / "grades.csv"; }
   std::filesystem::path junit() const { return path / "junit.xml"; }
   std::filesystem::path seed() const { return path / "seed"; }

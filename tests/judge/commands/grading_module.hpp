@@ -35,6 +35,8 @@ struct GradingModule {
   /// The units that count, by the settings or by default, and an engine if its curves go with the
   /// grades.
   Targets (*specs_that_count)(const Course& course, const std::optional<fs::path>& settings);
+  /// Those by the settings that `grade` takes: the ones that were given, or those of before.
+  Targets (*specs_to_grade)(const Course& course, const GradeOptions& options);
   /// The files in a student's archive.
   /// @param called the archive in messages
   /// @throws std::invalid_argument if it cannot be read: why

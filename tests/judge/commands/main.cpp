@@ -203,12 +203,17 @@ class CommandLine {
         "grade", "grade a class, or a part of one",
         [this](const Course& course) { return grading_module(course).grade(course, grade_); },
         [this](const Course& course) {
-          return grade_.merge.empty() ? specs_that_count(course, grade_.settings) : Targets{};
+          return grade_.merge.empty() ? grading_module(course).specs_to_grade(course, grade_)
+                                      : Targets{};
         },
         grading_of_archives);
-    app.add_option("DIR", grade_.folders,
-                   "folders with a folder or an archive per student, or a platform's download");
-    app.add_option("--out", grade_.out, "folder for the results; grading goes on where it was")
+    app.add_option(
+        "DIR", grade_.folders,
+        "folders with a folder or an archive per student, or a platform's download; those "
+        "of before if not given");
+    app.add_option("--out", grade_.out,
+                   "folder for the results; grading goes on where it was, and takes DIR, --from, "
+                   "--course and --roster from there if they are not given")
         ->capture_default_str();
     std::vector<CLI::Option*> about_judging = {
         app.get_option("DIR"),
@@ -223,7 +228,9 @@ class CommandLine {
         app.add_option("--only", grade_.only,
                        "judge only these exercises, chapters or ranges (1.1-1.3), and again")
             ->delimiter(','),
-        app.add_option("--student", grade_.students, "judge only these students"),
+        app.add_option("--student", grade_.students,
+                       "judge only these students; here and for --only, --course "
+                       "and --roster have to be those of before"),
         app.add_option("--jobs", grade_.at_once,
                        "submissions at a time; as many as cores if not given")
             ->check(whole_number_to(1000)),

@@ -7,7 +7,6 @@
 #include "judge/class/class_outputs.hpp"
 #include "judge/class/progress_line.hpp"
 #include "judge/commands/grading/grade_messages.hpp"
-#include "support/text_file.hpp"
 
 namespace tumble::judge {
 
@@ -70,14 +69,6 @@ bool said_who_is_incomplete(const std::vector<StudentRecord>& records) {
 }
 
 }  // namespace
-
-void keep_settings(const GradesFolder& folder, const std::optional<std::string>& text) {
-  std::error_code was_not_there;
-  if (text)
-    support::write_text(folder.settings(), *text);
-  else
-    fs::remove(folder.settings(), was_not_there);
-}
 
 int finish_class(const ClassRoll& roll, const GradesFolder& folder, const CourseSettings& settings,
                  const GradingRun& run) {

@@ -3,7 +3,6 @@
 /// The end of every grading, on one machine or on several: tables, feedback, and how it went.
 
 #include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,6 @@ struct GradingRun {
   bool interrupted = false;
   std::string again = "the same command";  ///< what goes on where this has ended
 };
-
-/// Keeps the settings for the report; without, none are there then.
-void keep_settings(const GradesFolder& folder, const std::optional<std::string>& text);
 
 /// Writes what there is about a class, says what was written, and how it ended.
 /// @return the exit status

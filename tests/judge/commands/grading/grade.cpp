@@ -14,6 +14,7 @@
 #include "judge/class/units_meant.hpp"
 #include "judge/commands/grading/finish_grading.hpp"
 #include "judge/commands/grading/grade_messages.hpp"
+#include "judge/commands/grading/graded_before.hpp"
 #include "judge/commands/grading/grading.hpp"
 #include "judge/commands/sandbox.hpp"
 #include "support/how_many.hpp"
@@ -104,11 +105,6 @@ void require_seed(const CourseSettings& settings, const GradesFolder& folder) {
           std::random_device{}());
 }
 
-std::optional<std::string> text_of(const std::optional<fs::path>& file) {
-  if (!file) return std::nullopt;
-  return support::read_text(*file);
-}
-
 /// What has to be remembered of a shard, until it is merged.
 ShardManifest manifest(const Shard& shard, const Grading& grading, const GradeOptions& options,
                        const ClassRoll& roll) {
@@ -190,11 +186,23 @@ GradingRun judged(const Grading& grading, const std::vector<Submission>& submiss
   return run;
 }
 
+/// The options with what was given before, which is said.
+GradeOptions completed(const GradeOptions& given) {
+  std::string taken;
+  GradeOptions options = as_before(given, taken);
+  const bool has_files = options.settings != given.settings || options.roster != given.roster;
+  if (!taken.empty())
+    say("as before: ", escaped(taken), has_files ? " (to grade without a file, delete it)" : "");
+  require(!options.folders.empty(), "DIR is required: the folder of the submissions; ",
+          given.out.string(), " remembers none");
+  return options;
+}
+
 }  // namespace
 
-int grade(const Course& course, const GradeOptions& options) {
-  if (!options.merge.empty()) return merge(course, options);
-  require(!options.folders.empty(), "DIR is required: the folder of the submissions");
+int grade(const Course& course, const GradeOptions& given) {
+  if (!given.merge.empty()) return merge(course, given);
+  const GradeOptions options = completed(given);
   CourseSettings settings = settings_or_default(course, options.settings);
   std::optional<Shard> shard;
   if (options.shard) shard = shard_in(*options.shard);
@@ -205,11 +213,12 @@ int grade(const Course& course, const GradeOptions& options) {
   const std::vector<Submission>& all = work.roll.submissions;
   const std::vector<Submission> submissions = chosen(all, options, shard);
   const std::set<std::string> only = units_named(course, settings, options.only);
+  say_what_differs(options);
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::yes)) return 2;
   fs::create_directories(folder.path / "students");
   if (shard) require_same_cut(folder, *shard);
   const FolderLock lock(folder, shard);
-  if (!shard) keep_settings(folder, text_of(options.settings));  // a shard's manifest has them
+  if (!shard) keep(folder, options);  // a shard's manifest has all of it
   const WorkFolder compiled;
   fs::permissions(compiled.path(), fs::perms::owner_all);  // nobody else's, not even to look in
   const ObjectCache cache(compiled.path());

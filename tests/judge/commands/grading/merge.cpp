@@ -6,6 +6,7 @@
 #include "judge/class/merge_shards.hpp"
 #include "judge/commands/grading/finish_grading.hpp"
 #include "judge/commands/grading/grade_messages.hpp"
+#include "judge/commands/grading/graded_before.hpp"
 #include "judge/commands/grading/grading.hpp"
 #include "support/how_many.hpp"
 
@@ -57,8 +58,10 @@ int merge(const Course& course, const GradeOptions& options) {
             << support::how_many(shards.roll().submissions.size(), "submission") << ", "
             << support::how_many(shards.settings().units.size(), "exercise") << " each\n";
   shards.bring_to(out);
-  keep_settings(out, shards.settings_text());
-  const int status = finish_class(shards.roll(), out, shards.settings(), run);
+  const ClassRoll& roll = shards.roll();
+  keep_files(out, shards.settings_text(),
+             roll.roster ? std::optional(roll.roster_text) : std::nullopt);
+  const int status = finish_class(roll, out, shards.settings(), run);
   return said_unfinished(shards, out) && status == 0 ? 1 : status;
 }
 

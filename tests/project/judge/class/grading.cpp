@@ -288,6 +288,7 @@ TEST_CASE("late work, extensions, overrides, extra credit") {
   CHECK(two.record("ben").at("units")[1].at("passed") == false);  // the verdict stays
   CHECK(tells(grade(R"(, "overrides": {"bne": {"points": 2, "reason": "x"}})"),
               "overrides: there is no bne; did you mean ben?"));
+  fs::remove(two.out / "roster.csv");
   const CommandResult spoken = two.grade_with("{" + due + "}");  // nobody knows when
   CHECK(tells(spoken,
               "we don't know when these students handed in, so their work counts as on time:\n  "

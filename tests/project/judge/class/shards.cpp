@@ -93,12 +93,14 @@ struct Dozen {
     how(j);
     test::write_file(at(path), j.dump());
   }
-  /// All files of a folder, but for the process that the lock names and what shards leave.
+  /// All files of a folder, but for the process that the lock names, where submissions were, and
+  /// what shards leave.
   Files files_in(const std::string& folder) const {
     Files files;
     for (const auto& entry : fs::recursive_directory_iterator(at(folder)))
       if (const std::string name = entry.path().lexically_relative(at(folder)).string();
-          entry.is_regular_file() && name != "lock" && !name.starts_with("shards/"))
+          entry.is_regular_file() && name != "lock" && name != "submissions.json" &&
+          !name.starts_with("shards/"))
         files[name] = test::text_of(entry.path());
     return files;
   }
