@@ -61,16 +61,22 @@ std::optional<Misconception> left_at_zero(const Finding& finding) {
 
 }  // namespace
 
+bool is_unchanged(const Value& argument, const Value& answer) {
+  return argument.data.index() == answer.data.index() && largest_difference(argument, answer) == 0;
+}
+
 bool equals_argument(const List& arguments, const Value& answer) {
-  return std::any_of(arguments.begin(), arguments.end(), [&](const Value& argument) {
-    return argument.as<List>() && largest_difference(argument, answer) == 0;
-  });
+  return std::any_of(arguments.begin(), arguments.end(),
+                     [&](const Value& argument) { return is_unchanged(argument, answer); });
+}
+
+Misconception argument_unchanged() {
+  return {argument_as_it_came, "Your answer is one of the arguments, unchanged.", ""};
 }
 
 std::vector<Misconception> names_of_likeness(const Finding& finding) {
   const Value& answer = *finding.answer;
-  if (is_argument(finding))
-    return {{argument_as_it_came, "Your answer is one of the arguments, unchanged.", ""}};
+  if (is_argument(finding)) return {argument_unchanged()};
   if (!finding.demanded) return {};
   const Value& demanded = *finding.demanded;
   const auto meets = [&](const Value& value) {

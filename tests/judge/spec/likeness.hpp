@@ -19,7 +19,12 @@ inline constexpr const char* argument_as_it_came = "the argument as it came";
 /// The name of an answer whose first or last numbers are 0.
 inline constexpr const char* left_at_zero_name = "places left at zero";
 
-/// Whether an answer is one of the arguments that are lists.
+Misconception argument_unchanged();
+
+/// Whether an answer is this argument, of the same type and to the last digit.
+bool is_unchanged(const Value& argument, const Value& answer);
+
+/// Whether an answer is one of the arguments.
 bool equals_argument(const List& arguments, const Value& answer);
 
 /// What is said where places of a list were left out.

@@ -1,7 +1,8 @@
 #pragma once
 /// @file
 /// Named wrong answers. When an answer is wrong, the judge looks which misconception gives the same
-/// numbers to every question of the unit so far, and says so.
+/// numbers to every question of the unit so far, and evaluates given functions where the student
+/// does, and says so.
 
 #include <functional>
 #include <map>

@@ -224,6 +224,9 @@ std::vector<CaseResult> run_spec(const SpecRun& run, Answerer& answerer) {
       return !explanations.explains(misconception.name, each.number);
     });
     if (names.empty()) names = names_of_numbers(each, session);
+    const bool has_answer = each.finding->outcome == Outcome::wrong && each.finding->answer;
+    if (names.empty() && has_answer && session.answers_with_an_argument())
+      names = {argument_unchanged()};
     if (names.empty() && is_told_by_answers(*each.finding) && !std::exchange(asked_alone, true) &&
         session.answers_otherwise_alone(each.number, each.finding->answer))
       names = {something_kept()};

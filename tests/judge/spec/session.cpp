@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "judge/course/stable_hash.hpp"
+#include "judge/spec/likeness.hpp"
+#include "judge/spec/places.hpp"
 #include "tumble/core/rounding.hpp"
 
 namespace tumble::judge {
@@ -295,18 +297,51 @@ std::size_t Session::asked_behind_the_wrong_answer(std::size_t number) const {
   return 0;
 }
 
+bool Session::answers_with_an_argument() const {
+  constexpr std::size_t enough = 4;  // numbers, in two answers at least
+  std::size_t numbers = 0;
+  for (const Call& call : calls_) numbers += count_nonzero(call.answer);
+  if (calls_.size() < 2 || numbers < enough) return false;
+  for (std::size_t i = 0; i < calls_.front().arguments.size(); ++i)
+    if (std::all_of(calls_.begin(), calls_.end(), [i](const Call& call) {
+          return i < call.arguments.size() && is_unchanged(call.arguments[i], call.answer);
+        }))
+      return true;
+  return false;
+}
+
+namespace {
+
+/// Whether an answer and a misconception's are the same, and come of as many evaluations: if what
+/// the functions gave has left no trace in the numbers, these have to be as many; else none is like
+/// none, since some are more wasteful than others.
+bool is_same(const Call& call, std::size_t misconception, bool has_no_trace) {
+  std::size_t evaluations = 0;
+  const auto counted = [&](FunctionId id, const List& arguments) {
+    ++evaluations;
+    return call.functions(id, arguments);
+  };
+  try {
+    const Value other = call.misconception(misconception, counted);
+    const std::size_t asked = call.evaluations.size();
+    if (has_no_trace ? evaluations != asked : (evaluations == 0) != (asked == 0)) return false;
+    // The student's arithmetic may take another way to the same wrong number.
+    const double rounding = 64 * detail::unit_roundoff * largest_magnitude(other);
+    return call.metric(call.answer, other) <= std::fmax(call.tolerance, rounding);
+  } catch (const std::exception&) {
+    return false;  // it has no answer here, and the student has one
+  }
+}
+
+}  // namespace
+
 bool Session::gives_the_same(std::size_t misconception, std::size_t first, std::size_t last) const {
-  const auto at = [&](std::size_t i) { return calls_.begin() + static_cast<std::ptrdiff_t>(i); };
-  return std::all_of(at(first), at(last), [&](const Call& call) {
-    try {
-      const Value other = call.misconception(misconception, call.functions);
-      // The student's arithmetic may take another way to the same wrong number.
-      const double rounding = 64 * detail::unit_roundoff * largest_magnitude(other);
-      return call.metric(call.answer, other) <= std::fmax(call.tolerance, rounding);
-    } catch (const std::exception&) {
-      return false;  // it has no answer here, and the student has one
-    }
+  const auto asked = std::span(calls_).subspan(first, last - first);
+  const bool has_no_trace = std::all_of(asked.begin(), asked.end(), [](const Call& call) {
+    return equals_argument(call.arguments, call.answer);
   });
+  return std::all_of(asked.begin(), asked.end(),
+                     [&](const Call& call) { return is_same(call, misconception, has_no_trace); });
 }
 
 }  // namespace tumble::judge

@@ -64,6 +64,9 @@ class Session {
   /// How many questions of case `number` follow the one with its first wrong answer: they
   /// were asked before any was judged. 0 if all answers of the case are the same.
   std::size_t asked_behind_the_wrong_answer(std::size_t number) const;
+  /// Whether all answers of the run are the same one of their arguments, unchanged: so many that it
+  /// is not by chance.
+  bool answers_with_an_argument() const;
   /// Throws again what went wrong on the judge's side, if anything did: it is nobody's wrong
   /// answer.
   void rethrow_judge_failure() const;
