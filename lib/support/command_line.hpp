@@ -4,7 +4,9 @@
 /// report what went wrong, and their exit statuses.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <string>
@@ -74,17 +76,42 @@ inline std::string unexpected(const CLI::App& app, const std::string& argument) 
   return "'" + argument + "' is one argument too many";
 }
 
+/// What CLI11 says of values, in plain words: "--about: at least 3 values are expected, not 1".
+inline std::string in_plain_words(std::string said) {
+  const auto replace = [&](const std::string& words, const std::string& by) {
+    const std::size_t at = said.find(words);
+    if (at != std::string::npos) said.replace(at, words.size(), by);
+    return at != std::string::npos;
+  };
+  if (replace("Could not convert: ", "") && replace(" = ", ": '"))
+    return said + "' is not a number";
+  if (replace(": At least ", ": at least ") || replace(": At Most ", ": at most "))
+    replace(" required but received ", " values are expected, not ");
+  const std::size_t none = said.find(": 1 required ");
+  return none == std::string::npos ? said : said.substr(0, none) + ": a value is missing";
+}
+
 inline std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> rest = app.remaining(true);
   const bool no_command = &given_command(app) == &app && !command_names(app).empty();
   const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  return !rest.empty() && (extra || no_command) ? unexpected(app, rest.front()) : error.what();
+  return !rest.empty() && (extra || no_command) ? unexpected(app, rest.front())
+                                                : in_plain_words(error.what());
+}
+
+/// A file larger than `ulimit -f` allows is then a write that fails, as on a full disk, and not the
+/// end of the program. By a handler: programs that we start would inherit that it is ignored.
+inline void let_long_files_fail() {
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, [](int) {});
+#endif
 }
 
 /// Reads the command line, runs, and reports what went wrong.
 /// @param app is named as users call it, "./tumble tour": nobody sees another program's path
 /// @return the exit status for main
 inline int run_command_line(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+  let_long_files_fail();
   try {
     app.parse(argc, argv);
     return finished(run());
@@ -92,6 +119,8 @@ inline int run_command_line(CLI::App& app, int argc, char** argv, const std::fun
     return finished(app.exit(help));
   } catch (const CLI::ParseError& error) {
     return failed(complaint(app, error) + "\ntumble: see " + usage_name(app) + " --help");
+  } catch (const std::filesystem::filesystem_error& error) {
+    return failed(error.path1().string() + ": " + error.code().message());
   } catch (const std::exception& error) {
     return failed(error.what());
   }

@@ -49,6 +49,16 @@ std::vector<ListedStudent> students_with_records(const GradesFolder& folder) {
 
 }  // namespace
 
+void create(const GradesFolder& folder) {
+  std::error_code error;
+  require(!fs::exists(folder.path, error) || fs::is_directory(folder.path, error),
+          "--out is the folder for the results, and ", folder.path.string(), " is none");
+  fs::create_directories(folder.path / "students", error);
+  if (error)
+    throw std::runtime_error("cannot make the folder " + folder.path.string() + ": " +
+                             error.message());
+}
+
 void copy_sources(const fs::path& from, const fs::path& to, const std::vector<Unit>& units) {
   for (const Unit& unit : units) {
     const fs::path source = kept_source(from, unit), copy = kept_source(to, unit);

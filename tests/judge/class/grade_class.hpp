@@ -46,6 +46,10 @@ struct GradesFolder {
   std::filesystem::path shards() const { return path / "shards"; }
 };
 
+/// Makes the folder, where it is not there yet.
+/// @throws std::exception naming the folder if it cannot be one
+void create(const GradesFolder& folder);
+
 /// Copies the files of these units that were judged; of a unit without one, none is there then.
 void copy_sources(const std::filesystem::path& from, const std::filesystem::path& to,
                   const std::vector<Unit>& units);

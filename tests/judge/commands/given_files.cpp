@@ -23,6 +23,8 @@ GivenFiles::GivenFiles(const Course& course, const fs::path& from) {
   std::error_code error;
   const fs::path given = fs::weakly_canonical(from, error);
   require(!error, from.string(), " cannot be read: ", error.message());
+  require(is_archive(given) || !fs::exists(given, error) || fs::is_directory(given, error),
+          from.string(), " is a file: --from takes the folder that holds yours, or a zip");
   if (is_archive(given))
     file_of_ = grading_module(course).unpacked(course, given, from.string());
   else

@@ -184,17 +184,17 @@ class CommandLine {
     CLI::App& hints = command(
         "hint", "three hints per exercise, one at a time",
         [this](const Course& course) { return hint(course, unit_, hint_); }, nothing);
-    hints.add_option("unit", unit_, "4.1 or product; the next open one if not given");
+    hints.add_option("exercise", unit_, "4.1 or product; the next open one if not given");
     hints.add_option("number", hint_, "1, 2 or 3; the next one if not given");
     command(
         "reset", "put the untouched stub back, keeping your file",
         [this](const Course& course) { return reset(course, unit_); }, nothing)
-        .add_option("unit", unit_)
+        .add_option("exercise", unit_, "4.1 or product")
         ->required();
     CLI::App& answer = command(
         "solution", "the solution of an exercise that passes",
         [this](const Course& course) { return solution(course, unit_, anyway_); }, nothing);
-    answer.add_option("unit", unit_)->required();
+    answer.add_option("exercise", unit_, "4.1 or product")->required();
     answer.add_flag("--anyway", anyway_, "although it does not pass");
   }
 
@@ -212,8 +212,8 @@ class CommandLine {
         "folders with a folder or an archive per student, or a platform's download; those "
         "of before if not given");
     app.add_option("--out", grade_.out,
-                   "folder for the results; grading goes on where it was, and takes DIR, --from, "
-                   "--course and --roster from there if they are not given")
+                   "folder for the results; grading goes on where it was, with the same DIR, "
+                   "platform, settings and roster if you give no others")
         ->capture_default_str();
     std::vector<CLI::Option*> about_judging = {
         app.get_option("DIR"),
@@ -225,12 +225,13 @@ class CommandLine {
         app.add_option("--roster", grade_.roster,
                        "the class list (CSV) with names and numbers; students without a submission "
                        "get a row, too"),
-        app.add_option("--only", grade_.only,
-                       "judge only these exercises, chapters or ranges (1.1-1.3), and again")
+        app.add_option(
+               "--only", grade_.only,
+               "judge only these exercises, chapters or ranges (1.1-1.3), and again; settings "
+               "and roster have to be those of before")
             ->delimiter(','),
         app.add_option("--student", grade_.students,
-                       "judge only these students; here and for --only, --course "
-                       "and --roster have to be those of before"),
+                       "judge only these students; settings and roster have to be those of before"),
         app.add_option("--jobs", grade_.at_once,
                        "submissions at a time; as many as cores if not given")
             ->check(whole_number_to(1000)),

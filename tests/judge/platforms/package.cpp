@@ -39,7 +39,7 @@ std::string with_seconds(std::string time) {
 
 std::string points_text(double points) {
   char text[32];
-  std::snprintf(text, sizeof text, "%g", points);
+  std::snprintf(text, sizeof text, "%g point%s", points, points == 1 ? "" : "s");
   return text;
 }
 
@@ -106,7 +106,7 @@ class Package {
     words_["ASSESS"] = order_.each ? "the questions into an assessment, with partial credit: "
                                      "`zones.json` has their names and points"
                                    : "the question into an assessment with " + words_.at("POINTS") +
-                                         " points and partial credit";
+                                         " and partial credit";
     make_tree(course_, {all_chapters_, false}, order_.to / "image" / "tumble");  // for all
     copy("Dockerfile", order_.to / "image");
     copy("README.md", order_.to);

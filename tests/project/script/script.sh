@@ -161,6 +161,26 @@ for command in chapter book bench test completion prepare; do
     called_nothing
   done
 done
+# All that the programs behind them take is in their help and in what a shell completes.
+options_in() { grep -o '_\(option\|flag\)("--[a-z-]*' "$1" | sed 's/.*"//'; }
+for what in mass dynamics contact judge; do
+  main=$root/tests/project/bench/$what/main.cpp
+  # shellcheck disable=SC2046  # several words
+  run bench --help
+  expect 0 $(options_in "$main")
+  # shellcheck disable=SC2046
+  expect 0 $(sed -n 's/.*IsMember({\(.*\)}).*/\1/p' "$main" | tr -d '",')
+  run completion words bench "$what"
+  # shellcheck disable=SC2046
+  expect 0 $(options_in "$main")
+done
+for arguments in 'chapter --help' 'completion words chapter'; do
+  # shellcheck disable=SC2086
+  run $arguments
+  # shellcheck disable=SC2046
+  expect 0 $(options_in "$root/lib/support/chapter.cpp")
+done
+what='help'
 run bench mass --quick --help
 expect 0 'usage: ./tumble bench'
 run --version

@@ -215,7 +215,7 @@ int grade(const Course& course, const GradeOptions& given) {
   const std::set<std::string> only = units_named(course, settings, options.only);
   say_what_differs(options);
   if (!may_judge(course, options.strict ? Strangers::strictly : Strangers::yes)) return 2;
-  fs::create_directories(folder.path / "students");
+  create(folder);
   if (shard) require_same_cut(folder, *shard);
   const FolderLock lock(folder, shard);
   if (!shard) keep(folder, options);  // a shard's manifest has all of it

@@ -49,7 +49,7 @@ int merge(const Course& course, const GradeOptions& options) {
   run.again = "judging their shards again";
   const GradesFolder out{options.out};
   const ShardedClass shards(course, options.merge);
-  fs::create_directories(out.path / "students");
+  create(out);
   const GradingLock lock(out.lock(), out.path.string());
   if (!is_here(course, shards))
     std::cerr << "tumble: one judge has judged all the shards, and this tumble is another: "

@@ -225,7 +225,14 @@ TEST_CASE("wrong usage: what is wrong, what was meant, and status 2") {
       {"check 1.1 1.2", "tumble: '1.2' is one argument too many"},
       {"check 1.1 --seeds 0", "--seeds"},
       {"chekc 1.1", "tumble: there is no command 'chekc'; did you mean check?"},
-      {"reset", "unit is required"},
+      {"reset", "tumble: exercise is required\n"},
+      {"solution", "tumble: exercise is required\n"},
+      {"hint 1.1 x", "tumble: number: 'x' is not a number\n"},
+      {"check 1.1 --from '" __FILE__ "'",
+       "tumble: " __FILE__ " is a file: --from takes the folder that holds yours, or a zip\n"},
+      {"grade . --out /dev/full",
+       "tumble: --out is the folder for the results, and /dev/full is none\n"},
+      {"grade . --out /dev/full/grades", "tumble: cannot make the folder /dev/full/grades: "},
       {"", "tumble: "}};
   for (const auto& each : wrong) {
     const auto& arguments = each.first;  // clang 14: no lambda of doctest's takes a binding

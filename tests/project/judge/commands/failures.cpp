@@ -113,6 +113,16 @@ TEST_CASE("a temporary folder that other users may not enter is no student's fau
   CHECK_MESSAGE(says(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
 }
 
+TEST_CASE("files that may not be as long as they have to be: no end without a word") {
+  const Student student;
+  const CommandResult graded = student.grade("ulimit -f 1; ");
+  CHECK_MESSAGE(graded.status == 2, graded.output);
+  CHECK_MESSAGE(says(graded.output, "tumble: "), graded.output);
+  CHECK_MESSAGE(says(graded.output, "File too large"), graded.output);
+  CHECK(student.grade().status == 0);
+  CHECK_MESSAGE(says(student.csv(), "ann,2,2,100,2,,1,1"), student.csv());
+}
+
 TEST_CASE("a full disk is no student's zero: nothing is counted, and the next grading judges") {
   const Student student;
   const fs::path small = student.work.path() / "small";

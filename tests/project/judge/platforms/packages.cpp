@@ -66,6 +66,13 @@ void check_no_secret_seed(const json& settings) {
   CHECK(settings.at("seed") != 7);
 }
 
+TEST_CASE("export: one point is one point") {
+  const Packages packages(R"({"units": ["1.2"]})");
+  REQUIRE(packages.make("gradescope").status == 0);
+  CHECK(test::contains(test::text_of(packages["gradescope"] / "README.md"),
+                       "a programming assignment worth 1 point. *Configure"));
+}
+
 TEST_CASE("export: Gradescope's zip has the two scripts at its root, and the solutions") {
   const Packages packages(chapter_1);
   const CommandResult made = packages.make("gradescope");
