@@ -39,8 +39,13 @@ std::string with_seconds(std::string time) {
 
 std::string points_text(double points) {
   char text[32];
-  std::snprintf(text, sizeof text, "%g point%s", points, points == 1 ? "" : "s");
+  std::snprintf(text, sizeof text, "%g", points);
   return text;
+}
+
+/// "1 point", "7 points".
+std::string how_many_points(double points) {
+  return points_text(points) + (points == 1 ? " point" : " points");
 }
 
 /// The last chapter whose functions are needed: a function may call those of earlier chapters, and
@@ -71,7 +76,7 @@ class Package {
     }
     words_ = {
         {"TITLE", settings_.title},
-        {"POINTS", points_text(settings_.most())},
+        {"POINTS", how_many_points(settings_.most())},
         {"QID", slug_of(settings_.title)},
         {"CURVE", curve ? ", and `engine.svg` with the curves of the student's own engine" : ""}};
   }
