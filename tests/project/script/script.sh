@@ -165,8 +165,8 @@ done
 options_in() { grep -o '_\(option\|flag\)("--[a-z-]*' "$1" | sed 's/.*"//'; }
 for what in mass dynamics contact judge; do
   main=$root/tests/project/bench/$what/main.cpp
-  # shellcheck disable=SC2046  # several words
   run bench --help
+  # shellcheck disable=SC2046  # several words
   expect 0 $(options_in "$main")
   # shellcheck disable=SC2046
   expect 0 $(sed -n 's/.*IsMember({\(.*\)}).*/\1/p' "$main" | tr -d '",')
