@@ -154,7 +154,7 @@ class GeneralTrajectory : public MotionRecord<Rhs> {
     if constexpr (requires { stepper.stages_of_step(); }) {
       remember_way(f, s, y, y1, h, stepper.stages_of_step());
       constexpr double worth_it = 5000;  // steps
-      if (settings_.watched && watch_.looks_at(this->steps()) &&
+      if (settings_.watched && StiffnessWatch::looks_at(this->steps()) &&
           watch_.is_stiff(stepper.stiffness(y, y1, h)) && budget_.predicted() > worth_it)
         end_ = RunEnd::stiff;
     }

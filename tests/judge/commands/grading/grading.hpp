@@ -8,7 +8,7 @@
 
 namespace tumble::judge {
 
-int grade(const Course& course, const GradeOptions& options);
+int grade(const Course& course, const GradeOptions& given);
 /// Makes the grades of a class whose shards were judged elsewhere.
 int merge(const Course& course, const GradeOptions& options);
 int report(const Course& course, const ReportOptions& options);
