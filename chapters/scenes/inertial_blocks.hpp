@@ -18,8 +18,7 @@ inline std::string shortest(const Vec3& v) {
   return shortest(v.x()) + " " + shortest(v.y()) + " " + shortest(v.z());
 }
 
-/// Why there is no block: other programs read the numbers of bodies that there can be. Empty if
-/// there is one.
+/// Why there is no block: other programs want numbers that some body has. Empty if there is one.
 inline std::string block_defect(const MassProperties& body) {
   if (body.mass == 0 && !body.centre.allFinite())
     return "the mesh encloses no volume, so there is no mass and no centre of mass to write down";
@@ -30,7 +29,7 @@ inline std::string block_defect(const MassProperties& body) {
   return defect.empty() ? defect : "the inertia tensor " + defect;
 }
 
-/// A line that such a file's readers pass over: two hyphens would end it.
+/// A comment in such a file. Two hyphens would end it.
 inline std::string comment(std::string text) {
   for (auto at = text.find("--"); at != std::string::npos; at = text.find("--", at))
     text.insert(at + 1, " ");

@@ -11,7 +11,7 @@
 namespace tumble::scenes {
 namespace {
 
-/// What was found goes with the numbers: who reads the file later has not seen our messages.
+/// What was found goes with the numbers: the file is read by people who have not seen our messages.
 void print_block(const MassAnswer& found, const MassCommand& command) {
   if (!found.findings.empty())
     for (const std::string& sentence : sentences(found)) std::cout << comment(sentence);

@@ -98,7 +98,7 @@ class Place {
     }
   }
 
-  /// The same where { } means nothing: it is asked by those who do not know what there is.
+  /// The same where { } means nothing: then we say what there is.
   void require_some(std::initializer_list<const char*> known) const {
     require_only(known);
     require(!value_.empty(), name_, " is empty; there are: ", listed(known));

@@ -63,14 +63,13 @@ bool stay_in_touch(int looks, double parting, double speed);
 /// After so many looks, planes that turn are tried, too.
 inline constexpr int many_looks = 100;
 
-/// How a search stands that has been left, beside the meeting as far as it is known: before its
-/// time they do not meet.
+/// Where a search has been left. The rest is in its meeting: before that time they do not meet.
 struct SearchState {
   int touching = 0;  ///< looks in turn at bodies that touch
   bool is_over = false;
 };
 
-/// One look at two bodies, or a body and a wall, and how far it tells the future.
+/// One look at two bodies, or a body and a wall: they meet, or cannot meet before a later time.
 template <class Things>
 void look_once(Things& things, double t1, double tolerance, Meeting& meeting, SearchState& search) {
   meeting.distance = things.look(meeting.t);

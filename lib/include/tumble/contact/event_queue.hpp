@@ -38,7 +38,7 @@ struct Awaited {
   }
 };
 
-/// A heap, which what is out of date is thrown out of from time to time.
+/// A heap. Now and then we throw out what is out of date.
 class EventQueue {
  public:
   bool empty() const { return heap_.empty(); }
@@ -57,7 +57,7 @@ class EventQueue {
     return first;
   }
 
-  /// Throws out what is out of date, if there may be more of it than of the rest.
+  /// Throws out what is out of date, if that may be more than the rest.
   template <class IsOld>
   void tidy(const IsOld& is_old) {
     if (heap_.size() <= most_) return;

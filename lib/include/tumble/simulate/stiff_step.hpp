@@ -30,8 +30,8 @@ Numbers inside_stiff_step(const F& f, double begin, Numbers y, double s,
   return y;
 }
 
-/// What f is inside, on the state at the begin, less what it is there at the moments at which the
-/// method has looked, and between them a polynomial.
+/// What f is inside, on the state at the step's start, less the polynomial through what it is there
+/// at the moments at which the method has looked.
 /// @param begin, y, h of the step
 /// @param theta the moment, a part of the step
 template <class F, class Numbers>
