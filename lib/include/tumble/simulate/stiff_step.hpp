@@ -2,8 +2,10 @@
 /// @file
 /// What is inside a step of Radau5's, whose ends are known.
 
-#include <algorithm>
+#include <stdexcept>
 
+#include "tumble/core/require.hpp"
+#include "tumble/core/rounding.hpp"
 #include "tumble/ode/radau5.hpp"
 #include "tumble/simulate/motion_tolerance.hpp"
 
@@ -13,6 +15,7 @@ namespace tumble::detail {
 /// needs shorter ones.
 /// @param begin, y of the step
 /// @param s     the moment
+/// @throws std::runtime_error if no step is short enough, as where f is not finite
 template <class F, class Numbers>
 Numbers inside_stiff_step(const F& f, double begin, Numbers y, double s,
                           const MotionTolerance<Numbers>& tolerance) {
@@ -24,6 +27,9 @@ Numbers inside_stiff_step(const F& f, double begin, Numbers y, double s,
     if (attempt.accepted()) {
       begin = next;
       y = attempt.y;
+    } else if (next - begin <= 16 * unit_roundoff * s) {
+      throw_error<std::runtime_error>("trajectory: no step is short enough, ", begin,
+                                      " s after the start: the forces have no values there");
     }
     h = attempt.next_h;
   }

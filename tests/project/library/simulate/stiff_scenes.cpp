@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "project/harness/refusal.hpp"
 #include "tumble/simulate/simulate.hpp"
 
 using namespace tumble;
@@ -60,4 +61,21 @@ TEST_CASE("stiff scenes: a strong damper, at every moment") {
     CHECK(difference_of(motion, finer, scene.span) <=
           3 * (motion.report().error_estimate + finer.report().error_estimate));
   }
+}
+
+TEST_CASE("stiff scenes: where forces have no values any more, at() says so, and ends") {
+  bool broken = false;
+  const auto braked = [&](double, const RigidBody<>&, const Derived<>& now) -> Wrench<> {
+    return {-1e6 * now.v - (broken ? std::sqrt(-1) : 1e4) * now.x, -10 * now.omega};
+  };
+  RigidBodyState<> start;
+  start.x = Vec3(1, 0, 0);
+  const Trajectory motion =
+      simulate(RigidBody<>(1, Mat3::Identity()), start, {0, 500, 1e-6}, braked);
+  REQUIRE(motion.report().method == "Radau IIA 5");
+  const double inside = 123.456;
+  CHECK(motion.at(inside).x.allFinite());
+  broken = true;
+  CHECK(test::mentions(test::message_of<std::runtime_error>([&] { motion.at(inside); }),
+                       "no step is short enough"));
 }
