@@ -29,6 +29,10 @@ std::vector<double> breaks_within(const SimulationTask& task);
 /// @throws std::invalid_argument if the longest step that is allowed makes too many of them
 void require_longest_step(const SimulationTask& task);
 
+/// How often to look for forces that no run has seen. After a surprise we look closer: what comes
+/// and goes once may do so again.
+double looks_after(int surprises);
+
 /// Runs under any forces, rougher and finer.
 /// @tparam Rhs a ScaledRhs or a ScaledSceneRhs
 template <class Rhs>
@@ -111,7 +115,8 @@ class AnyForces {
   /// Whether the stated error is no larger than what rounding makes: of the state, where nothing
   /// finer is left or where errors grow as rougher runs have shown, or of late moments.
   bool rounding_decides(const TwoRuns& runs) const {
-    constexpr double of_a_step = 4, of_late_moments = 1000;  // ten times what forces jump by
+    constexpr double of_a_step = 4;           // it rounds a few times
+    constexpr double of_late_moments = 1000;  // ten times what forces jump by, see coarse_
     return (!report_.reached() && epsilon_ <= lowest_) ||
            report_.error_estimate < growth_.of_least(of_a_step * rounding_of(runs)) ||
            report_.error_estimate < of_late_moments * coarse_;
@@ -153,19 +158,15 @@ class AnyForces {
     epsilon_ = lowest_ = std::min(coarsest, coarser * epsilon_);
   }
 
-  /// After a surprise we look closer: what comes and goes once may do so again.
-  double looks(const Run& run) const {
-    return std::min(0x1p20, 2048 * std::pow(8, rounds_ + run.has_jumped()));
-  }
-
   /// Whether there are forces that the run has not seen. Their moments become breaks; when that has
   /// been tried often enough, what they do is a part of the error.
   bool is_surprised(const Run& run) {
     constexpr int enough = 8;
-    constexpr double least = 1e-11;                // below it, rounding surprises
-    constexpr double above_jumps = 10, doubt = 4;  // it is a sum of samples
+    constexpr double least = 1e-11;  // below it, rounding surprises
+    constexpr double above_jumps = 10;
     const double part = std::max({task_.tolerance, least, above_jumps * coarse_});
-    const auto found = run.surprises(part, looks(run));
+    const auto found = run.surprises(part, looks_after(rounds_ + run.has_jumped()));
+    constexpr double doubt = 4;  // a sum of samples
     unseen_ = 0;
     for (const auto& surprise : found) unseen_ += doubt * surprise.effect;
     if (found.empty() || rounds_ == enough) return false;
@@ -182,8 +183,7 @@ class AnyForces {
   std::vector<double> breaks_, guide_;
   bool stiff_ = false, stiff_works_ = false, stiff_in_vain_ = false;
   double explicit_steps_ = 0;
-  // On random scenes ε is seldom made smaller, and the error is about a thirtieth of what was
-  // asked.
+  // On random scenes the error is then about a thirtieth of what was asked.
   double lowest_ = 2e-15, coarse_ = 0;
   double epsilon_ = std::clamp(1e-2 * task_.tolerance, lowest_, 1e-3);
   int rounds_ = 0;

@@ -21,4 +21,9 @@ TUMBLE_BODY void require_longest_step(const SimulationTask& task) {
           " s or more; or say in breaks when forces begin, end or jump");
 }
 
+TUMBLE_BODY double looks_after(int surprises) {
+  constexpr double at_first = 2048, closer = 8, most = 0x1p20;
+  return std::min(most, at_first * std::pow(closer, surprises));
+}
+
 }  // namespace tumble::detail

@@ -58,8 +58,9 @@ TEST_CASE("stiff scenes: a strong damper, at every moment") {
     const Trajectory motion = scene.simulated(1), finer = scene.simulated(1e-3);
     CHECK(motion.report().method == "Radau IIA 5");
     CHECK(motion.report().reached());
+    // Two runs may be a little closer to each other than to the truth: by 1.2 at most here.
     CHECK(difference_of(motion, finer, scene.span) <=
-          3 * (motion.report().error_estimate + finer.report().error_estimate));
+          1.5 * (motion.report().error_estimate + finer.report().error_estimate));
   }
 }
 
